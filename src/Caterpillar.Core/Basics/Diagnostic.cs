@@ -1,0 +1,54 @@
+using System.Text;
+
+namespace Caterpillar.Basics;
+
+/// <summary>How much a <see cref="Diagnostic"/> matters.</summary>
+public enum Severity
+{
+    /// <summary>Worth knowing; the result is complete.</summary>
+    Remark,
+
+    /// <summary>The result exists, but read this first.</summary>
+    Warning,
+
+    /// <summary>There is no result, or it must not be used.</summary>
+    Error,
+}
+
+/// <summary>Where a <see cref="Diagnostic"/> comes from. Every part may be missing; lines and columns count from 1, steps and moves from 0.</summary>
+public sealed record SourceLocation(
+    string? File = null, int? Line = null, int? Column = null, string? Key = null, int? Step = null, int? Move = null)
+{
+    /// <summary>For example <c>part.gcode:12:4</c>, <c>ender3.json: layer_height_mm</c> or <c>move 731</c>.</summary>
+    public override string ToString()
+    {
+        var text = new StringBuilder(File);
+        if (Line is { } line) text.Append(text.Length > 0 ? ":" : "line ").Append(NumberFormatter.Format(line));
+        if (Column is { } column) text.Append(':').Append(NumberFormatter.Format(column));
+        if (Key is not null) text.Append(text.Length > 0 ? ": " : "").Append(Key);
+        if (Step is { } step) text.Append(text.Length > 0 ? ", " : "").Append("step ").Append(NumberFormatter.Format(step));
+        if (Move is { } move) text.Append(text.Length > 0 ? ", " : "").Append("move ").Append(NumberFormatter.Format(move));
+        return text.ToString();
+    }
+}
+
+/// <summary>A problem in the input, as data: what is wrong and where. Problems of one kind are reported once, with a count.</summary>
+/// <param name="Severity">How much it matters.</param>
+/// <param name="Code">Kind of the problem as <c>room.problem</c>, for example <c>bed.outside</c> or <c>mesh.open_edges</c>.</param>
+/// <param name="Message">A sentence for people, with units.</param>
+/// <param name="Source">Where it was found first.</param>
+/// <param name="Count">How often it was found.</param>
+public sealed record Diagnostic(Severity Severity, string Code, string Message, SourceLocation? Source = null, int Count = 1)
+{
+    /// <summary>For example <c>part.stl: warning mesh.open_edges: 12 open edges. (3 times)</c>.</summary>
+    public override string ToString()
+    {
+        var text = new StringBuilder();
+        var source = Source?.ToString();
+        if (!string.IsNullOrEmpty(source)) text.Append(source).Append(": ");
+        text.Append(Severity switch { Severity.Error => "error ", Severity.Warning => "warning ", _ => "remark " });
+        text.Append(Code).Append(": ").Append(Message);
+        if (Count > 1) text.Append(" (").Append(NumberFormatter.Format(Count)).Append(" times)");
+        return text.ToString();
+    }
+}

@@ -1,0 +1,131 @@
+using System;
+using System.Globalization;
+using System.Numerics;
+
+namespace Caterpillar.Basics;
+
+/// <summary>
+/// Writes numbers for every text the project makes: the same bytes on every runtime and culture. Never an exponent, never <c>-0</c>,
+/// trailing zeros dropped, ties away from zero.
+/// </summary>
+public static class NumberFormatter
+{
+    /// <summary>The most decimals that can be asked for.</summary>
+    public const int MaxDecimals = 15;
+
+    private const double ExactLimit = 9e15;
+
+    private static readonly double[] PowersOfTen =
+        [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
+
+    /// <summary>
+    /// The printed number as a count of units of the last decimal: <c>ToUnits(1.0005, 3)</c> is 1001. Two values that print alike
+    /// have equal units, so "no move" is decided with them.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or its units exceed 9·10¹⁵, or decimals are not 0 to 15.</exception>
+    public static long ToUnits(double value, int decimals)
+    {
+        var scaled = Scale(value, decimals);
+        if (Math.Abs(scaled) > ExactLimit) throw new ArgumentOutOfRangeException(nameof(value), "Number too large to print with so many decimals.");
+        return Round(scaled);
+    }
+
+    /// <summary>The double nearest to <paramref name="units"/> of the last decimal; the inverse of <see cref="ToUnits"/>.</summary>
+    public static double FromUnits(long units, int decimals) => units / PowersOfTen[CheckDecimals(decimals)];
+
+    /// <summary>Formats a number with at most <paramref name="decimals"/> decimals.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or decimals are not 0 to 15.</exception>
+    public static string Format(double value, int decimals)
+    {
+        var scaled = Scale(value, decimals);
+        if (Math.Abs(scaled) > ExactLimit) return FormatLarge(value, decimals);
+        var buffer = new char[40];
+        var units = Round(scaled);
+        var end = buffer.Length;
+        var start = Digits(Math.Abs(units), decimals, buffer, ref end);
+        if (units < 0) buffer[--start] = '-';
+        return new string(buffer, start, end - start);
+    }
+
+    /// <summary>Formats a whole number.</summary>
+    public static string Format(long value) => value.ToString(CultureInfo.InvariantCulture);
+
+    /// <summary>
+    /// Writes <paramref name="units"/> of the last decimal as ASCII into <paramref name="buffer"/> from <paramref name="at"/> on and returns the index
+    /// behind it. At most 24 bytes are written; the caller provides the room.
+    /// </summary>
+    public static int WriteUnits(byte[] buffer, int at, long units, int decimals)
+    {
+        var magnitude = units < 0 ? (ulong)-units : (ulong)units;
+        if (units < 0) buffer[at++] = (byte)'-';
+        while (decimals > 0 && magnitude % 10 == 0)
+        {
+            magnitude /= 10;
+            decimals--;
+        }
+        var length = 1;
+        for (var rest = magnitude / 10; rest > 0; rest /= 10) length++;
+        if (length <= decimals) length = decimals + 1;
+        var end = at + length + (decimals > 0 ? 1 : 0);
+        for (var p = end - 1; p >= at; p--)
+        {
+            if (decimals > 0 && p == end - 1 - decimals)
+            {
+                buffer[p] = (byte)'.';
+                continue;
+            }
+            buffer[p] = (byte)('0' + (int)(magnitude % 10));
+            magnitude /= 10;
+        }
+        return end;
+    }
+
+    private static double Scale(double value, int decimals)
+    {
+        if (double.IsNaN(value) || double.IsInfinity(value)) throw new ArgumentOutOfRangeException(nameof(value), "Only finite numbers can be written.");
+        return value * PowersOfTen[CheckDecimals(decimals)];
+    }
+
+    private static int CheckDecimals(int decimals)
+        => decimals is >= 0 and <= MaxDecimals ? decimals : throw new ArgumentOutOfRangeException(nameof(decimals), "Decimals must be 0 to 15.");
+
+    private static long Round(double scaled)
+    {
+        var magnitude = Math.Abs(scaled);
+        var floor = Math.Floor(magnitude);
+        var units = (long)(magnitude - floor >= 0.5 ? floor + 1 : floor);
+        return scaled < 0 ? -units : units;
+    }
+
+    private static int Digits(long magnitude, int decimals, char[] buffer, ref int end)
+    {
+        while (decimals > 0 && magnitude % 10 == 0)
+        {
+            magnitude /= 10;
+            decimals--;
+        }
+        var at = end;
+        for (var i = 0; i < decimals; i++, magnitude /= 10) buffer[--at] = (char)('0' + (int)(magnitude % 10));
+        if (decimals > 0) buffer[--at] = '.';
+        do
+        {
+            buffer[--at] = (char)('0' + (int)(magnitude % 10));
+            magnitude /= 10;
+        }
+        while (magnitude > 0);
+        return at;
+    }
+
+    // Too large for 64-bit units: the whole part and the fraction are each exact.
+    private static string FormatLarge(double value, int decimals)
+    {
+        var magnitude = Math.Abs(value);
+        var whole = Math.Floor(magnitude);
+        var units = new BigInteger(whole) * (long)PowersOfTen[decimals] + Round((magnitude - whole) * PowersOfTen[decimals]);
+        var digits = units.ToString(CultureInfo.InvariantCulture);
+        var text = decimals == 0
+            ? digits
+            : (digits.Substring(0, digits.Length - decimals) + "." + digits.Substring(digits.Length - decimals)).TrimEnd('0').TrimEnd('.');
+        return value < 0 ? "-" + text : text;
+    }
+}

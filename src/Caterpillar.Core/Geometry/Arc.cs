@@ -1,0 +1,99 @@
+using System;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>Plane of an arc, as in G17, G18 and G19. The first two letters turn counter-clockwise into each other.</summary>
+public enum ArcPlane : byte
+{
+    /// <summary>G17: X to Y, helix along Z.</summary>
+    XY,
+
+    /// <summary>G18: Z to X, helix along Y.</summary>
+    ZX,
+
+    /// <summary>G19: Y to Z, helix along X.</summary>
+    YZ,
+}
+
+/// <summary>
+/// An arc or helix between two points that are known from elsewhere: centre, plane and sweep. The coordinate across the plane changes linearly. The radius is
+/// taken at the start; an end slightly off the circle is met by a linear change of the radius.
+/// </summary>
+/// <param name="Center">Centre in mm; the coordinate across the plane has no meaning.</param>
+/// <param name="Sweep">Degrees, positive counter-clockwise; ±360 is a full turn and more are allowed.</param>
+/// <param name="Plane">Plane in which it turns.</param>
+public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = ArcPlane.XY)
+{
+    /// <summary>Radius in mm at the start.</summary>
+    public double Radius(Vec3 start)
+    {
+        var (u, v, _) = Local(start);
+        return Math.Sqrt(u * u + v * v);
+    }
+
+    /// <summary>Length in mm of the helix from start to end, with the radius of the start.</summary>
+    public double Length(Vec3 start, Vec3 end)
+    {
+        var turn = Radius(start) * Math.Abs(Angle.ToRadians(Sweep));
+        var rise = Across(end) - Across(start);
+        return Math.Sqrt(turn * turn + rise * rise);
+    }
+
+    /// <summary>The point at parameter <paramref name="t"/> from start (0) to end (1).</summary>
+    public Vec3 PointAt(Vec3 start, Vec3 end, double t)
+    {
+        if (t <= 0) return start;
+        if (t >= 1) return end;
+        var (u, v, w) = Local(start);
+        var (eu, ev, ew) = Local(end);
+        var radius = Math.Sqrt(u * u + v * v);
+        var scale = radius > 0 ? 1 + (Math.Sqrt(eu * eu + ev * ev) / radius - 1) * t : 1;
+        var (sin, cos) = Angle.SinCos(Sweep * t);
+        return World((u * cos - v * sin) * scale, (v * cos + u * sin) * scale, w + (ew - w) * t);
+    }
+
+    /// <summary>The box around the arc from start to end, with its true extremes.</summary>
+    public Bounds Bounds(Vec3 start, Vec3 end)
+    {
+        var bounds = Geometry.Bounds.Empty.Include(start).Include(end);
+        var (u, v, _) = Local(start);
+        if (u == 0 && v == 0) return bounds;
+        var from = Angle.Atan2(v, u);
+        var to = from + Sweep;
+        var (low, high) = from < to ? (from, to) : (to, from);
+        var first = Math.Ceiling(low / 90);
+        for (var k = 0; k < 4 && (first + k) * 90 <= high; k++)
+            bounds = bounds.Include(PointAt(start, end, ((first + k) * 90 - from) / Sweep));
+        return bounds;
+    }
+
+    /// <summary>How many equal chords keep within <paramref name="tolerance"/> mm of the arc; at least 1.</summary>
+    public int ChordCount(Vec3 start, double tolerance)
+    {
+        if (!(tolerance > 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance must be positive.");
+        var radius = Radius(start);
+        // Half the angle of a chord whose sagitta is the tolerance: r(1 - cos a) = tolerance.
+        var half = tolerance >= radius ? 90 : Angle.ToDegrees(Math.Acos(1 - tolerance / radius));
+        var count = Math.Ceiling(Math.Abs(Sweep) / (2 * half) - 1e-9);
+        return (int)Math.Min(Math.Max(count, 1), 1_000_000);
+    }
+
+    /// <summary>The arc from end to start.</summary>
+    public Arc Reversed() => this with { Sweep = -Sweep };
+
+    private double Across(Vec3 p) => Plane switch { ArcPlane.XY => p.Z, ArcPlane.ZX => p.Y, _ => p.X };
+
+    private (double U, double V, double W) Local(Vec3 p)
+    {
+        var d = p - Center;
+        return Plane switch { ArcPlane.XY => (d.X, d.Y, p.Z), ArcPlane.ZX => (d.Z, d.X, p.Y), _ => (d.Y, d.Z, p.X) };
+    }
+
+    private Vec3 World(double u, double v, double w) => Plane switch
+    {
+        ArcPlane.XY => new Vec3(Center.X + u, Center.Y + v, w),
+        ArcPlane.ZX => new Vec3(Center.X + v, w, Center.Z + u),
+        _ => new Vec3(w, Center.Y + u, Center.Z + v),
+    };
+}

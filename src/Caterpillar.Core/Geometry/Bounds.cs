@@ -1,0 +1,72 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>An axis-aligned box in mm, or nothing (<see cref="IsEmpty"/>).</summary>
+public readonly struct Bounds : IEquatable<Bounds>
+{
+    private readonly bool _any;
+
+    public Vec3 Min { get; }
+
+    public Vec3 Max { get; }
+
+    /// <summary>A box from its corners.</summary>
+    /// <exception cref="ArgumentException">A coordinate of <paramref name="max"/> is below that of <paramref name="min"/>.</exception>
+    public Bounds(Vec3 min, Vec3 max)
+    {
+        if (!(min.X <= max.X && min.Y <= max.Y && min.Z <= max.Z)) throw new ArgumentException("The corners of a box must be ordered.", nameof(max));
+        Min = min;
+        Max = max;
+        _any = true;
+    }
+
+    public static Bounds Empty => default;
+
+    public bool IsEmpty => !_any;
+
+    /// <summary>Extent in mm along each axis; zero when empty.</summary>
+    public Vec3 Size => Max - Min;
+
+    public Vec3 Center => (Min + Max) * 0.5;
+
+    /// <summary>The box around points; empty for none.</summary>
+    public static Bounds Of(IEnumerable<Vec3> points)
+    {
+        var bounds = Empty;
+        foreach (var point in points) bounds = bounds.Include(point);
+        return bounds;
+    }
+
+    public Bounds Include(Vec3 p) => _any
+        ? new Bounds(
+            new Vec3(Math.Min(Min.X, p.X), Math.Min(Min.Y, p.Y), Math.Min(Min.Z, p.Z)),
+            new Vec3(Math.Max(Max.X, p.X), Math.Max(Max.Y, p.Y), Math.Max(Max.Z, p.Z)))
+        : new Bounds(p, p);
+
+    public Bounds Include(Bounds other) => other.IsEmpty ? this : Include(other.Min).Include(other.Max);
+
+    /// <summary>The box grown by <paramref name="margin"/> mm on every side; empty stays empty.</summary>
+    public Bounds Grow(double margin) => _any ? new Bounds(Min - new Vec3(margin, margin, margin), Max + new Vec3(margin, margin, margin)) : this;
+
+    /// <summary>True when the point lies inside or on the box, within <paramref name="tolerance"/> mm.</summary>
+    public bool Contains(Vec3 p, double tolerance = 0) => _any
+        && p.X >= Min.X - tolerance && p.X <= Max.X + tolerance
+        && p.Y >= Min.Y - tolerance && p.Y <= Max.Y + tolerance
+        && p.Z >= Min.Z - tolerance && p.Z <= Max.Z + tolerance;
+
+    public bool Contains(Bounds other, double tolerance = 0) => other.IsEmpty || (Contains(other.Min, tolerance) && Contains(other.Max, tolerance));
+
+    public bool Equals(Bounds other) => _any == other._any && Min == other.Min && Max == other.Max;
+
+    public override bool Equals(object? obj) => obj is Bounds other && Equals(other);
+
+    public override int GetHashCode() => unchecked(Min.GetHashCode() * 397 ^ Max.GetHashCode());
+
+    public static bool operator ==(Bounds a, Bounds b) => a.Equals(b);
+
+    public static bool operator !=(Bounds a, Bounds b) => !a.Equals(b);
+
+    public override string ToString() => _any ? $"{Min} to {Max}" : "empty";
+}

@@ -1,0 +1,98 @@
+using System;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// A place with three perpendicular unit axes, right-handed. For a turtle X is forward, Y left and Z up. Rotations act about the frame's own axes and
+/// re-orthonormalise, so that a million turns do not drift.
+/// </summary>
+public readonly struct Frame : IEquatable<Frame>
+{
+    public Vec3 Origin { get; }
+
+    public Vec3 X { get; }
+
+    public Vec3 Y { get; }
+
+    public Vec3 Z { get; }
+
+    private Frame(Vec3 origin, Vec3 x, Vec3 y, Vec3 z)
+    {
+        Origin = origin;
+        X = x;
+        Y = y;
+        Z = z;
+    }
+
+    /// <summary>The axes of the world at the origin.</summary>
+    public static Frame World => new(Vec3.Zero, Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ);
+
+    /// <summary>The axes of the world at a point.</summary>
+    public static Frame At(Vec3 origin) => new(origin, Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ);
+
+    /// <summary>A frame whose X axis has the direction of <paramref name="x"/> and whose XY plane contains <paramref name="y"/>.</summary>
+    /// <exception cref="ArgumentException">The directions are zero, not finite, or parallel.</exception>
+    public static Frame FromAxes(Vec3 origin, Vec3 x, Vec3 y)
+    {
+        var ux = x.Unit();
+        var uz = Vec3.Cross(ux, y.Unit()).Unit();
+        if (!(ux.LengthSquared > 0.5) || !(uz.LengthSquared > 0.5)) throw new ArgumentException("The axes of a frame must be two different directions.", nameof(y));
+        return new Frame(origin, ux, Vec3.Cross(uz, ux), uz);
+    }
+
+    public Frame WithOrigin(Vec3 origin) => new(origin, X, Y, Z);
+
+    /// <summary>A point given in this frame, in world coordinates.</summary>
+    public Vec3 ToWorld(Vec3 local) => Origin + X * local.X + Y * local.Y + Z * local.Z;
+
+    /// <summary>A point of the world, in coordinates of this frame.</summary>
+    public Vec3 ToLocal(Vec3 world)
+    {
+        var d = world - Origin;
+        return new Vec3(Vec3.Dot(d, X), Vec3.Dot(d, Y), Vec3.Dot(d, Z));
+    }
+
+    /// <summary>Turns about Z by degrees; positive from X towards Y (a turtle turns left).</summary>
+    public Frame Yaw(double degrees)
+    {
+        var (sin, cos) = Angle.SinCos(degrees);
+        return Orthonormal(X * cos + Y * sin, Y * cos - X * sin);
+    }
+
+    /// <summary>Turns about Y by degrees; positive from X towards Z (nose up). This is left-handed about Y.</summary>
+    public Frame Pitch(double degrees)
+    {
+        var (sin, cos) = Angle.SinCos(degrees);
+        return Orthonormal(X * cos + Z * sin, Y);
+    }
+
+    /// <summary>Turns about X by degrees; positive from Y towards Z (the left side rises).</summary>
+    public Frame Roll(double degrees)
+    {
+        var (sin, cos) = Angle.SinCos(degrees);
+        return Orthonormal(X, Y * cos + Z * sin);
+    }
+
+    public bool Equals(Frame other) => Origin == other.Origin && X == other.X && Y == other.Y && Z == other.Z;
+
+    public override bool Equals(object? obj) => obj is Frame other && Equals(other);
+
+    public override int GetHashCode() => unchecked(Origin.GetHashCode() * 397 ^ X.GetHashCode());
+
+    public static bool operator ==(Frame a, Frame b) => a.Equals(b);
+
+    public static bool operator !=(Frame a, Frame b) => !a.Equals(b);
+
+    public override string ToString() => $"{Origin}, X {X}, Y {Y}";
+
+    // One Gram-Schmidt step; for axes that are unit to rounding it leaves exact right angles exact.
+    private Frame Orthonormal(Vec3 x, Vec3 y)
+    {
+        x = Normalised(x);
+        y = Normalised(y - x * Vec3.Dot(x, y));
+        return new Frame(Origin, x, y, Vec3.Cross(x, y));
+    }
+
+    private static Vec3 Normalised(Vec3 v) => v * (1.5 - 0.5 * v.LengthSquared);
+}

@@ -1,0 +1,79 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>Points joined by straight segments, in mm. A closed polyline does not repeat its first point. Immutable.</summary>
+public sealed class Polyline
+{
+    private readonly Vec3[] _points;
+
+    /// <summary>A polyline through a copy of the points.</summary>
+    public Polyline(IEnumerable<Vec3> points, bool closed = false)
+        : this((points ?? throw new ArgumentNullException(nameof(points))).ToArray(), closed)
+    {
+    }
+
+    private Polyline(Vec3[] points, bool closed)
+    {
+        _points = points;
+        IsClosed = closed;
+    }
+
+    public IReadOnlyList<Vec3> Points => _points;
+
+    public int Count => _points.Length;
+
+    public bool IsClosed { get; }
+
+    public Vec3 this[int index] => _points[index];
+
+    /// <summary>Number of segments; a closed polyline has one back to its first point.</summary>
+    public int SegmentCount => _points.Length < 2 ? 0 : IsClosed ? _points.Length : _points.Length - 1;
+
+    /// <summary>Length in mm.</summary>
+    public double Length
+    {
+        get
+        {
+            var sum = 0.0;
+            for (var i = 0; i < SegmentCount; i++) sum += _points[i].DistanceTo(_points[i + 1 == _points.Length ? 0 : i + 1]);
+            return sum;
+        }
+    }
+
+    public Bounds Bounds => Bounds.Of(_points);
+
+    /// <summary>Signed area of the projection on XY in mm²: positive when counter-clockwise seen from above.</summary>
+    public double SignedAreaXY
+    {
+        get
+        {
+            if (_points.Length < 3) return 0;
+            // Relative to the first point, so that far from the origin no digits are lost.
+            var o = _points[0];
+            var sum = 0.0;
+            for (var i = 1; i + 1 < _points.Length; i++)
+            {
+                var a = _points[i] - o;
+                var b = _points[i + 1] - o;
+                sum += a.X * b.Y - a.Y * b.X;
+            }
+            return sum / 2;
+        }
+    }
+
+    /// <summary>The same points in the other direction; a closed one keeps its first point.</summary>
+    public Polyline Reversed()
+    {
+        var points = (Vec3[])_points.Clone();
+        Array.Reverse(points, IsClosed ? 1 : 0, points.Length - (IsClosed && points.Length > 0 ? 1 : 0));
+        return new Polyline(points, IsClosed);
+    }
+
+    /// <summary>Takes the array over without a copy; for code that has just made it.</summary>
+    internal static Polyline Own(Vec3[] points, bool closed) => new(points, closed);
+
+    internal Vec3[] Raw => _points;
+}

@@ -1,0 +1,128 @@
+using System;
+using System.Globalization;
+using System.Text;
+using Caterpillar.Basics;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Basics;
+
+public class NumberTests
+{
+    [TestCase(1.0005, 3, "1.001")]
+    [TestCase(-1.2345, 3, "-1.235")]
+    [TestCase(-1e-7, 3, "0")]
+    [TestCase(0.0, 5, "0")]
+    [TestCase(-0.0, 5, "0")]
+    [TestCase(1234567.8915, 3, "1234567.892")]
+    [TestCase(1e9, 3, "1000000000")]
+    [TestCase(1e9 + 0.125, 3, "1000000000.125")]
+    [TestCase(0.5, 0, "1")]
+    [TestCase(-0.5, 0, "-1")]
+    [TestCase(2.5, 0, "3")]
+    [TestCase(0.05, 5, "0.05")]
+    [TestCase(100, 0, "100")]
+    [TestCase(1e20, 3, "100000000000000000000")]
+    [TestCase(123e18, 5, "123000000000000000000")]
+    public void Numbers_are_written_without_exponent_minus_zero_or_trailing_zeros(double value, int decimals, string expected)
+    {
+        Assert.That(NumberFormatter.Format(value, decimals), Is.EqualTo(expected));
+        if (Math.Abs(value) > 1e12) return;
+        var buffer = new byte[40];
+        var end = NumberFormatter.WriteUnits(buffer, 3, NumberFormatter.ToUnits(value, decimals), decimals);
+        Assert.That(Encoding.ASCII.GetString(buffer, 3, end - 3), Is.EqualTo(expected));
+    }
+
+    [TestCase("de-DE")]
+    [TestCase("tr-TR")]
+    [TestCase("ar-SA")]
+    public void The_culture_changes_nothing(string culture)
+    {
+        var before = CultureInfo.CurrentCulture;
+        try
+        {
+            CultureInfo.CurrentCulture = new CultureInfo(culture);
+            Assert.That(NumberFormatter.Format(-1234.5, 3), Is.EqualTo("-1234.5"));
+            Assert.That(NumberFormatter.Format(-17), Is.EqualTo("-17"));
+            Assert.That(NumberReader.TryParse("-1234.5", out var value), Is.True);
+            Assert.That(value, Is.EqualTo(-1234.5));
+        }
+        finally
+        {
+            CultureInfo.CurrentCulture = before;
+        }
+    }
+
+    [Test]
+    public void Numbers_that_are_not_finite_are_refused()
+    {
+        Assert.That(() => NumberFormatter.Format(double.NaN, 3), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => NumberFormatter.ToUnits(double.PositiveInfinity, 3), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => NumberFormatter.ToUnits(1e18, 3), Throws.InstanceOf<ArgumentOutOfRangeException>());
+    }
+
+    [TestCase("+5", 5)]
+    [TestCase("-.5", -0.5)]
+    [TestCase("5.", 5)]
+    [TestCase("007", 7)]
+    [TestCase("1e-3", 1e-3)]
+    [TestCase("2.5E+02", 250)]
+    [TestCase("0.1", 0.1)]
+    [TestCase("9007199254740993", 9007199254740992)]
+    [TestCase("9007199254740993.00000000000000000000000000000000001", 9007199254740994)]
+    [TestCase("1.7976931348623157e308", double.MaxValue)]
+    [TestCase("4.9e-324", double.Epsilon)]
+    [TestCase("2.2250738585072011e-308", 2.2250738585072011e-308)]
+    [TestCase("2.2250738585072014e-308", 2.2250738585072014e-308)]
+    [TestCase("1e-400", 0)]
+    [TestCase("0.000000000000000000000000000000000000012345678901234567890123456789", 1.2345678901234567890123456789e-38)]
+    [TestCase("123456789012345678901234567890", 123456789012345678901234567890.0)]
+    public void Numbers_are_read_correctly_rounded(string text, double expected)
+    {
+        Assert.That(NumberReader.TryParse(text, out var value), Is.True);
+        Assert.That(value, Is.EqualTo(expected));
+    }
+
+    [TestCase("")]
+    [TestCase("-")]
+    [TestCase(".")]
+    [TestCase("1,5")]
+    [TestCase("1e")]
+    [TestCase("0x10")]
+    [TestCase("1e999")]
+    [TestCase("NaN")]
+    [TestCase("−1")]
+    [TestCase("1 ")]
+    public void Text_that_is_no_number_is_refused(string text) => Assert.That(NumberReader.TryParse(text, out _), Is.False);
+
+#if NET
+    [Test]
+    public void Reading_agrees_with_the_runtime_on_random_numbers()
+    {
+        // .NET's parser is correctly rounded; Mono's is not, so this comparison runs on .NET only.
+        var random = new Random(7);
+        var bytes = new byte[8];
+        for (var i = 0; i < 20_000; i++)
+        {
+            random.NextBytes(bytes);
+            var value = BitConverter.ToDouble(bytes, 0);
+            if (double.IsNaN(value) || double.IsInfinity(value)) continue;
+            var text = i % 2 == 0 ? value.ToString("R", CultureInfo.InvariantCulture) : (value % 1e6).ToString("F" + i % 20, CultureInfo.InvariantCulture);
+            Assert.That(NumberReader.TryParse(text, out var read), Is.True, text);
+            Assert.That(read, Is.EqualTo(double.Parse(text, CultureInfo.InvariantCulture)), text);
+        }
+    }
+#endif
+
+    [Test]
+    public void A_number_ends_where_its_text_ends()
+    {
+        var text = Encoding.ASCII.GetBytes("X-12.5Y3E5");
+        Assert.That(NumberReader.Scan(text, 1, text.Length, false, out var x), Is.EqualTo(6));
+        Assert.That(x, Is.EqualTo(-12.5));
+        Assert.That(NumberReader.Scan(text, 7, text.Length, false, out var y), Is.EqualTo(8));
+        Assert.That(y, Is.EqualTo(3));
+        Assert.That(NumberReader.Scan(text, 7, text.Length, true, out y), Is.EqualTo(10));
+        Assert.That(y, Is.EqualTo(300000));
+        Assert.That(NumberReader.Scan(text, 6, text.Length, true, out _), Is.EqualTo(6));
+    }
+}

@@ -1,0 +1,39 @@
+using System;
+using System.IO;
+using System.IO.Compression;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests;
+
+/// <summary>Finds the repository and the shared test data (meshes and G-code with known results) beside it.</summary>
+internal static class TestData
+{
+    public static string Repository { get; } = FindRepository();
+
+    /// <summary>A file of the shared test data, for example <c>meshes/torus.obj</c>. The test is skipped where the data is absent.</summary>
+    public static string Shared(string path)
+    {
+        var full = Path.GetFullPath(Path.Combine(Repository, "..", "shared", "data", path.Replace('/', Path.DirectorySeparatorChar)));
+        if (!File.Exists(full) && !Directory.Exists(full)) Assert.Ignore($"The shared test data is not here: shared/data/{path}");
+        return full;
+    }
+
+    /// <summary>The bytes of a file, unpacked where its name ends in .gz.</summary>
+    public static byte[] ReadBytes(string file)
+    {
+        if (!file.EndsWith(".gz", StringComparison.Ordinal)) return File.ReadAllBytes(file);
+        using var packed = new GZipStream(File.OpenRead(file), CompressionMode.Decompress);
+        using var memory = new MemoryStream();
+        packed.CopyTo(memory);
+        return memory.ToArray();
+    }
+
+    private static string FindRepository()
+    {
+        for (var folder = new DirectoryInfo(AppContext.BaseDirectory); folder is not null; folder = folder.Parent)
+        {
+            if (File.Exists(Path.Combine(folder.FullName, "Caterpillar.sln"))) return folder.FullName;
+        }
+        throw new DirectoryNotFoundException("Caterpillar.sln is not above " + AppContext.BaseDirectory);
+    }
+}
