@@ -1,0 +1,85 @@
+using System;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Cross-section from which the width of a strand follows.</summary>
+public enum BeadShape : byte
+{
+    /// <summary>Width × height (Caterpillar 2019).</summary>
+    Rectangle,
+
+    /// <summary>A rectangle with round sides, as slicers assume.</summary>
+    Stadium,
+
+    /// <summary>A round strand, printed in the air or through a wide gap (Kanada).</summary>
+    Circle,
+}
+
+/// <summary>
+/// The strand that is laid down along a segment: cross-section in mm², height in mm where it is known, speed in mm/s. An area of 0 deposits nothing (a stroke of
+/// a pen, a brush or a bare hot tool).
+/// </summary>
+public readonly record struct Bead
+{
+    /// <summary>Cross-section in mm², 0 or more.</summary>
+    public double Area { get; }
+
+    /// <summary>Height of the layer in mm, or 0 where it is not known.</summary>
+    public double Height { get; }
+
+    /// <summary>Speed of the head in mm/s, or 0 for the speed of the print settings.</summary>
+    public double Speed { get; }
+
+    /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite.</exception>
+    public Bead(double area, double height = 0, double speed = 0)
+    {
+        Area = Check(area, nameof(area));
+        Height = Check(height, nameof(height));
+        Speed = Check(speed, nameof(speed));
+    }
+
+    /// <summary>A bead from its width and height in mm; <paramref name="multiplier"/> scales the area.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite, or a stadium is narrower than high.</exception>
+    public static Bead FromWidth(double width, double height, double multiplier = 1, double speed = 0, BeadShape shape = BeadShape.Rectangle)
+    {
+        Check(width, nameof(width));
+        Check(height, nameof(height));
+        var area = shape switch
+        {
+            BeadShape.Rectangle => width * height,
+            BeadShape.Stadium => width >= height
+                ? height * (width - height) + Math.PI / 4 * height * height
+                : throw new ArgumentOutOfRangeException(nameof(width), "A stadium is at least as wide as high."),
+            _ => Math.PI / 4 * width * width,
+        };
+        return new Bead(area * Check(multiplier, nameof(multiplier)), height, speed);
+    }
+
+    /// <summary>
+    /// Width in mm that follows from the area and the height for a shape. Where the height is unknown, or a stadium would be narrower than high, the strand is round.
+    /// </summary>
+    public double Width(BeadShape shape = BeadShape.Rectangle)
+    {
+        var round = 2 * Math.Sqrt(Area / Math.PI);
+        if (Height <= 0 || shape == BeadShape.Circle) return round;
+        if (shape == BeadShape.Rectangle) return Area / Height;
+        var width = Area / Height + Height * (1 - Math.PI / 4);
+        return width >= Height ? width : round;
+    }
+
+    public Bead WithArea(double area) => new(area, Height, Speed);
+
+    public Bead WithSpeed(double speed) => new(Area, Height, speed);
+
+    public override string ToString()
+    {
+        var text = NumberFormatter.Format(Area, 4) + " mm²";
+        if (Height > 0) text += ", " + NumberFormatter.Format(Height, 4) + " mm high";
+        if (Speed > 0) text += ", " + NumberFormatter.Format(Speed, 3) + " mm/s";
+        return text;
+    }
+
+    private static double Check(double value, string name)
+        => value >= 0 && !double.IsInfinity(value) ? value : throw new ArgumentOutOfRangeException(name, "A bead needs finite values of 0 or more.");
+}

@@ -1,0 +1,34 @@
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Something the machine does besides moving. It happens at its place in the order of steps or moves.</summary>
+public abstract record PrinterEvent;
+
+/// <summary>Nozzle temperature in °C (0 = off) of a tool; with <paramref name="Wait"/> the machine waits until it is reached (M104, M109).</summary>
+public sealed record NozzleTemperatureEvent(double Celsius, bool Wait = false, int? Tool = null) : PrinterEvent;
+
+/// <summary>Bed temperature in °C (0 = off); with <paramref name="Wait"/> the machine waits until it is reached (M140, M190).</summary>
+public sealed record BedTemperatureEvent(double Celsius, bool Wait = false) : PrinterEvent;
+
+/// <summary>Part cooling fan, 0 to 1 (M106, M107).</summary>
+public sealed record FanEvent(double Speed) : PrinterEvent;
+
+/// <summary>From here on another tool works (T).</summary>
+public sealed record ToolEvent(int Tool) : PrinterEvent;
+
+/// <summary>Acceleration in mm/s² from here on (M204).</summary>
+public sealed record AccelerationEvent(double Value) : PrinterEvent;
+
+/// <summary>The machine waits for some seconds (G4).</summary>
+public sealed record DwellEvent(double Seconds) : PrinterEvent;
+
+/// <summary>The machine waits for its user (M0 or what the dialect has for it).</summary>
+public sealed record PauseEvent(string Message = "") : PrinterEvent;
+
+/// <summary>A comment line. Line ends in the text become blanks.</summary>
+public sealed record CommentEvent(string Text) : PrinterEvent;
+
+/// <summary>A line written as it is.</summary>
+public sealed record RawEvent(string Line) : PrinterEvent;
+
+/// <summary>Material pushed out (positive) or pulled back (negative) in place, in mm³.</summary>
+public sealed record ExtrudeEvent(double Volume, double Speed = 0) : PrinterEvent;

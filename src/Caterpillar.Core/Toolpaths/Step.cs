@@ -1,0 +1,87 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>One entry of a design: a path to deposit, a travel that the designer drew, or an event. Every source ends in an ordered list of steps.</summary>
+public abstract class Step
+{
+    private protected Step()
+    {
+    }
+
+    public static implicit operator Step(PrintPath path) => new PathStep(path);
+
+    public static implicit operator Step(PrinterEvent what) => new EventStep(what);
+}
+
+/// <summary>
+/// Paths with the same group may be sorted among each other. Groups keep the order in which they first appear: the layers from below, in each layer the islands, in each island
+/// walls before infill.
+/// </summary>
+/// <param name="Layer">Number of the layer in the whole print.</param>
+/// <param name="Island">Number of the island in its layer.</param>
+/// <param name="Rank">Rank of the role in its island, lowest first.</param>
+public readonly record struct StepGroup(int Layer, int Island = 0, int Rank = 0);
+
+/// <summary>A path to deposit.</summary>
+public sealed class PathStep : Step
+{
+    public PathStep(PrintPath path, StepGroup? group = null)
+    {
+        Path = path ?? throw new ArgumentNullException(nameof(path));
+        Group = group;
+    }
+
+    public PrintPath Path { get; }
+
+    /// <summary>Paths of one group may be sorted; without a group the path stays where it is.</summary>
+    public StepGroup? Group { get; }
+}
+
+/// <summary>How a drawn travel is meant.</summary>
+public enum TravelIntent : byte
+{
+    /// <summary>Exactly as drawn.</summary>
+    AsDrawn,
+
+    /// <summary>Get to the last point safely, however: the way is planning's choice (a turtle's pop).</summary>
+    Return,
+}
+
+/// <summary>A travel that the designer drew: from wherever the head is through these points, mm.</summary>
+public sealed class TravelStep : Step
+{
+    private readonly Vec3[] _points;
+
+    /// <exception cref="ArgumentException">No point, or one that is not finite.</exception>
+    public TravelStep(IEnumerable<Vec3> points, double speed = 0, TravelIntent intent = TravelIntent.AsDrawn)
+    {
+        _points = (points ?? throw new ArgumentNullException(nameof(points))).ToArray();
+        if (_points.Length == 0 || !_points.All(p => p.IsFinite)) throw new ArgumentException("A travel needs finite points.", nameof(points));
+        Speed = speed;
+        Intent = intent;
+    }
+
+    public TravelStep(Vec3 to, double speed = 0, TravelIntent intent = TravelIntent.AsDrawn)
+        : this([to], speed, intent)
+    {
+    }
+
+    public IReadOnlyList<Vec3> Points => _points;
+
+    /// <summary>mm/s, or 0 for the travel speed of the settings.</summary>
+    public double Speed { get; }
+
+    public TravelIntent Intent { get; }
+}
+
+/// <summary>Something the machine does at this place. Sorting never crosses it.</summary>
+public sealed class EventStep : Step
+{
+    public EventStep(PrinterEvent what) => Event = what ?? throw new ArgumentNullException(nameof(what));
+
+    public PrinterEvent Event { get; }
+}

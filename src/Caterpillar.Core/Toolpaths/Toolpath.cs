@@ -1,0 +1,128 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>What the numbers in the source column of a toolpath count.</summary>
+public enum MoveSource : byte
+{
+    /// <summary>Steps of the design, from 0.</summary>
+    Steps,
+
+    /// <summary>Lines of a G-code file, from 1.</summary>
+    Lines,
+}
+
+/// <summary>A tool as a toolpath needs it.</summary>
+/// <param name="VolumePerE">mm³ for one unit of E (π D²/4 for E in mm of filament, 1 for E in mm³); null where a decoded file does not say.</param>
+public sealed record ToolpathTool(double? VolumePerE);
+
+/// <summary>An event and the move before which it happens; an event after the last move has the number of moves.</summary>
+public readonly record struct MoveEvent(int Move, PrinterEvent Event);
+
+/// <summary>
+/// What the machine does, move by move, in order: planned from steps or decoded from a file. Columns in shared blocks, so that many million moves fit and an edit copies
+/// only its block. Immutable.
+/// </summary>
+public sealed class Toolpath
+{
+    private readonly ToolpathBlock[] _blocks;
+    private readonly int[] _firsts;
+    private readonly MoveEvent[] _events;
+
+    internal Toolpath(
+        IEnumerable<ToolpathBlock> blocks, IEnumerable<Layer> layers, IEnumerable<MoveEvent> events, IEnumerable<ToolpathTool> tools, Vec3? start, MoveSource source)
+    {
+        _blocks = blocks.Where(b => b.Count > 0).ToArray();
+        _firsts = new int[_blocks.Length];
+        for (var i = 0; i < _blocks.Length; i++)
+        {
+            _firsts[i] = Count;
+            Count += _blocks[i].Count;
+        }
+        Layers = layers.ToArray();
+        _events = events.ToArray();
+        Tools = tools.ToArray();
+        Start = start;
+        Source = source;
+    }
+
+    /// <summary>Number of moves.</summary>
+    public int Count { get; }
+
+    public IReadOnlyList<ToolpathBlock> Blocks => _blocks;
+
+    /// <summary>The layers that the moves name, in order of first appearance.</summary>
+    public IReadOnlyList<Layer> Layers { get; }
+
+    /// <summary>Events, ascending by move.</summary>
+    public IReadOnlyList<MoveEvent> Events => _events;
+
+    /// <summary>The tools by number.</summary>
+    public IReadOnlyList<ToolpathTool> Tools { get; }
+
+    /// <summary>Where the head stands before the first move, mm; null where a decoded file does not say (moves then begin at the origin).</summary>
+    public Vec3? Start { get; }
+
+    /// <summary>What <see cref="Move.Source"/> counts.</summary>
+    public MoveSource Source { get; }
+
+    /// <summary>A move by its number.</summary>
+    public Move this[int index]
+    {
+        get
+        {
+            if (index < 0 || index >= Count) throw new ArgumentOutOfRangeException(nameof(index));
+            var block = BlockOf(index);
+            return Gather(block, index - _firsts[block]);
+        }
+    }
+
+    /// <summary>All moves in order. For hot loops inside the library use the columns of the blocks.</summary>
+    public IEnumerable<Move> Moves()
+    {
+        for (var block = 0; block < _blocks.Length; block++)
+        {
+            for (var i = 0; i < _blocks[block].Count; i++) yield return Gather(block, i);
+        }
+    }
+
+    /// <summary>mm³ of material that a move deposits; null where the factor of its tool is not known.</summary>
+    public double? VolumeOf(Move move) => VolumePerE(move.Tool) * move.Deposited;
+
+    /// <summary>mm³ for one unit of E of a tool, or null.</summary>
+    public double? VolumePerE(int tool) => tool >= 0 && tool < Tools.Count ? Tools[tool].VolumePerE : null;
+
+    /// <summary>The same toolpath with other moves in some blocks; for edits.</summary>
+    internal Toolpath WithBlocks(IEnumerable<ToolpathBlock> blocks, IEnumerable<MoveEvent>? events = null, IEnumerable<Layer>? layers = null)
+        => new(blocks, layers ?? Layers, events ?? _events, Tools, Start, Source);
+
+    /// <summary>Number of the first move of a block.</summary>
+    internal int FirstOf(int block) => _firsts[block];
+
+    /// <summary>Where the head stands before a block begins.</summary>
+    internal Vec3 StartOf(int block)
+    {
+        if (block == 0) return Start ?? Vec3.Zero;
+        var columns = _blocks[block - 1].Columns;
+        var last = columns.Count - 1;
+        return new Vec3(columns.X[last], columns.Y[last], columns.Z[last]);
+    }
+
+    private int BlockOf(int index)
+    {
+        var at = Array.BinarySearch(_firsts, index);
+        return at >= 0 ? at : ~at - 1;
+    }
+
+    private Move Gather(int block, int i)
+    {
+        var c = _blocks[block].Columns;
+        var start = i > 0 ? new Vec3(c.X[i - 1], c.Y[i - 1], c.Z[i - 1]) : StartOf(block);
+        var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
+        Arc? arc = c.TryGetArc(i, out var geometry) ? geometry : null;
+        return new Move(_firsts[block] + i, start, end, c.E[i], c.Deposited[i], c.Speed[i], c.Kind[i], c.Role[i], c.Layer[i], c.Tool[i], c.Source[i], arc);
+    }
+}

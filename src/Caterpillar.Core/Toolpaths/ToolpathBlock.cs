@@ -1,0 +1,110 @@
+using System;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// A stretch of up to <see cref="Capacity"/> moves as columns. Blocks are immutable and shared: an edit copies only the blocks it changes, and in them only the columns.
+/// </summary>
+public sealed class ToolpathBlock
+{
+    /// <summary>The most moves in one block.</summary>
+    public const int Capacity = 65536;
+
+    internal ToolpathBlock(ToolpathColumns columns) => Columns = columns;
+
+    public int Count => Columns.Count;
+
+    internal ToolpathColumns Columns { get; }
+}
+
+/// <summary>
+/// The columns of a block; index i is the i-th move of the block. Filled by whoever makes the block and never changed afterwards.
+/// </summary>
+internal sealed class ToolpathColumns
+{
+    public int Count;
+
+    // End point, mm.
+    public double[] X;
+    public double[] Y;
+    public double[] Z;
+
+    // Commanded change of E and the part of it that is deposited, both in the unit of the tool.
+    public double[] E;
+    public double[] Deposited;
+
+    // mm/s
+    public double[] Speed;
+    public MoveKind[] Kind;
+    public Role[] Role;
+    public short[] Tool;
+
+    // Index into Toolpath.Layers, or -1.
+    public int[] Layer;
+
+    // Line of the G-code file (from 1) or number of the step (from 0); -1 where there is none.
+    public int[] Source;
+
+    // Rotary axes in degrees at the end of the move, where some move of the block has them.
+    public double[]? A;
+    public double[]? B;
+    public double[]? C;
+
+    // Moves of the block that are arcs, ascending, and their geometry.
+    public int[] ArcMoves = [];
+    public Arc[] Arcs = [];
+
+    public ToolpathColumns(int capacity)
+    {
+        X = new double[capacity];
+        Y = new double[capacity];
+        Z = new double[capacity];
+        E = new double[capacity];
+        Deposited = new double[capacity];
+        Speed = new double[capacity];
+        Kind = new MoveKind[capacity];
+        Role = new Role[capacity];
+        Tool = new short[capacity];
+        Layer = new int[capacity];
+        Source = new int[capacity];
+    }
+
+    public int Capacity => X.Length;
+
+    public bool TryGetArc(int move, out Arc arc)
+    {
+        var at = ArcMoves.Length == 0 ? -1 : Array.BinarySearch(ArcMoves, move);
+        arc = at >= 0 ? Arcs[at] : default;
+        return at >= 0;
+    }
+
+    /// <summary>A copy with its own columns, to be changed before it becomes a block.</summary>
+    public ToolpathColumns Copy(int capacity)
+    {
+        var copy = new ToolpathColumns(capacity) { Count = Count, ArcMoves = ArcMoves, Arcs = Arcs };
+        Array.Copy(X, copy.X, Count);
+        Array.Copy(Y, copy.Y, Count);
+        Array.Copy(Z, copy.Z, Count);
+        Array.Copy(E, copy.E, Count);
+        Array.Copy(Deposited, copy.Deposited, Count);
+        Array.Copy(Speed, copy.Speed, Count);
+        Array.Copy(Kind, copy.Kind, Count);
+        Array.Copy(Role, copy.Role, Count);
+        Array.Copy(Tool, copy.Tool, Count);
+        Array.Copy(Layer, copy.Layer, Count);
+        Array.Copy(Source, copy.Source, Count);
+        copy.A = Resized(A, capacity);
+        copy.B = Resized(B, capacity);
+        copy.C = Resized(C, capacity);
+        return copy;
+    }
+
+    private double[]? Resized(double[]? column, int capacity)
+    {
+        if (column is null) return null;
+        var resized = new double[capacity];
+        Array.Copy(column, resized, Count);
+        return resized;
+    }
+}

@@ -1,0 +1,110 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Collects moves and events in order and ends in a <see cref="Toolpath"/>. Not thread-safe.</summary>
+public sealed class ToolpathBuilder
+{
+    private readonly List<ToolpathBlock> _blocks = [];
+    private readonly List<Layer> _layers = [];
+    private readonly List<MoveEvent> _events = [];
+    private readonly List<int> _arcMoves = [];
+    private readonly List<Arc> _arcs = [];
+    private readonly MoveSource _source;
+    private ToolpathColumns _columns = new(1024);
+    private int _sealed;
+
+    public ToolpathBuilder(MoveSource source, Vec3? start)
+    {
+        _source = source;
+        Start = start;
+        Position = start ?? Vec3.Zero;
+    }
+
+    public Vec3? Start { get; }
+
+    /// <summary>Where the head stands after the moves so far, mm.</summary>
+    public Vec3 Position { get; private set; }
+
+    /// <summary>Number of moves so far.</summary>
+    public int Count => _sealed + _columns.Count;
+
+    /// <summary>Makes a layer known and returns the number that moves name it by.</summary>
+    public int AddLayer(Layer layer)
+    {
+        _layers.Add(layer ?? throw new ArgumentNullException(nameof(layer)));
+        return _layers.Count - 1;
+    }
+
+    /// <summary>Adds an event before the next move.</summary>
+    public void AddEvent(PrinterEvent what) => _events.Add(new MoveEvent(Count, what ?? throw new ArgumentNullException(nameof(what))));
+
+    /// <summary>Adds a move. The parameters are those of <see cref="Move"/>.</summary>
+    public void Add(Vec3 end, double e, double deposited, double speed, MoveKind kind, Role role, int layer, int tool, int source, Arc? arc = null)
+    {
+        if (_columns.Count == _columns.Capacity) Grow();
+        var c = _columns;
+        var i = c.Count++;
+        c.X[i] = end.X;
+        c.Y[i] = end.Y;
+        c.Z[i] = end.Z;
+        c.E[i] = e;
+        c.Deposited[i] = deposited;
+        c.Speed[i] = speed;
+        c.Kind[i] = kind;
+        c.Role[i] = role;
+        c.Tool[i] = checked((short)tool);
+        c.Layer[i] = layer;
+        c.Source[i] = source;
+        if (arc is { } geometry)
+        {
+            _arcMoves.Add(i);
+            _arcs.Add(geometry);
+        }
+        Position = end;
+    }
+
+    /// <summary>Sets the rotary axes of the last move added, in degrees.</summary>
+    public void SetRotary(double a, double b, double c)
+    {
+        var columns = _columns;
+        columns.A ??= new double[columns.Capacity];
+        columns.B ??= new double[columns.Capacity];
+        columns.C ??= new double[columns.Capacity];
+        columns.A[columns.Count - 1] = a;
+        columns.B[columns.Count - 1] = b;
+        columns.C[columns.Count - 1] = c;
+    }
+
+    /// <summary>The toolpath. The builder is used up afterwards.</summary>
+    public Toolpath Build(IEnumerable<ToolpathTool> tools)
+    {
+        Seal();
+        return new Toolpath(_blocks, _layers, _events, tools, Start, _source);
+    }
+
+    private void Grow()
+    {
+        if (_columns.Capacity < ToolpathBlock.Capacity)
+        {
+            _columns = _columns.Copy(Math.Min(_columns.Capacity * 4, ToolpathBlock.Capacity));
+            return;
+        }
+        Seal();
+        _columns = new ToolpathColumns(ToolpathBlock.Capacity);
+    }
+
+    private void Seal()
+    {
+        if (_columns.Count == 0) return;
+        _columns.ArcMoves = _arcMoves.ToArray();
+        _columns.Arcs = _arcs.ToArray();
+        _arcMoves.Clear();
+        _arcs.Clear();
+        _blocks.Add(new ToolpathBlock(_columns));
+        _sealed += _columns.Count;
+        _columns = new ToolpathColumns(16);
+    }
+}

@@ -1,0 +1,48 @@
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Sums over a toolpath, independent of the machine's accelerations.</summary>
+/// <param name="PrintLength">Way of the head while printing, mm.</param>
+/// <param name="TravelLength">Way of the head without printing, mm.</param>
+/// <param name="DepositedE">Deposited E in the units of the tools.</param>
+/// <param name="DepositedVolume">Deposited material in mm³; null where a tool's factor is not known.</param>
+/// <param name="PrintMoves">Moves that print.</param>
+/// <param name="TravelMoves">Moves of the head that do not.</param>
+/// <param name="Retractions">Retractions in place or in motion.</param>
+/// <param name="PrintBounds">Box around the printed moves, both ends and the extremes of arcs, mm.</param>
+/// <param name="AllBounds">Box around the ends of all moves, mm.</param>
+public sealed record ToolpathTotals(
+    double PrintLength, double TravelLength, double DepositedE, double? DepositedVolume, int PrintMoves, int TravelMoves, int Retractions, Bounds PrintBounds, Bounds AllBounds)
+{
+    public static ToolpathTotals Of(Toolpath toolpath)
+    {
+        double print = 0, travel = 0, deposited = 0;
+        double? volume = 0;
+        int prints = 0, travels = 0, retractions = 0;
+        var printBounds = Bounds.Empty;
+        var allBounds = Bounds.Empty;
+        foreach (var move in toolpath.Moves())
+        {
+            var length = move.Length;
+            deposited += move.Deposited;
+            if (move.Deposited != 0) volume += toolpath.VolumeOf(move);
+            if (move.Kind is MoveKind.Retract or MoveKind.Wipe) retractions++;
+            if (length > 0) allBounds = allBounds.Include(move.End);
+            if (move.Kind == MoveKind.Print)
+            {
+                prints++;
+                print += length;
+                printBounds = move.Arc is { } arc
+                    ? printBounds.Include(arc.Bounds(move.Start, move.End))
+                    : printBounds.Include(move.Start).Include(move.End);
+            }
+            else if (length > 0)
+            {
+                travels++;
+                travel += length;
+            }
+        }
+        return new ToolpathTotals(print, travel, deposited, volume, prints, travels, retractions, printBounds, allBounds);
+    }
+}
