@@ -1,0 +1,147 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Mono.Cecil;
+using Mono.Cecil.Cil;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Architecture;
+
+/// <summary>Reads the compiled Core and checks which room of it uses which.</summary>
+public class RoomTests
+{
+    private static readonly string[] Data = ["Basics", "Geometry", "Expressions", "Toolpaths", "Machines"];
+
+    private static readonly Dictionary<string, string[]> Allowed = new()
+    {
+        ["Basics"] = [],
+        ["Geometry"] = ["Basics"],
+        ["Expressions"] = ["Basics"],
+        ["Toolpaths"] = ["Basics", "Geometry", "Expressions"],
+        ["Machines"] = ["Basics", "Geometry", "Expressions", "Toolpaths"],
+        ["Turtles"] = Data,
+        ["Traces"] = Data,
+        ["Curves"] = Data,
+        ["Slicing"] = Data,
+        ["Shaping"] = Data,
+        ["Planning"] = Data,
+        ["GCode"] = Data,
+        ["Simulation"] = Data,
+        ["Display"] = Data,
+        ["Checks"] = [.. Data, "Planning", "GCode", "Simulation"],
+    };
+
+    [Test]
+    public void Rooms_depend_downwards_only()
+    {
+        var offences = Uses(typeof(Caterpillar.Basics.Diagnostic).Assembly.Location)
+            .Where(u => u.From != u.To && !(Allowed.TryGetValue(u.From, out var allowed) && allowed.Contains(u.To)))
+            .Select(u => $"{u.From} uses {u.To}: {u.Where}")
+            .Distinct().OrderBy(t => t, StringComparer.Ordinal).ToArray();
+        Assert.That(offences, Is.Empty);
+    }
+
+    [Test]
+    public void Every_room_is_known()
+    {
+        using var assembly = AssemblyDefinition.ReadAssembly(typeof(Caterpillar.Basics.Diagnostic).Assembly.Location);
+        var rooms = assembly.MainModule.Types.Where(t => t.Namespace.StartsWith("Caterpillar", StringComparison.Ordinal)).Select(t => t.Namespace).Distinct();
+        Assert.That(rooms, Is.SubsetOf(Allowed.Keys.Select(room => "Caterpillar." + room)));
+    }
+
+    [Test]
+    public void The_check_sees_uses_in_method_bodies()
+    {
+        // Toolpaths certainly calls Geometry from a body; had the reader missed bodies, this would be absent.
+        var uses = Uses(typeof(Caterpillar.Basics.Diagnostic).Assembly.Location).ToArray();
+        Assert.That(uses.Any(u => u.From == "Toolpaths" && u.To == "Geometry" && u.Where.Contains("ToolpathTotals::Of")), Is.True);
+    }
+
+    [Test]
+    public void Core_keeps_no_static_state_that_can_change()
+    {
+        using var assembly = AssemblyDefinition.ReadAssembly(typeof(Caterpillar.Basics.Diagnostic).Assembly.Location);
+        var fields = assembly.MainModule.Types.SelectMany(Nested)
+            .Where(t => t.Namespace.StartsWith("Caterpillar", StringComparison.Ordinal) || t.DeclaringType is not null)
+            .Where(t => !t.Name.StartsWith("<", StringComparison.Ordinal))
+            .SelectMany(t => t.Fields)
+            .Where(f => f.IsStatic && !f.IsInitOnly && !f.IsLiteral && !f.Name.StartsWith("<", StringComparison.Ordinal))
+            .Select(f => f.FullName).ToArray();
+        Assert.That(fields, Is.Empty);
+    }
+
+    private static IEnumerable<(string From, string To, string Where)> Uses(string file)
+    {
+        using var assembly = AssemblyDefinition.ReadAssembly(file);
+        foreach (var type in assembly.MainModule.Types.SelectMany(Nested))
+        {
+            var from = Room(type);
+            if (from is null) continue;
+            foreach (var (used, where) in References(type))
+            {
+                foreach (var part in Parts(used))
+                {
+                    if (Room(part) is { } to) yield return (from, to, where);
+                }
+            }
+        }
+    }
+
+    private static IEnumerable<TypeDefinition> Nested(TypeDefinition type) => new[] { type }.Concat(type.NestedTypes.SelectMany(Nested));
+
+    private static IEnumerable<(TypeReference? Used, string Where)> References(TypeDefinition type)
+    {
+        yield return (type.BaseType, type.FullName);
+        foreach (var contract in type.Interfaces) yield return (contract.InterfaceType, type.FullName);
+        foreach (var field in type.Fields) yield return (field.FieldType, field.FullName);
+        foreach (var method in type.Methods)
+        {
+            yield return (method.ReturnType, method.FullName);
+            foreach (var parameter in method.Parameters) yield return (parameter.ParameterType, method.FullName);
+            if (!method.HasBody) continue;
+            foreach (var local in method.Body.Variables) yield return (local.VariableType, method.FullName);
+            foreach (var instruction in method.Body.Instructions)
+            {
+                if (instruction.OpCode.OperandType == OperandType.InlineNone) continue;
+                switch (instruction.Operand)
+                {
+                    case TypeReference used:
+                        yield return (used, method.FullName);
+                        break;
+                    case MethodReference called:
+                        yield return (called.DeclaringType, method.FullName);
+                        yield return (called.ReturnType, method.FullName);
+                        break;
+                    case FieldReference field:
+                        yield return (field.DeclaringType, method.FullName);
+                        break;
+                }
+            }
+        }
+    }
+
+    private static IEnumerable<TypeReference> Parts(TypeReference? type)
+    {
+        if (type is null) yield break;
+        if (type is GenericInstanceType generic)
+        {
+            foreach (var argument in generic.GenericArguments)
+            {
+                foreach (var part in Parts(argument)) yield return part;
+            }
+        }
+        if (type is TypeSpecification specification)
+        {
+            foreach (var part in Parts(specification.ElementType)) yield return part;
+            yield break;
+        }
+        yield return type;
+    }
+
+    private static string? Room(TypeReference type)
+    {
+        while (type.DeclaringType is not null) type = type.DeclaringType;
+        var name = type.Namespace;
+        return name.StartsWith("Caterpillar.", StringComparison.Ordinal) ? name.Substring("Caterpillar.".Length).Split('.')[0] : null;
+    }
+}
