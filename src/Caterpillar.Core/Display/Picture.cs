@@ -1,0 +1,126 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Display;
+
+/// <summary>What colours mean in a picture.</summary>
+public enum ColourBy
+{
+    Role,
+    Height,
+    Speed,
+    Layer,
+    Progress,
+}
+
+/// <summary>How a picture is drawn.</summary>
+public sealed record PictureOptions
+{
+    public int Width { get; init; } = 960;
+
+    public int Height { get; init; } = 720;
+
+    public View View { get; init; } = View.Perspective;
+
+    public ColourBy ColourBy { get; init; } = ColourBy.Role;
+
+    /// <summary>Draw travel moves as thin lines.</summary>
+    public bool Travel { get; init; }
+
+    /// <summary>Only moves of these layers (indices into the layers of the toolpath), or null for all.</summary>
+    public (int First, int Last)? Layers { get; init; }
+
+    /// <summary>Width in mm of strands whose area is not known.</summary>
+    public double DefaultWidth { get; init; } = 0.4;
+
+    /// <summary>The bed to draw, or empty.</summary>
+    public Bounds Bed { get; init; }
+
+    public Rgb Background { get; init; } = new(250, 250, 248);
+}
+
+/// <summary>Draws a toolpath as shaded strands, seen from any side.</summary>
+public static class Picture
+{
+    /// <summary>A picture of the toolpath; an empty one for a toolpath that prints nothing.</summary>
+    public static RasterImage Draw(Toolpath toolpath, PictureOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        options ??= new PictureOptions();
+        var canvas = new StrandCanvas(options.Width * 2, options.Height * 2, options.Background, options.View);
+        var ranges = Ranges(toolpath, options);
+        if (ranges.Box.IsEmpty) return canvas.Finish();
+        canvas.Fit(ranges.Box.Include(options.Bed));
+        DrawBed(canvas, options.Bed);
+        var chords = new List<Vec3>();
+        foreach (var move in toolpath.Moves())
+        {
+            if ((move.Index & 0xFFFF) == 0)
+            {
+                cancel.ThrowIfCancellationRequested();
+                progress?.Report((double)move.Index / toolpath.Count);
+            }
+            if (!IsShown(move, options)) continue;
+            var print = move.Kind == MoveKind.Print;
+            var length = move.Length;
+            if (length == 0) continue;
+            var width = print && toolpath.VolumeOf(move) is { } volume && volume > 0 ? Math.Sqrt(volume / length * 4 / Math.PI) : options.DefaultWidth;
+            var colour = print ? ColourOf(move, toolpath.Count, options.ColourBy, ranges) : Palette.Travel;
+            chords.Clear();
+            Chords(move, chords);
+            for (var i = 1; i < chords.Count; i++) canvas.Strand(chords[i - 1], chords[i], print ? width : 0, colour);
+        }
+        return canvas.Finish();
+    }
+
+    private static bool IsShown(Move move, PictureOptions options)
+        => (move.Kind == MoveKind.Print || (options.Travel && move.Kind is MoveKind.Travel or MoveKind.Wipe or MoveKind.MovingRestore))
+            && (options.Layers is not { } layers || (move.Layer >= layers.First && move.Layer <= layers.Last));
+
+    private static (Bounds Box, double Slow, double Fast, int LastLayer) Ranges(Toolpath toolpath, PictureOptions options)
+    {
+        var box = Bounds.Empty;
+        double slow = double.MaxValue, fast = 0;
+        foreach (var move in toolpath.Moves())
+        {
+            if (move.Kind != MoveKind.Print || !IsShown(move, options)) continue;
+            box = box.Include(move.Start).Include(move.End);
+            slow = Math.Min(slow, move.Speed);
+            fast = Math.Max(fast, move.Speed);
+        }
+        return (box, slow, fast, toolpath.Layers.Count - 1);
+    }
+
+    private static Rgb ColourOf(Move move, int count, ColourBy by, (Bounds Box, double Slow, double Fast, int LastLayer) ranges) => by switch
+    {
+        ColourBy.Role => Palette.Of(move.Role),
+        ColourBy.Height => Palette.At((move.End.Z - ranges.Box.Min.Z) / Math.Max(ranges.Box.Size.Z, 1e-9)),
+        ColourBy.Speed => Palette.At((move.Speed - ranges.Slow) / Math.Max(ranges.Fast - ranges.Slow, 1e-9)),
+        ColourBy.Layer => Palette.At(move.Layer / Math.Max(ranges.LastLayer, 1.0)),
+        _ => Palette.At(move.Index / Math.Max(count - 1.0, 1)),
+    };
+
+    private static void Chords(Move move, List<Vec3> chords)
+    {
+        chords.Add(move.Start);
+        if (move.Arc is { } arc)
+        {
+            var count = arc.ChordCount(move.Start, 0.02);
+            for (var i = 1; i < count; i++) chords.Add(arc.PointAt(move.Start, move.End, (double)i / count));
+        }
+        chords.Add(move.End);
+    }
+
+    private static void DrawBed(StrandCanvas canvas, Bounds bed)
+    {
+        if (bed.IsEmpty) return;
+        var line = new Rgb(222, 222, 216);
+        for (var x = Math.Ceiling(bed.Min.X / 10) * 10; x <= bed.Max.X; x += 10)
+            canvas.Strand(new Vec3(x, bed.Min.Y, bed.Min.Z), new Vec3(x, bed.Max.Y, bed.Min.Z), 0, line);
+        for (var y = Math.Ceiling(bed.Min.Y / 10) * 10; y <= bed.Max.Y; y += 10)
+            canvas.Strand(new Vec3(bed.Min.X, y, bed.Min.Z), new Vec3(bed.Max.X, y, bed.Min.Z), 0, line);
+    }
+}

@@ -1,0 +1,34 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Display;
+
+/// <summary>A parallel projection: where the eye stands around the part (azimuth, degrees from +X counter-clockwise) and above the bed (elevation, −90 to 90).</summary>
+public sealed class View
+{
+    private readonly Vec3 _right;
+    private readonly Vec3 _up;
+    private readonly Vec3 _toEye;
+
+    public View(double azimuth, double elevation)
+    {
+        var (sa, ca) = Angle.SinCos(azimuth);
+        var (se, ce) = Angle.SinCos(Math.Max(-90, Math.Min(90, elevation)));
+        _toEye = new Vec3(ca * ce, sa * ce, se);
+        _right = new Vec3(-sa, ca, 0);
+        _up = Vec3.Cross(_toEye, _right);
+    }
+
+    /// <summary>From above, Y upwards on the picture.</summary>
+    public static View Top { get; } = new(-90, 90);
+
+    /// <summary>From the front, Z upwards on the picture.</summary>
+    public static View Front { get; } = new(-90, 0);
+
+    /// <summary>From the front right, above.</summary>
+    public static View Perspective { get; } = new(-60, 28);
+
+    /// <summary>Right and up on the picture, and nearness to the eye; mm.</summary>
+    public Vec3 Project(Vec3 point) => new(Vec3.Dot(point, _right), Vec3.Dot(point, _up), Vec3.Dot(point, _toEye));
+}
