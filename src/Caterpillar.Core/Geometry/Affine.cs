@@ -1,0 +1,79 @@
+using System;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// An affine map of space: a linear part, given by the images of the three axes, and a shift in mm. Immutable. Maps points by
+/// <c>p ↦ XAxis·p.X + YAxis·p.Y + ZAxis·p.Z + Shift</c>.
+/// </summary>
+public readonly struct Affine : IEquatable<Affine>
+{
+    /// <summary>Image of the X axis.</summary>
+    public Vec3 XAxis { get; }
+
+    /// <summary>Image of the Y axis.</summary>
+    public Vec3 YAxis { get; }
+
+    /// <summary>Image of the Z axis.</summary>
+    public Vec3 ZAxis { get; }
+
+    /// <summary>Image of the origin, mm.</summary>
+    public Vec3 Shift { get; }
+
+    public Affine(Vec3 xAxis, Vec3 yAxis, Vec3 zAxis, Vec3 shift)
+    {
+        XAxis = xAxis;
+        YAxis = yAxis;
+        ZAxis = zAxis;
+        Shift = shift;
+    }
+
+    public static Affine Identity => new(Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ, Vec3.Zero);
+
+    /// <summary>Volume factor of the map; negative where it mirrors, zero where it flattens.</summary>
+    public double Determinant => Vec3.Dot(XAxis, Vec3.Cross(YAxis, ZAxis));
+
+    public static Affine Move(Vec3 shift) => new(Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ, shift);
+
+    public static Affine Scale(double factor) => Scale(factor, factor, factor);
+
+    /// <summary>Scales along the axes of the world, about the origin.</summary>
+    public static Affine Scale(double x, double y, double z) => new(new Vec3(x, 0), new Vec3(0, y), new Vec3(0, 0, z), Vec3.Zero);
+
+    /// <summary>A turn about an axis through the origin, in degrees, counter-clockwise where the axis points at the viewer. Multiples of 90° about a world axis are exact.</summary>
+    /// <exception cref="ArgumentException">The axis has no direction.</exception>
+    public static Affine Rotate(Vec3 axis, double degrees)
+    {
+        var u = axis.Unit();
+        if (!(u.LengthSquared > 0.5)) throw new ArgumentException("The axis of a rotation must have a direction.", nameof(axis));
+        var (sin, cos) = Angle.SinCos(degrees);
+        Vec3 Turn(Vec3 p) => p * cos + Vec3.Cross(u, p) * sin + u * (Vec3.Dot(u, p) * (1 - cos));
+        return new Affine(Turn(Vec3.UnitX), Turn(Vec3.UnitY), Turn(Vec3.UnitZ), Vec3.Zero);
+    }
+
+    /// <summary>The map from coordinates of a frame to the world.</summary>
+    public static Affine FromFrame(Frame frame) => new(frame.X, frame.Y, frame.Z, frame.Origin);
+
+    /// <summary>The image of a point.</summary>
+    public Vec3 Apply(Vec3 p) => XAxis * p.X + YAxis * p.Y + ZAxis * p.Z + Shift;
+
+    /// <summary>The image of a direction: without the shift.</summary>
+    public Vec3 ApplyDirection(Vec3 d) => XAxis * d.X + YAxis * d.Y + ZAxis * d.Z;
+
+    /// <summary>This map first, then the other.</summary>
+    public Affine Then(Affine next)
+        => new(next.ApplyDirection(XAxis), next.ApplyDirection(YAxis), next.ApplyDirection(ZAxis), next.Apply(Shift));
+
+    public bool Equals(Affine other) => XAxis == other.XAxis && YAxis == other.YAxis && ZAxis == other.ZAxis && Shift == other.Shift;
+
+    public override bool Equals(object? obj) => obj is Affine other && Equals(other);
+
+    public override int GetHashCode() => unchecked(((XAxis.GetHashCode() * 397 ^ YAxis.GetHashCode()) * 397 ^ ZAxis.GetHashCode()) * 397 ^ Shift.GetHashCode());
+
+    public static bool operator ==(Affine a, Affine b) => a.Equals(b);
+
+    public static bool operator !=(Affine a, Affine b) => !a.Equals(b);
+
+    public override string ToString() => $"X {XAxis}, Y {YAxis}, Z {ZAxis}, shift {Shift}";
+}

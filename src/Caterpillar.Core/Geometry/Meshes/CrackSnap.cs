@@ -1,0 +1,93 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// Closes cracks that a file with few digits leaves: vertices on open edges that lie closer together than the snap become one. Only kept where it
+/// leaves fewer open edges.
+/// </summary>
+internal static class CrackSnap
+{
+    /// <summary>Snap as a part of the largest coordinate: two units of the sixth digit, which is what text files are written with.</summary>
+    public const double RelativeSnap = 2e-6;
+
+    public static TriMesh Close(TriMesh mesh, SourceLocation source, DiagnosticList diagnostics)
+    {
+        var bounds = mesh.Bounds;
+        var largest = Math.Max(Largest(bounds.Min), Largest(bounds.Max));
+        var snap = RelativeSnap * largest;
+        if (!(snap > 0)) return mesh;
+        var (target, moved) = Targets(mesh, snap);
+        if (moved == 0) return mesh;
+        var builder = new MeshBuilder(mesh.VertexCount, mesh.TriangleCount);
+        var ids = new int[mesh.VertexCount];
+        for (var v = 0; v < ids.Length; v++)
+        {
+            var p = mesh.RawVertices[target[v]];
+            ids[v] = builder.AddVertex(p.X, p.Y, p.Z);
+        }
+        var triangles = mesh.RawTriangles;
+        for (var t = 0; t < triangles.Length; t += 3) builder.AddTriangle(ids[triangles[t]], ids[triangles[t + 1]], ids[triangles[t + 2]]);
+        var closed = builder.ToMesh();
+        if (closed.OpenEdgeCount >= mesh.OpenEdgeCount) return mesh;
+        diagnostics.Add(Severity.Warning, "mesh.snapped",
+            $"Cracks were closed by moving vertices on open edges together, at most {NumberFormatter.Format(snap, 9)} mm.", source, moved);
+        if (builder.Degenerate > 0) diagnostics.Add(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal corners are left out.", source, builder.Degenerate);
+        return closed;
+    }
+
+    // For each vertex the first one on an open edge within the snap, or itself.
+    private static (int[] Target, int Moved) Targets(TriMesh mesh, double snap)
+    {
+        var vertices = mesh.RawVertices;
+        var target = new int[vertices.Length];
+        for (var v = 0; v < target.Length; v++) target[v] = v;
+        var open = new bool[vertices.Length];
+        var partner = mesh.Topology.Partner;
+        for (var h = 0; h < partner.Length; h++)
+        {
+            if (partner[h] < 0) open[mesh.RawTriangles[h]] = open[mesh.RawTriangles[MeshTopology.Next(h)]] = true;
+        }
+        var cells = new Dictionary<(long, long, long), List<int>>();
+        var moved = 0;
+        for (var v = 0; v < target.Length; v++)
+        {
+            if (!open[v]) continue;
+            var p = vertices[v];
+            var (x, y, z) = (Cell(p.X, snap), Cell(p.Y, snap), Cell(p.Z, snap));
+            var nearest = Nearest(cells, vertices, p, (x, y, z), snap);
+            if (nearest >= 0)
+            {
+                target[v] = nearest;
+                moved++;
+                continue;
+            }
+            if (!cells.TryGetValue((x, y, z), out var list)) cells.Add((x, y, z), list = []);
+            list.Add(v);
+        }
+        return (target, moved);
+    }
+
+    private static int Nearest(Dictionary<(long, long, long), List<int>> cells, Vec3[] vertices, Vec3 p, (long X, long Y, long Z) at, double snap)
+    {
+        var best = -1;
+        var distance = snap;
+        for (var i = 0; i < 27; i++)
+        {
+            if (!cells.TryGetValue((at.X + i % 3 - 1, at.Y + i / 3 % 3 - 1, at.Z + i / 9 - 1), out var list)) continue;
+            foreach (var v in list)
+            {
+                var d = vertices[v].DistanceTo(p);
+                if (d > distance || (d == distance && best >= 0 && v > best)) continue;
+                (best, distance) = (v, d);
+            }
+        }
+        return best;
+    }
+
+    private static long Cell(double value, double size) => (long)Math.Floor(value / size);
+
+    private static double Largest(Vec3 p) => Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z)));
+}

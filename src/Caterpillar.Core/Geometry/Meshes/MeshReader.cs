@@ -1,0 +1,115 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// Reads mesh files: STL (binary and ASCII), OBJ, PLY (ASCII and both binary orders) and 3MF, also packed with gzip. Coordinates stay doubles; vertices
+/// with equal coordinates become one; polygons are split as fans from their first corner. The format is found from the bytes, and from the name where they do not tell.
+/// STL, OBJ and PLY give one mesh, 3MF gives one for each item on the plate, in mm (the others are taken as mm).
+/// Bytes that cannot be read give errors, never exceptions.
+/// </summary>
+public static class MeshReader
+{
+    /// <summary>Reads a file. Errors are codes <c>mesh.*</c> with the place in the file.</summary>
+    /// <exception cref="IOException">The file cannot be read from the disk.</exception>
+    /// <exception cref="OperationCanceledException">Reading was cancelled.</exception>
+    public static Result<IReadOnlyList<NamedMesh>> Read(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (path is null) throw new ArgumentNullException(nameof(path));
+        return Read(File.ReadAllBytes(path), path, progress, cancel);
+    }
+
+    /// <summary>Reads the bytes of a file; <paramref name="name"/> stands in messages, and its ending may tell the format.</summary>
+    public static Result<IReadOnlyList<NamedMesh>> Read(byte[] bytes, string name, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (bytes is null) throw new ArgumentNullException(nameof(bytes));
+        if (name is null) throw new ArgumentNullException(nameof(name));
+        var diagnostics = new DiagnosticList();
+        var meshes = new List<NamedMesh>();
+        var plain = GzipBytes.IsPacked(bytes) ? GzipBytes.Unpack(bytes, name, diagnostics, cancel) : bytes;
+        var good = plain is not null && ReadPlain(new MeshSource(plain, name, diagnostics, progress, cancel), meshes);
+        if (good && meshes.All(m => m.Mesh.TriangleCount == 0))
+        {
+            diagnostics.Add(Severity.Error, "mesh.empty", "There is no triangle in the file.", new SourceLocation(name));
+        }
+        progress?.Report(1);
+        var value = good && !diagnostics.HasErrors ? meshes.Where(m => m.Mesh.TriangleCount > 0).ToArray() : null;
+        return new Result<IReadOnlyList<NamedMesh>>(value, diagnostics.ToList());
+    }
+
+    /// <summary>Reads a file and takes everything in it as one mesh.</summary>
+    /// <exception cref="IOException">The file cannot be read from the disk.</exception>
+    /// <exception cref="OperationCanceledException">Reading was cancelled.</exception>
+    public static Result<TriMesh> ReadMerged(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        var read = Read(path, progress, cancel);
+        return new Result<TriMesh>(read.Value is null ? null : TriMesh.Merge(read.Value.Select(m => m.Mesh)), read.Diagnostics);
+    }
+
+    /// <summary>The file's name without folder and endings.</summary>
+    internal static string PlainName(string name)
+    {
+        var slash = name.LastIndexOfAny(['/', '\\']);
+        var plain = WithoutGz(name.Substring(slash + 1));
+        var dot = plain.LastIndexOf('.');
+        return dot > 0 ? plain.Substring(0, dot) : plain;
+    }
+
+    internal static int BehindByteOrderMark(byte[] bytes) => bytes.Length >= 3 && bytes[0] == 0xEF && bytes[1] == 0xBB && bytes[2] == 0xBF ? 3 : 0;
+
+    private static bool ReadPlain(MeshSource source, List<NamedMesh> meshes)
+    {
+        var bytes = source.Bytes;
+        var ending = Path.GetExtension(WithoutGz(source.Name).Replace('\\', '/').Split('/').Last()).ToUpperInvariant();
+        if (StartsWith(bytes, "PK\u0003\u0004")) return ThreeMfReader.Read(source, meshes);
+        if (StartsWith(bytes, "ply\n") || StartsWith(bytes, "ply\r")) return PlyReader.Read(source, meshes);
+        switch (ending)
+        {
+            case ".STL":
+                return StlReader.Read(source, meshes);
+            case ".OBJ":
+                return ObjReader.Read(source, meshes);
+            case ".PLY":
+                source.ErrorInBinary("mesh.syntax", "A PLY file begins with a line \"ply\".", 0);
+                return false;
+            case ".3MF":
+                source.ErrorInBinary("mesh.syntax", "A 3MF file is a zip archive; this is none.", 0);
+                return false;
+        }
+        if (StlReader.HasBinaryLength(bytes) || StlTextReader.LooksLikeText(bytes)) return StlReader.Read(source, meshes);
+        if (LooksLikeObj(bytes)) return ObjReader.Read(source, meshes);
+        source.ErrorInBinary("mesh.unknown_format", "This is no mesh file that can be read: STL, OBJ, PLY and 3MF can.", 0);
+        return false;
+    }
+
+    // A line that begins with "v " and a number, in the first kilobytes.
+    private static bool LooksLikeObj(byte[] bytes)
+    {
+        var cursor = new TextCursor(bytes, BehindByteOrderMark(bytes), Math.Min(bytes.Length, 65536));
+        while (cursor.SkipSpace())
+        {
+            var start = cursor.SkipWord();
+            if (cursor.WordIs(start, "v") && cursor.SkipBlanks() && cursor.ReadNumber(out _)) return true;
+            if (bytes[start] == 0) return false;
+            cursor.SkipLine();
+        }
+        return false;
+    }
+
+    private static string WithoutGz(string name) => name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? name.Substring(0, name.Length - 3) : name;
+
+    private static bool StartsWith(byte[] bytes, string text)
+    {
+        if (bytes.Length < text.Length) return false;
+        for (var i = 0; i < text.Length; i++)
+        {
+            if (bytes[i] != text[i]) return false;
+        }
+        return true;
+    }
+}

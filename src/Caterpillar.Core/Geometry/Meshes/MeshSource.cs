@@ -1,0 +1,46 @@
+using System;
+using System.Threading;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>The bytes of a mesh file while it is read, with its name for messages, and where to report to.</summary>
+internal sealed class MeshSource(byte[] bytes, string name, DiagnosticList diagnostics, IProgress<double>? progress, CancellationToken cancel)
+{
+    public byte[] Bytes { get; } = bytes;
+
+    public int Length => Bytes.Length;
+
+    public string Name { get; } = name;
+
+    public DiagnosticList Diagnostics { get; } = diagnostics;
+
+    public CancellationToken Cancel { get; } = cancel;
+
+    /// <summary>Reports progress and stops when cancelled; call now and then.</summary>
+    public void Pulse(long done, long all)
+    {
+        Cancel.ThrowIfCancellationRequested();
+        if (all > 0) progress?.Report(Math.Min(1, (double)done / all));
+    }
+
+    /// <summary>An error at a byte of a text file; the place is given as line and column.</summary>
+    public void ErrorInText(string code, string message, int offset) => Diagnostics.Add(Severity.Error, code, message, PlaceInText(offset));
+
+    /// <summary>An error at a byte of a binary file.</summary>
+    public void ErrorInBinary(string code, string message, long offset)
+        => Diagnostics.Add(Severity.Error, code, $"{message} (byte {NumberFormatter.Format(offset)})", new SourceLocation(Name));
+
+    public SourceLocation PlaceInText(int offset)
+    {
+        var line = 1;
+        var start = 0;
+        for (var i = 0; i < offset && i < Length; i++)
+        {
+            if (Bytes[i] != '\n') continue;
+            line++;
+            start = i + 1;
+        }
+        return new SourceLocation(Name, line, offset - start + 1);
+    }
+}

@@ -1,0 +1,17 @@
+using System;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>A mesh and the name it has in its file (or the file's name where it has none).</summary>
+public sealed record NamedMesh
+{
+    public string Name { get; }
+
+    public TriMesh Mesh { get; }
+
+    public NamedMesh(string name, TriMesh mesh)
+    {
+        Name = name ?? throw new ArgumentNullException(nameof(name));
+        Mesh = mesh ?? throw new ArgumentNullException(nameof(mesh));
+    }
+}

@@ -1,0 +1,177 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// Reads the polygons of Wavefront OBJ: <c>v</c> and <c>f</c> in all forms, negative indices, indices of vertices that come later, continued lines. Polygons are split as
+/// fans from their first corner. All objects and groups become one mesh, because groups often are patches of one surface. Materials are not looked for.
+/// </summary>
+internal sealed class ObjReader
+{
+    private readonly MeshSource _source;
+    private readonly TextCursor _cursor;
+    private readonly MeshBuilder _builder;
+    private int[] _ids;
+    private int _vertices;
+    private int[] _corners;
+    private int _used;
+    private int _largest = -1;
+    private int _largestAt;
+    private string _name = "";
+
+    private ObjReader(MeshSource source)
+    {
+        _source = source;
+        _cursor = new TextCursor(source.Bytes, MeshReader.BehindByteOrderMark(source.Bytes), source.Length);
+        var expected = source.Length / 60 + 16;
+        _builder = new MeshBuilder(expected, expected * 2);
+        _ids = new int[expected];
+        _corners = new int[expected * 6];
+    }
+
+    public static bool Read(MeshSource source, List<NamedMesh> meshes)
+    {
+        var reader = new ObjReader(source);
+        if (!reader.ReadLines()) return false;
+        if (reader._largest >= reader._vertices)
+        {
+            source.ErrorInText("mesh.index",
+                $"A face uses vertex {NumberFormatter.Format(reader._largest + 1L)}, but there are {NumberFormatter.Format(reader._vertices)}.", reader._largestAt);
+            return false;
+        }
+        var (ids, corners) = (reader._ids, reader._corners);
+        for (var i = 0; i < reader._used; i += 3) reader._builder.AddTriangle(ids[corners[i]], ids[corners[i + 1]], ids[corners[i + 2]]);
+        var name = reader._name.Length > 0 ? reader._name : MeshReader.PlainName(source.Name);
+        meshes.Add(new NamedMesh(name, reader._builder.ToMesh(source.Name, false, source.Diagnostics)));
+        return true;
+    }
+
+    private bool ReadLines()
+    {
+        for (var lines = 0; _cursor.SkipSpace(); lines++)
+        {
+            if ((lines & 0xFFFF) == 0) _source.Pulse(_cursor.At, _source.Length);
+            var first = _cursor.Bytes[_cursor.At];
+            var start = _cursor.SkipWord();
+            var length = _cursor.At - start;
+            if (length == 1 && first == 'v')
+            {
+                if (!ReadVertex()) return false;
+            }
+            else if (length == 1 && first == 'f')
+            {
+                if (!ReadFace(start)) return false;
+            }
+            else
+            {
+                Other(start);
+            }
+            // What is left of the line, with its continuations.
+            while (_cursor.SkipBlanks()) _cursor.SkipWord();
+            _cursor.SkipLine();
+        }
+        return true;
+    }
+
+    private bool ReadVertex()
+    {
+        double x = 0, y = 0, z = 0;
+        var good = _cursor.SkipBlanks() && _cursor.ReadNumber(out x)
+            && _cursor.SkipBlanks() && _cursor.ReadNumber(out y)
+            && _cursor.SkipBlanks() && _cursor.ReadNumber(out z);
+        if (!good)
+        {
+            var ended = _cursor.AtEnd;
+            _source.ErrorInText(ended ? "mesh.truncated" : "mesh.syntax", ended ? "The file ends inside a vertex." : "A vertex needs three numbers.", _cursor.At);
+            return false;
+        }
+        if (_vertices == _ids.Length) Array.Resize(ref _ids, _vertices * 2);
+        _ids[_vertices++] = _builder.AddVertex(x, y, z);
+        return true;
+    }
+
+    private bool ReadFace(int faceAt)
+    {
+        int first = 0, last = 0, count = 0;
+        while (_cursor.SkipBlanks())
+        {
+            if (_cursor.Bytes[_cursor.At] == '#') break;
+            if (!ReadCorner(faceAt, out var corner)) return false;
+            if (count == 0) first = corner;
+            if (count >= 2) Push(first, last, corner);
+            last = corner;
+            count++;
+        }
+        if (count < 3)
+        {
+            _source.Diagnostics.Add(Severity.Warning, "mesh.short_faces", "Faces with fewer than three corners are left out.", _source.PlaceInText(faceAt));
+        }
+        return true;
+    }
+
+    private bool ReadCorner(int faceAt, out int corner)
+    {
+        corner = 0;
+        var start = _cursor.SkipWord();
+        var at = start;
+        var bytes = _cursor.Bytes;
+        var negative = bytes[at] == '-';
+        if (negative || bytes[at] == '+') at++;
+        var digits = at;
+        long index = 0;
+        for (; at < _cursor.At && (uint)(bytes[at] - '0') <= 9; at++)
+        {
+            if (index <= int.MaxValue) index = index * 10 + (bytes[at] - '0');
+        }
+        if (at == digits || (at < _cursor.At && bytes[at] != '/'))
+        {
+            _source.ErrorInText("mesh.syntax", "A corner of a face must be a vertex number, or numbers with slashes.", start);
+            return false;
+        }
+        var absolute = negative ? _vertices - index : index - 1;
+        if (absolute < 0 || absolute >= int.MaxValue)
+        {
+            _source.ErrorInText("mesh.index", "A face uses a vertex that is not there.", start);
+            return false;
+        }
+        corner = (int)absolute;
+        if (corner > _largest) (_largest, _largestAt) = (corner, faceAt);
+        return true;
+    }
+
+    private void Push(int a, int b, int c)
+    {
+        if (_used + 3 > _corners.Length) Array.Resize(ref _corners, _corners.Length * 2);
+        _corners[_used] = a;
+        _corners[_used + 1] = b;
+        _corners[_used + 2] = c;
+        _used += 3;
+    }
+
+    private void Other(int start)
+    {
+        if (_cursor.Bytes[start] == '#') return;
+        if (_cursor.WordIs(start, "o") || (_cursor.WordIs(start, "g") && _name.Length == 0))
+        {
+            var at = _cursor.At;
+            if (_name.Length == 0) _name = _cursor.RestOfLine();
+            _cursor.At = at;
+            return;
+        }
+        var word = _cursor.At - start <= 12 ? System.Text.Encoding.ASCII.GetString(_cursor.Bytes, start, _cursor.At - start) : "";
+        switch (word)
+        {
+            case "vt" or "vn" or "vp" or "g" or "s" or "l" or "p" or "mg" or "usemtl" or "mtllib" or "usemap" or "maplib" or "lod" or "bevel"
+                or "c_interp" or "d_interp" or "shadow_obj" or "trace_obj" or "ctech" or "stech":
+                return;
+            case "cstype" or "deg" or "bmat" or "step" or "curv" or "curv2" or "surf" or "parm" or "trim" or "hole" or "scrv" or "sp" or "end" or "con":
+                _source.Diagnostics.Add(Severity.Warning, "mesh.unsupported", "Free-form curves and surfaces of OBJ are left out; only polygons are read.", _source.PlaceInText(start));
+                return;
+            default:
+                _source.Diagnostics.Add(Severity.Remark, "mesh.ignored", "Lines with words that OBJ does not have are ignored.", _source.PlaceInText(start));
+                return;
+        }
+    }
+}

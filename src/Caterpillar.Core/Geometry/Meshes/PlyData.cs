@@ -1,0 +1,104 @@
+using System;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>Reads the values of a PLY file one after the other, whatever its format.</summary>
+internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
+{
+    private readonly byte[] _bytes = source.Bytes;
+    private readonly byte[] _turned = new byte[8];
+    private readonly TextCursor _cursor = new(source.Bytes, at, source.Length);
+
+    private bool IsText => format == PlyFormat.Ascii;
+
+    /// <summary>Offset of the next value.</summary>
+    public int At => _cursor.At;
+
+    /// <summary>True where that many rows of these properties fit into what is left of the file.</summary>
+    public bool HasRoom(PlyElement element)
+    {
+        long row = 0;
+        foreach (var property in element.Properties) row += IsText ? 2 : property.MinBytes;
+        // The last value of a text file may have no blank behind it.
+        return element.Count * row <= source.Length - At + (IsText ? 1L : 0);
+    }
+
+    /// <summary>True where that many values of a list fit into what is left of the file.</summary>
+    public bool HasRoom(double values, PlyType type) => values * (IsText ? 2 : PlyProperty.Size(type)) <= source.Length - At + (IsText ? 1L : 0);
+
+    /// <summary>The next value; a float is widened exactly. False at the end of the file, or at a word that is no number.</summary>
+    public bool Read(PlyType type, out double value)
+    {
+        if (IsText)
+        {
+            value = 0;
+            return _cursor.SkipSpace() && _cursor.ReadNumber(out value);
+        }
+        var size = PlyProperty.Size(type);
+        var at = _cursor.At;
+        value = 0;
+        if (size > source.Length - at) return false;
+        _cursor.At = at + size;
+        var bytes = _bytes;
+        if (format == PlyFormat.BigEndian && size > 1)
+        {
+            for (var i = 0; i < size; i++) _turned[size - 1 - i] = bytes[at + i];
+            (bytes, at) = (_turned, 0);
+        }
+        value = type switch
+        {
+            PlyType.Int8 => (sbyte)bytes[at],
+            PlyType.UInt8 => bytes[at],
+            PlyType.Int16 => BitConverter.ToInt16(bytes, at),
+            PlyType.UInt16 => BitConverter.ToUInt16(bytes, at),
+            PlyType.Int32 => BitConverter.ToInt32(bytes, at),
+            PlyType.UInt32 => BitConverter.ToUInt32(bytes, at),
+            PlyType.Float32 => BitConverter.ToSingle(bytes, at),
+            _ => BitConverter.ToDouble(bytes, at),
+        };
+        return true;
+    }
+
+    /// <summary>Skips values; in a binary file at once. False where the file ends before.</summary>
+    public bool Skip(PlyType type, long values)
+    {
+        if (!IsText)
+        {
+            var bytes = values * PlyProperty.Size(type);
+            if (bytes > source.Length - At) return false;
+            _cursor.At += (int)bytes;
+            return true;
+        }
+        for (long i = 0; i < values; i++)
+        {
+            if (!_cursor.SkipSpace()) return false;
+            _cursor.SkipWord();
+        }
+        return true;
+    }
+
+    /// <summary>Reports what stands at the cursor instead of a number.</summary>
+    public bool Wrong(string what)
+    {
+        if (_cursor.At >= source.Length || !IsText)
+        {
+            var message = $"The file ends inside {what}.";
+            if (IsText) source.ErrorInText("mesh.truncated", message, source.Length);
+            else source.ErrorInBinary("mesh.truncated", message, At);
+        }
+        else
+        {
+            source.ErrorInText("mesh.syntax", $"A word that is no number in {what}.", At);
+        }
+        return false;
+    }
+
+    /// <summary>Reports a value that cannot be.</summary>
+    public bool Error(string code, string message)
+    {
+        if (IsText) source.ErrorInText(code, message, At);
+        else source.ErrorInBinary(code, message, At);
+        return false;
+    }
+}

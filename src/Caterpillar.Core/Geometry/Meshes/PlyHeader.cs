@@ -1,0 +1,167 @@
+using System.Collections.Generic;
+using System.Text;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+internal enum PlyType
+{
+    Int8,
+    UInt8,
+    Int16,
+    UInt16,
+    Int32,
+    UInt32,
+    Float32,
+    Float64,
+}
+
+internal enum PlyFormat
+{
+    Ascii,
+    LittleEndian,
+    BigEndian,
+}
+
+/// <summary>A property of a PLY element; a list has the type of its length too.</summary>
+internal sealed record PlyProperty(string Name, PlyType Type, PlyType? LengthType)
+{
+    /// <summary>Bytes of a value in a binary file; for a list of its length only.</summary>
+    public int MinBytes => Size(LengthType ?? Type);
+
+    public static int Size(PlyType type) => type switch
+    {
+        PlyType.Int8 or PlyType.UInt8 => 1,
+        PlyType.Int16 or PlyType.UInt16 => 2,
+        PlyType.Float64 => 8,
+        _ => 4,
+    };
+}
+
+/// <summary>An element of a PLY file: how many rows and what each holds.</summary>
+internal sealed record PlyElement(string Name, long Count, int Line)
+{
+    public List<PlyProperty> Properties { get; } = [];
+
+    public int Find(string name) => Properties.FindIndex(p => p.Name == name);
+}
+
+/// <summary>The header of a PLY file.</summary>
+internal sealed class PlyHeader
+{
+    public PlyFormat Format { get; private set; }
+
+    public List<PlyElement> Elements { get; } = [];
+
+    /// <summary>Where the data begins.</summary>
+    public int DataAt { get; private set; }
+
+    /// <summary>Reads the header; null with an error where it cannot be read.</summary>
+    public static PlyHeader? Read(MeshSource source)
+    {
+        var header = new PlyHeader();
+        var cursor = new TextCursor(source.Bytes, 0, source.Length);
+        var format = false;
+        for (var line = 1; !cursor.AtEnd; line++)
+        {
+            var at = cursor.At;
+            var text = Line(cursor);
+            var words = text.Split([' ', '\t'], System.StringSplitOptions.RemoveEmptyEntries);
+            if (words.Length == 0) continue;
+            switch (words[0])
+            {
+                case "ply" or "comment" or "obj_info":
+                    break;
+                case "format":
+                    if (words.Length < 2 || !header.SetFormat(words[1])) return Wrong(source, at, "A PLY format that is not known; ascii, binary_little_endian and binary_big_endian are.");
+                    format = true;
+                    break;
+                case "element":
+                    if (words.Length != 3 || !TryCount(words[2], out var count)) return Wrong(source, at, "An element needs a name and a count.");
+                    header.Elements.Add(new PlyElement(words[1], count, line));
+                    break;
+                case "property":
+                    if (!header.AddProperty(words)) return Wrong(source, at, "A property that cannot be read.");
+                    break;
+                case "end_header":
+                    if (!format) return Wrong(source, at, "The header names no format.");
+                    header.DataAt = cursor.At;
+                    return header;
+                default:
+                    return Wrong(source, at, "A line that does not belong into a PLY header.");
+            }
+        }
+        source.ErrorInText("mesh.truncated", "The file ends inside the PLY header.", source.Length);
+        return null;
+    }
+
+    // Lines end with LF, CR LF, or in old files CR alone.
+    private static string Line(TextCursor cursor)
+    {
+        var start = cursor.At;
+        var p = start;
+        while (p < cursor.End && cursor.Bytes[p] != '\n' && cursor.Bytes[p] != '\r') p++;
+        var text = Encoding.ASCII.GetString(cursor.Bytes, start, System.Math.Min(p - start, 1000));
+        if (p < cursor.End && cursor.Bytes[p] == '\r' && p + 1 < cursor.End && cursor.Bytes[p + 1] == '\n') p++;
+        cursor.At = System.Math.Min(p + 1, cursor.End);
+        return text;
+    }
+
+    private bool SetFormat(string word)
+    {
+        Format = word switch { "binary_little_endian" => PlyFormat.LittleEndian, "binary_big_endian" => PlyFormat.BigEndian, _ => PlyFormat.Ascii };
+        return Format != PlyFormat.Ascii || word == "ascii";
+    }
+
+    private bool AddProperty(string[] words)
+    {
+        if (Elements.Count == 0) return false;
+        var list = words.Length > 1 && words[1] == "list";
+        if (words.Length != (list ? 5 : 3)) return false;
+        if (!TryType(words[list ? 3 : 1], out var type)) return false;
+        PlyType? length = null;
+        if (list)
+        {
+            if (!TryType(words[2], out var l)) return false;
+            length = l;
+        }
+        Elements[Elements.Count - 1].Properties.Add(new PlyProperty(words[words.Length - 1], type, length));
+        return true;
+    }
+
+    private static bool TryType(string word, out PlyType type)
+    {
+        PlyType? found = word switch
+        {
+            "char" or "int8" => PlyType.Int8,
+            "uchar" or "uint8" => PlyType.UInt8,
+            "short" or "int16" => PlyType.Int16,
+            "ushort" or "uint16" => PlyType.UInt16,
+            "int" or "int32" => PlyType.Int32,
+            "uint" or "uint32" => PlyType.UInt32,
+            "float" or "float32" => PlyType.Float32,
+            "double" or "float64" => PlyType.Float64,
+            _ => null,
+        };
+        type = found ?? default;
+        return found is not null;
+    }
+
+    private static bool TryCount(string word, out long count)
+    {
+        count = 0;
+        if (word.Length is 0 or > 12) return false;
+        foreach (var c in word)
+        {
+            if (c is < '0' or > '9') return false;
+            count = count * 10 + (c - '0');
+        }
+        return true;
+    }
+
+    private static PlyHeader? Wrong(MeshSource source, int at, string message)
+    {
+        source.ErrorInText("mesh.syntax", message, at);
+        return null;
+    }
+}

@@ -1,0 +1,98 @@
+using System;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// Pairs the triangles around an edge that has more than two: in the order in which they stand around the edge, each one that runs
+/// along the edge forwards with the nearest that runs backwards behind it, with the solid between them. So bodies that touch along an edge stay apart.
+/// </summary>
+internal static class RadialPairing
+{
+    /// <summary>Sets the partners of the half-edges in <paramref name="keys"/> (low word) from <paramref name="from"/> to <paramref name="to"/>; true when all have one.</summary>
+    public static bool Pair(Vec3[] vertices, int[] triangles, long[] keys, int from, int to, int[] partner)
+    {
+        var count = to - from;
+        var edges = new int[count];
+        var angles = new double[count];
+        var first = (int)keys[from];
+        int low = triangles[first], high = triangles[MeshTopology.Next(first)];
+        if (low > high) (low, high) = (high, low);
+        var axis = (vertices[high] - vertices[low]).Unit();
+        var side = Across(axis);
+        var up = Vec3.Cross(axis, side);
+        for (var i = 0; i < count; i++)
+        {
+            var edge = (int)keys[from + i];
+            edges[i] = edge;
+            var apex = vertices[triangles[MeshTopology.Next(MeshTopology.Next(edge))]] - vertices[low];
+            angles[i] = PseudoAngle(Vec3.Dot(apex, side), Vec3.Dot(apex, up));
+            partner[edge] = -1;
+        }
+        SortByAngle(edges, angles);
+        // A forward triangle has its outside ahead in angle, so the solid lies behind it: match each forward one with the
+        // nearest unmatched backward one before it, as brackets; twice around, because the circle has no beginning.
+        var open = new int[count];
+        var depth = 0;
+        for (var turn = 0; turn < 2; turn++)
+        {
+            for (var i = 0; i < count; i++)
+            {
+                var edge = edges[i];
+                if (partner[edge] >= 0) continue;
+                if (triangles[edge] == high)
+                {
+                    if (turn == 0) open[depth++] = edge;
+                }
+                else if (depth > 0)
+                {
+                    var other = open[--depth];
+                    partner[edge] = other;
+                    partner[other] = edge;
+                }
+            }
+        }
+        foreach (var edge in edges)
+        {
+            if (partner[edge] < 0) return false;
+        }
+        return true;
+    }
+
+    private static void SortByAngle(int[] edges, double[] angles)
+    {
+        if (edges.Length > 64)
+        {
+            // Ties keep the order of the half-edges.
+            var order = new int[edges.Length];
+            for (var i = 0; i < order.Length; i++) order[i] = i;
+            Array.Sort(order, (a, b) => angles[a] != angles[b] ? angles[a].CompareTo(angles[b]) : edges[a].CompareTo(edges[b]));
+            var sorted = new int[edges.Length];
+            for (var i = 0; i < order.Length; i++) sorted[i] = edges[order[i]];
+            Array.Copy(sorted, edges, sorted.Length);
+            return;
+        }
+        for (var i = 1; i < edges.Length; i++)
+        {
+            var (edge, angle) = (edges[i], angles[i]);
+            var j = i;
+            for (; j > 0 && angles[j - 1] > angle; j--) (edges[j], angles[j]) = (edges[j - 1], angles[j - 1]);
+            (edges[j], angles[j]) = (edge, angle);
+        }
+    }
+
+    private static Vec3 Across(Vec3 axis)
+    {
+        var helper = Math.Abs(axis.X) <= Math.Abs(axis.Y) && Math.Abs(axis.X) <= Math.Abs(axis.Z) ? Vec3.UnitX
+            : Math.Abs(axis.Y) <= Math.Abs(axis.Z) ? Vec3.UnitY : Vec3.UnitZ;
+        return Vec3.Cross(axis, helper).Unit();
+    }
+
+    // Grows with the angle of (x, y), from 0 to 4.
+    private static double PseudoAngle(double x, double y)
+    {
+        var size = Math.Abs(x) + Math.Abs(y);
+        if (size == 0) return 0;
+        var t = y / size;
+        return x < 0 ? 2 - t : t < 0 ? 4 + t : t;
+    }
+}

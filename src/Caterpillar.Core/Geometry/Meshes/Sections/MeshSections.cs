@@ -1,0 +1,125 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using System.Threading.Tasks;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// Exact plane sections of meshes, chained over shared edges. A vertex at or above the plane counts as above, so every cut triangle has exactly two cut edges. For facets that lie in the plane
+/// this is the limit from below throughout: a plane through a flat top gives its outline, a plane through a flat bottom gives nothing.
+/// </summary>
+public static class MeshSections
+{
+    // Cut triangles that are held at a time; more heights than that are done in turns.
+    private const long MaxHeld = 1 << 26;
+
+    /// <summary>Sections at any heights in mm, in the order in which they are given.</summary>
+    /// <returns>One section for each height, and what was noticed: <c>mesh.gap_closed</c>, <c>mesh.open_edges</c> (contours that stay open).</returns>
+    /// <exception cref="ArgumentException">A height is not finite.</exception>
+    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    public static Result<IReadOnlyList<Section>> At(
+        TriMesh mesh, IReadOnlyList<double> heights, SectionOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (mesh is null) throw new ArgumentNullException(nameof(mesh));
+        if (heights is null) throw new ArgumentNullException(nameof(heights));
+        options ??= new SectionOptions();
+        var (ascending, order) = Sorted(heights);
+        var sections = new Section[ascending.Length];
+        var gaps = new (int Closed, double Widest)[ascending.Length];
+        if (ascending.Length > 0 && mesh.TriangleCount > 0)
+        {
+            var buckets = new LayerBuckets(mesh, ascending);
+            _ = mesh.Topology;
+            for (int from = 0, to; from < ascending.Length; from = to)
+            {
+                long held = buckets.Counts[from];
+                for (to = from + 1; to < ascending.Length && held + buckets.Counts[to] <= MaxHeld; to++) held += buckets.Counts[to];
+                Cut(mesh, ascending, buckets, from, to, options, sections, gaps, progress, cancel);
+            }
+        }
+        var diagnostics = new DiagnosticList();
+        var ordered = new Section[ascending.Length];
+        for (var i = 0; i < ordered.Length; i++)
+        {
+            ordered[order[i]] = sections[i] ?? new Section(ascending[i], [], []);
+        }
+        Report(ordered, gaps, diagnostics);
+        progress?.Report(1);
+        return new Result<IReadOnlyList<Section>>(ordered, diagnostics.ToList());
+    }
+
+    private static void Cut(
+        TriMesh mesh, double[] heights, LayerBuckets buckets, int from, int to, SectionOptions options,
+        Section[] sections, (int Closed, double Widest)[] gaps, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var triangles = buckets.Fill(from, to);
+        var starts = new int[to - from + 1];
+        for (var i = from; i < to; i++) starts[i - from + 1] = starts[i - from] + (int)buckets.Counts[i];
+        var done = from;
+        var gate = new object();
+        var parallel = new ParallelOptions { MaxDegreeOfParallelism = options.Degree, CancellationToken = cancel };
+        // Blocks of layers: neighbours touch the same triangles.
+        const int Block = 8;
+        Parallel.For(0, (to - from + Block - 1) / Block, parallel, () => new SectionWalker(mesh), (block, _, walker) =>
+        {
+            var last = Math.Min(to, from + (block + 1) * Block);
+            for (var i = from + block * Block; i < last; i++)
+            {
+                var loops = new List<Polyline>();
+                var open = new List<Polyline>();
+                walker.Cut(heights[i], triangles, starts[i - from], starts[i - from + 1], options.MergeCollinear, loops, open);
+                gaps[i] = GapCloser.Close(open, loops, options.GapMm);
+                sections[i] = new Section(heights[i], loops.ToArray(), open.ToArray());
+            }
+            if (progress is not null)
+            {
+                lock (gate) progress.Report((double)(done += last - from - block * Block) / heights.Length);
+            }
+            return walker;
+        }, _ => { });
+    }
+
+    private static (double[] Ascending, int[] Order) Sorted(IReadOnlyList<double> heights)
+    {
+        var ascending = new double[heights.Count];
+        var order = new int[ascending.Length];
+        for (var i = 0; i < ascending.Length; i++)
+        {
+            if (double.IsNaN(heights[i] - heights[i])) throw new ArgumentException("A height is not a finite number.", nameof(heights));
+            order[i] = i;
+        }
+        Array.Sort(order, (a, b) => heights[a] != heights[b] ? heights[a].CompareTo(heights[b]) : a.CompareTo(b));
+        for (var i = 0; i < ascending.Length; i++) ascending[i] = heights[order[i]];
+        return (ascending, order);
+    }
+
+    private static void Report(Section[] sections, (int Closed, double Widest)[] gaps, DiagnosticList diagnostics)
+    {
+        var closed = 0;
+        var widest = 0.0;
+        foreach (var gap in gaps)
+        {
+            closed += gap.Closed;
+            widest = Math.Max(widest, gap.Widest);
+        }
+        if (closed > 0)
+        {
+            diagnostics.Add(Severity.Warning, "mesh.gap_closed",
+                $"Gaps in contours were closed; the widest is {NumberFormatter.Format(widest, 6)} mm.", null, closed);
+        }
+        var ends = 0;
+        Section? first = null;
+        foreach (var section in sections)
+        {
+            ends += section.OpenEnds;
+            if (section.OpenEnds > 0) first ??= section;
+        }
+        if (first is not null)
+        {
+            diagnostics.Add(Severity.Warning, "mesh.open_edges",
+                $"The mesh is open: contours have loose ends, first at z = {NumberFormatter.Format(first.Z, 6)} mm.", null, ends);
+        }
+    }
+}

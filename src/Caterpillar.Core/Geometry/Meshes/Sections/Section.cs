@@ -1,0 +1,29 @@
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>A plane section of a mesh at one height. Immutable.</summary>
+public sealed class Section
+{
+    internal Section(double z, IReadOnlyList<Polyline> loops, IReadOnlyList<Polyline> openLines)
+    {
+        Z = z;
+        Loops = loops;
+        OpenLines = openLines;
+    }
+
+    /// <summary>Height of the plane in mm.</summary>
+    public double Z { get; }
+
+    /// <summary>
+    /// Closed contours with the solid on their left: outer ones counter-clockwise seen from above, holes clockwise. They may cross where bodies run through each other.
+    /// Every contour has at least three points.
+    /// </summary>
+    public IReadOnlyList<Polyline> Loops { get; }
+
+    /// <summary>What does not close: sections of open surfaces, with the outside of the surface on their right.</summary>
+    public IReadOnlyList<Polyline> OpenLines { get; }
+
+    /// <summary>Number of loose ends: two for each open line.</summary>
+    public int OpenEnds => 2 * OpenLines.Count;
+}

@@ -1,0 +1,63 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>Reads binary STL. The header may begin with anything, also with "solid"; normals and attribute bytes are not used.</summary>
+internal static class StlReader
+{
+    private const int HeaderBytes = 84;
+    private const int FacetBytes = 50;
+
+    /// <summary>True when the length is exactly what the count in the header asks for.</summary>
+    public static bool HasBinaryLength(byte[] bytes)
+        => bytes.Length >= HeaderBytes && HeaderBytes + FacetBytes * (long)BitConverter.ToUInt32(bytes, 80) == bytes.Length;
+
+    public static bool Read(MeshSource source, List<NamedMesh> meshes)
+    {
+        if (!HasBinaryLength(source.Bytes) && StlTextReader.LooksLikeText(source.Bytes)) return StlTextReader.Read(source, meshes);
+        if (source.Length < HeaderBytes)
+        {
+            source.ErrorInBinary("mesh.truncated", "The file ends inside the 84 bytes of the STL header.", source.Length);
+            return false;
+        }
+        long declared = BitConverter.ToUInt32(source.Bytes, 80);
+        var there = (source.Length - HeaderBytes) / FacetBytes;
+        if (declared == 0 && there > 0 && (source.Length - HeaderBytes) % FacetBytes == 0)
+        {
+            source.Diagnostics.Add(Severity.Warning, "mesh.count", "The STL header counts no facets; they are counted by the length of the file.", new SourceLocation(source.Name));
+            declared = there;
+        }
+        if (declared > there)
+        {
+            source.ErrorInBinary("mesh.truncated",
+                $"The STL header counts {NumberFormatter.Format(declared)} facets, but the file ends after {NumberFormatter.Format(there)}.", source.Length);
+            return false;
+        }
+        if (HeaderBytes + FacetBytes * declared < source.Length)
+        {
+            source.Diagnostics.Add(Severity.Remark, "mesh.trailing_bytes", "Bytes behind the last facet are ignored.",
+                new SourceLocation(source.Name), (int)(source.Length - HeaderBytes - FacetBytes * declared));
+        }
+        ReadFacets(source, (int)declared, meshes);
+        return true;
+    }
+
+    private static void ReadFacets(MeshSource source, int count, List<NamedMesh> meshes)
+    {
+        var bytes = source.Bytes;
+        // A closed mesh has about half as many vertices as triangles.
+        var builder = new MeshBuilder(count / 2 + 16, count);
+        for (var i = 0; i < count; i++)
+        {
+            if ((i & 0xFFFF) == 0) source.Pulse(i, count);
+            var at = HeaderBytes + i * FacetBytes + 12;
+            var a = builder.AddVertex(BitConverter.ToSingle(bytes, at), BitConverter.ToSingle(bytes, at + 4), BitConverter.ToSingle(bytes, at + 8));
+            var b = builder.AddVertex(BitConverter.ToSingle(bytes, at + 12), BitConverter.ToSingle(bytes, at + 16), BitConverter.ToSingle(bytes, at + 20));
+            var c = builder.AddVertex(BitConverter.ToSingle(bytes, at + 24), BitConverter.ToSingle(bytes, at + 28), BitConverter.ToSingle(bytes, at + 32));
+            builder.AddTriangle(a, b, c);
+        }
+        meshes.Add(new NamedMesh(MeshReader.PlainName(source.Name), builder.ToMesh(source.Name, true, source.Diagnostics)));
+    }
+}

@@ -1,0 +1,29 @@
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>A use of an object: which one (in which part of the package, null for the same part) and how it is placed, in units of the file.</summary>
+internal sealed record ThreeMfUse(string? Path, int ObjectId, Affine Map, int Line, int Column);
+
+/// <summary>An object of a 3MF model: a mesh, or uses of other objects.</summary>
+internal sealed class ThreeMfObject(string name, string type)
+{
+    public string Name { get; } = name;
+
+    public string Type { get; } = type;
+
+    public TriMesh? Mesh { get; set; }
+
+    public List<ThreeMfUse> Components { get; } = [];
+}
+
+/// <summary>One model part of a 3MF package.</summary>
+internal sealed class ThreeMfModel
+{
+    /// <summary>mm per unit.</summary>
+    public double Unit { get; set; } = 1;
+
+    public Dictionary<int, ThreeMfObject> Objects { get; } = [];
+
+    public List<ThreeMfUse> Items { get; } = [];
+}

@@ -1,0 +1,202 @@
+using System;
+using System.IO;
+using System.Xml;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>Reads the XML of one model part of a 3MF package (3MF Core Specification 1.3; paths of the Production Extension).</summary>
+internal sealed class ThreeMfParser
+{
+    private readonly MeshSource _source;
+    private readonly string _part;
+    private readonly XmlReader _xml;
+    private readonly ThreeMfModel _model = new();
+    private byte[] _number = new byte[64];
+    private bool _good = true;
+
+    private ThreeMfParser(MeshSource source, string part, XmlReader xml)
+    {
+        _source = source;
+        _part = part;
+        _xml = xml;
+    }
+
+    /// <summary>The model; null with an error where it cannot be read. May throw what the XML reader throws.</summary>
+    public static ThreeMfModel? Parse(MeshSource source, string part, Stream stream)
+    {
+        var settings = new XmlReaderSettings
+        {
+            DtdProcessing = DtdProcessing.Prohibit,
+            XmlResolver = null,
+            IgnoreComments = true,
+            IgnoreWhitespace = true,
+            MaxCharactersInDocument = GzipBytes.Limit(source.Length),
+        };
+        using var xml = XmlReader.Create(stream, settings);
+        var parser = new ThreeMfParser(source, part, xml);
+        parser.ReadModel();
+        return parser._good ? parser._model : null;
+    }
+
+    private void ReadModel()
+    {
+        for (long nodes = 0; _good && _xml.Read(); nodes++)
+        {
+            if ((nodes & 0xFFF) == 0) _source.Pulse(0, 0);
+            if (_xml.NodeType != XmlNodeType.Element) continue;
+            switch (_xml.LocalName)
+            {
+                case "model":
+                    ReadUnit();
+                    break;
+                case "object":
+                    ReadObject();
+                    break;
+                case "item":
+                    if (_xml.GetAttribute("printable") == "0")
+                    {
+                        _source.Diagnostics.Add(Severity.Remark, "mesh.ignored", "Items that are marked as not printable are left out.", Place());
+                        break;
+                    }
+                    if (ReadUse() is { } item) _model.Items.Add(item);
+                    break;
+            }
+        }
+    }
+
+    private void ReadUnit()
+    {
+        var unit = _xml.GetAttribute("unit") ?? "millimeter";
+        _model.Unit = unit switch { "micron" => 0.001, "millimeter" => 1, "centimeter" => 10, "inch" => 25.4, "foot" => 304.8, "meter" => 1000, _ => 0 };
+        if (_model.Unit == 0) Fail("mesh.unit", $"The unit \"{unit}\" is not one of 3MF.");
+        foreach (var prefix in (_xml.GetAttribute("requiredextensions") ?? "").Split([' '], StringSplitOptions.RemoveEmptyEntries))
+        {
+            var uri = _xml.LookupNamespace(prefix) ?? "";
+            if (uri.IndexOf("/production/", StringComparison.Ordinal) >= 0 || uri.IndexOf("/material/", StringComparison.Ordinal) >= 0) continue;
+            _source.Diagnostics.Add(Severity.Warning, "mesh.unsupported", $"The model asks for the extension \"{prefix}\", which is not read.", Place());
+        }
+    }
+
+    private void ReadObject()
+    {
+        if (!TryInt("id", out var id)) return;
+        var named = _xml.GetAttribute("name");
+        var item = new ThreeMfObject(string.IsNullOrEmpty(named) ? "object " + NumberFormatter.Format(id) : named!, _xml.GetAttribute("type") ?? "model");
+        if (_model.Objects.ContainsKey(id))
+        {
+            Fail("mesh.syntax", $"Two objects have the number {NumberFormatter.Format(id)}.");
+            return;
+        }
+        _model.Objects.Add(id, item);
+        if (_xml.IsEmptyElement) return;
+        var depth = _xml.Depth;
+        while (_good && _xml.Read() && _xml.Depth > depth)
+        {
+            if (_xml.NodeType != XmlNodeType.Element) continue;
+            if (_xml.LocalName == "mesh") ReadMesh(item);
+            else if (_xml.LocalName == "component" && ReadUse() is { } use) item.Components.Add(use);
+        }
+    }
+
+    private void ReadMesh(ThreeMfObject item)
+    {
+        var builder = new MeshBuilder(1024, 2048);
+        var ids = new int[1024];
+        var vertices = 0;
+        var depth = _xml.Depth;
+        if (_xml.IsEmptyElement) return;
+        for (long nodes = 0; _good && _xml.Read() && _xml.Depth > depth; nodes++)
+        {
+            if ((nodes & 0xFFFF) == 0) _source.Pulse(0, 0);
+            if (_xml.NodeType != XmlNodeType.Element) continue;
+            if (_xml.LocalName == "vertex")
+            {
+                if (!TryNumber("x", out var x) || !TryNumber("y", out var y) || !TryNumber("z", out var z)) return;
+                if (vertices == ids.Length) Array.Resize(ref ids, 2 * vertices);
+                ids[vertices++] = builder.AddVertex(x, y, z);
+            }
+            else if (_xml.LocalName == "triangle")
+            {
+                if (!TryInt("v1", out var a) || !TryInt("v2", out var b) || !TryInt("v3", out var c)) return;
+                if ((uint)a >= (uint)vertices || (uint)b >= (uint)vertices || (uint)c >= (uint)vertices)
+                {
+                    Fail("mesh.index", "A triangle uses a vertex that is not there.");
+                    return;
+                }
+                builder.AddTriangle(ids[a], ids[b], ids[c]);
+            }
+        }
+        if (builder.NotFinite > 0) _source.Diagnostics.Add(Severity.Warning, "mesh.not_finite", "Triangles with a coordinate beyond 1e9 are left out.", Place(), builder.NotFinite);
+        if (builder.Degenerate > 0) _source.Diagnostics.Add(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal corners are left out.", Place(), builder.Degenerate);
+        item.Mesh = builder.ToMesh();
+    }
+
+    private ThreeMfUse? ReadUse()
+    {
+        if (!TryInt("objectid", out var id)) return null;
+        var place = _xml as IXmlLineInfo;
+        string? path = null;
+        for (var i = 0; i < _xml.AttributeCount; i++)
+        {
+            _xml.MoveToAttribute(i);
+            if (_xml.LocalName == "path") path = _xml.Value;
+        }
+        _xml.MoveToElement();
+        if (!TryMap(_xml.GetAttribute("transform"), out var map))
+        {
+            Fail("mesh.syntax", "A transform must be twelve numbers that do not flatten space.");
+            return null;
+        }
+        return new ThreeMfUse(path, id, map, place?.LineNumber ?? 0, place?.LinePosition ?? 0);
+    }
+
+    // Row vectors: p' = p · M, the last of the four rows is the shift.
+    private bool TryMap(string? text, out Affine map)
+    {
+        map = Affine.Identity;
+        if (text is null) return true;
+        var words = text.Split([' ', '\t', '\n', '\r'], StringSplitOptions.RemoveEmptyEntries);
+        if (words.Length != 12) return false;
+        var m = new double[12];
+        for (var i = 0; i < 12; i++)
+        {
+            if (!TryParse(words[i], out m[i])) return false;
+        }
+        map = new Affine(new Vec3(m[0], m[1], m[2]), new Vec3(m[3], m[4], m[5]), new Vec3(m[6], m[7], m[8]), new Vec3(m[9], m[10], m[11]));
+        return Math.Abs(map.Determinant) is > 0 and < double.PositiveInfinity;
+    }
+
+    private bool TryInt(string attribute, out int value)
+    {
+        if (NumberReader.TryParseInt(_xml.GetAttribute(attribute), out value) && value >= 0) return true;
+        Fail("mesh.syntax", $"<{_xml.LocalName}> needs a whole number \"{attribute}\".");
+        return false;
+    }
+
+    private bool TryNumber(string attribute, out double value)
+    {
+        if (TryParse(_xml.GetAttribute(attribute), out value)) return true;
+        Fail("mesh.syntax", $"<{_xml.LocalName}> needs a number \"{attribute}\".");
+        return false;
+    }
+
+    private bool TryParse(string? text, out double value)
+    {
+        value = 0;
+        if (text is null) return false;
+        if (text.Length > _number.Length) _number = new byte[2 * text.Length];
+        for (var i = 0; i < text.Length; i++) _number[i] = text[i] < 128 ? (byte)text[i] : (byte)'?';
+        return NumberReader.TryParse(_number, 0, text.Length, out value);
+    }
+
+    private SourceLocation Place() => _xml is IXmlLineInfo info
+        ? new SourceLocation(_source.Name, info.LineNumber, info.LinePosition, _part)
+        : new SourceLocation(_source.Name, Key: _part);
+
+    private void Fail(string code, string message)
+    {
+        _good = false;
+        _source.Diagnostics.Add(Severity.Error, code, message, Place());
+    }
+}

@@ -1,0 +1,154 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.IO.Compression;
+using System.Linq;
+using System.Xml;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// Reads 3MF packages: a zip archive with models in XML. Every build item becomes one mesh in mm, with the transforms of the item and of its components applied.
+/// Objects for support or other uses are left out.
+/// </summary>
+internal sealed class ThreeMfReader
+{
+    private const int MaxDepth = 64;
+    private const long MaxTriangles = 100_000_000;
+    private const int MaxUses = 1_000_000;
+
+    private readonly MeshSource _source;
+    private readonly ZipArchive _archive;
+    private readonly Dictionary<string, ThreeMfModel?> _models = new(StringComparer.OrdinalIgnoreCase);
+    private long _triangles;
+    private int _uses;
+
+    private ThreeMfReader(MeshSource source, ZipArchive archive)
+    {
+        _source = source;
+        _archive = archive;
+    }
+
+    public static bool Read(MeshSource source, List<NamedMesh> meshes)
+    {
+        try
+        {
+            using var archive = new ZipArchive(new MemoryStream(source.Bytes, false), ZipArchiveMode.Read);
+            return new ThreeMfReader(source, archive).ReadItems(meshes);
+        }
+        catch (XmlException e)
+        {
+            source.Diagnostics.Add(Severity.Error, "mesh.syntax", "The XML of the model is damaged.", new SourceLocation(source.Name, e.LineNumber, e.LinePosition));
+            return false;
+        }
+        catch (Exception e) when (e is not OperationCanceledException and not OutOfMemoryException)
+        {
+            // The runtimes throw different kinds on damaged archives.
+            source.Diagnostics.Add(Severity.Error, "mesh.packed", "The zip archive is damaged or incomplete.", new SourceLocation(source.Name));
+            return false;
+        }
+    }
+
+    private bool ReadItems(List<NamedMesh> meshes)
+    {
+        var root = RootPath();
+        if (root is null)
+        {
+            _source.Diagnostics.Add(Severity.Error, "mesh.empty", "There is no 3D model in the package.", new SourceLocation(_source.Name));
+            return false;
+        }
+        if (Model(root) is not { } model) return false;
+        for (var i = 0; i < model.Items.Count; i++)
+        {
+            _source.Pulse(i, model.Items.Count);
+            var item = model.Items[i];
+            var parts = new List<(TriMesh Mesh, Affine Map)>();
+            if (!Collect(root, item, Affine.Identity, 0, parts)) return false;
+            if (parts.Count == 0) continue;
+            var builder = new MeshBuilder(parts.Sum(p => p.Mesh.VertexCount), parts.Sum(p => p.Mesh.TriangleCount));
+            foreach (var (mesh, map) in parts) builder.Append(mesh, map.Then(Affine.Scale(model.Unit)));
+            var name = Model(item.Path ?? root)!.Objects[item.ObjectId].Name;
+            meshes.Add(new NamedMesh(name, builder.ToMesh(_source.Name, false, _source.Diagnostics)));
+        }
+        return true;
+    }
+
+    private bool Collect(string part, ThreeMfUse use, Affine outer, int depth, List<(TriMesh Mesh, Affine Map)> parts)
+    {
+        var place = new SourceLocation(_source.Name, use.Line, use.Column, part);
+        if (depth > MaxDepth || ++_uses > MaxUses)
+        {
+            _source.Diagnostics.Add(Severity.Error, "mesh.syntax", "Components contain each other, or there are too many.", place);
+            return false;
+        }
+        var path = use.Path ?? part;
+        if (Model(path) is not { } model) return false;
+        if (!model.Objects.TryGetValue(use.ObjectId, out var item))
+        {
+            _source.Diagnostics.Add(Severity.Error, "mesh.index", $"The object {NumberFormatter.Format(use.ObjectId)} is not there.", place);
+            return false;
+        }
+        if (item.Type is "support" or "other")
+        {
+            _source.Diagnostics.Add(Severity.Remark, "mesh.ignored", "Objects for support or other uses are left out.", place);
+            return true;
+        }
+        var map = use.Map.Then(outer);
+        if (item.Mesh is { TriangleCount: > 0 } mesh)
+        {
+            _triangles += mesh.TriangleCount;
+            if (_triangles > MaxTriangles)
+            {
+                _source.Diagnostics.Add(Severity.Error, "mesh.too_large", $"The items have more than {NumberFormatter.Format(MaxTriangles)} triangles.", place);
+                return false;
+            }
+            parts.Add((mesh, map));
+        }
+        foreach (var component in item.Components)
+        {
+            if (!Collect(path, component, map, depth + 1, parts)) return false;
+        }
+        return true;
+    }
+
+    private ThreeMfModel? Model(string path)
+    {
+        if (_models.TryGetValue(path, out var known)) return known;
+        ThreeMfModel? model = null;
+        if (Entry(path) is { } entry)
+        {
+            using var stream = entry.Open();
+            model = ThreeMfParser.Parse(_source, path, stream);
+        }
+        else
+        {
+            _source.Diagnostics.Add(Severity.Error, "mesh.syntax", "A part of the package is not there.", new SourceLocation(_source.Name, Key: path));
+        }
+        _models.Add(path, model);
+        return model;
+    }
+
+    private ZipArchiveEntry? Entry(string path)
+    {
+        var name = path.TrimStart('/');
+        return _archive.GetEntry(name) ?? _archive.Entries.FirstOrDefault(e => string.Equals(e.FullName.Replace('\\', '/').TrimStart('/'), name, StringComparison.OrdinalIgnoreCase));
+    }
+
+    // The target of the package's 3D model relationship, or the first part with the usual ending.
+    private string? RootPath()
+    {
+        if (Entry("_rels/.rels") is { } rels)
+        {
+            using var stream = rels.Open();
+            using var xml = XmlReader.Create(stream, new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null, MaxCharactersInDocument = 1 << 20 });
+            while (xml.Read())
+            {
+                if (xml.NodeType != XmlNodeType.Element || xml.LocalName != "Relationship") continue;
+                var target = xml.GetAttribute("Target");
+                if (target is not null && (xml.GetAttribute("Type") ?? "").EndsWith("/3dmodel", StringComparison.Ordinal) && Entry(target) is not null) return target;
+            }
+        }
+        return _archive.Entries.FirstOrDefault(e => e.FullName.EndsWith(".model", StringComparison.OrdinalIgnoreCase))?.FullName;
+    }
+}

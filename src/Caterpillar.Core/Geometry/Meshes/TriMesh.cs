@@ -1,0 +1,176 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// A surface of triangles, indexed; lengths in mm. Vertices with equal coordinates are one vertex (−0.0 = 0.0), every vertex is used, and no triangle
+/// has a vertex twice. Triangles run counter-clockwise seen from outside. Immutable.
+/// </summary>
+public sealed class TriMesh
+{
+    /// <summary>Largest coordinate of a vertex, mm.</summary>
+    public const double MaxCoordinate = 1e9;
+
+    private readonly Vec3[] _vertices;
+    private readonly int[] _triangles;
+    private readonly Lazy<MeshTopology> _topology;
+
+    private TriMesh(Vec3[] vertices, int[] triangles)
+    {
+        _vertices = vertices;
+        _triangles = triangles;
+        _topology = new Lazy<MeshTopology>(() => new MeshTopology(_vertices, _triangles));
+        Bounds = BoundsOf(vertices);
+    }
+
+    /// <summary>
+    /// A mesh from points and triples of point numbers. Equal points are merged, unused ones and triangles with a point twice are left out.
+    /// </summary>
+    /// <exception cref="ArgumentException">A number is out of range, the numbers are no triples, or a point is not finite or beyond <see cref="MaxCoordinate"/>.</exception>
+    public static TriMesh Create(IReadOnlyList<Vec3> points, IReadOnlyList<int> triangles)
+    {
+        if (points is null) throw new ArgumentNullException(nameof(points));
+        if (triangles is null) throw new ArgumentNullException(nameof(triangles));
+        if (triangles.Count % 3 != 0) throw new ArgumentException("Triangles need three numbers each.", nameof(triangles));
+        var builder = new MeshBuilder(points.Count, triangles.Count / 3);
+        var ids = new int[points.Count];
+        for (var i = 0; i < ids.Length; i++)
+        {
+            ids[i] = builder.AddVertex(points[i].X, points[i].Y, points[i].Z);
+            if (ids[i] < 0) throw new ArgumentException($"Point {points[i]} is not finite or too far out.", nameof(points));
+        }
+        for (var i = 0; i < triangles.Count; i++)
+        {
+            if ((uint)triangles[i] >= (uint)ids.Length) throw new ArgumentException("A triangle uses a point that is not there.", nameof(triangles));
+        }
+        for (var i = 0; i < triangles.Count; i += 3) builder.AddTriangle(ids[triangles[i]], ids[triangles[i + 1]], ids[triangles[i + 2]]);
+        return builder.ToMesh();
+    }
+
+    /// <summary>A mesh without triangles.</summary>
+    public static TriMesh Empty { get; } = new([], []);
+
+    /// <summary>The vertices, mm.</summary>
+    public IReadOnlyList<Vec3> Vertices => _vertices;
+
+    /// <summary>Three vertex numbers for each triangle.</summary>
+    public IReadOnlyList<int> Indices => _triangles;
+
+    public int VertexCount => _vertices.Length;
+
+    public int TriangleCount => _triangles.Length / 3;
+
+    public Bounds Bounds { get; }
+
+    /// <summary>Vertex numbers of a triangle.</summary>
+    public (int A, int B, int C) Triangle(int index) => (_triangles[3 * index], _triangles[3 * index + 1], _triangles[3 * index + 2]);
+
+    /// <summary>Outward unit normal of a triangle; zero where it has no area.</summary>
+    public Vec3 Normal(int index) => Cross(3 * index).Unit();
+
+    /// <summary>Area of the surface in mm².</summary>
+    public double Area
+    {
+        get
+        {
+            var sum = 0.0;
+            for (var t = 0; t < _triangles.Length; t += 3) sum += Cross(t).Length;
+            return sum / 2;
+        }
+    }
+
+    /// <summary>Signed volume in mm³ (divergence theorem): positive for a closed mesh whose triangles face outwards; overlaps count twice. For an open mesh only a sum.</summary>
+    public double Volume
+    {
+        get
+        {
+            if (_triangles.Length == 0) return 0;
+            // Open meshes: relative to the origin. Closed ones do not depend on it, so the nearest useful origin keeps the digits.
+            var o = IsWatertight ? Bounds.Center : Vec3.Zero;
+            var sum = 0.0;
+            for (var t = 0; t < _triangles.Length; t += 3)
+            {
+                sum += Vec3.Dot(_vertices[_triangles[t]] - o, Vec3.Cross(_vertices[_triangles[t + 1]] - o, _vertices[_triangles[t + 2]] - o));
+            }
+            return sum / 6;
+        }
+    }
+
+    /// <summary>Edges that belong to one triangle only.</summary>
+    public int OpenEdgeCount => Topology.OpenEdges;
+
+    /// <summary>Edges that belong to more than two triangles.</summary>
+    public int NonManifoldEdgeCount => Topology.NonManifoldEdges;
+
+    /// <summary>Edges whose two triangles run along them in the same direction: one of the two is turned inside out.</summary>
+    public int WindingConflictCount => Topology.WindingConflicts;
+
+    /// <summary>True when every edge has two triangles with opposite directions. Bodies may still run through each other.</summary>
+    public bool IsWatertight => Topology.IsWatertight && _triangles.Length > 0;
+
+    /// <summary>Number of bodies: sets of triangles that are joined over edges.</summary>
+    public int BodyCount => MeshBodies.Count(this);
+
+    /// <summary>The image of the mesh. A mirroring map turns the triangles round, so that they still face outwards.</summary>
+    /// <exception cref="ArgumentException">The map flattens space, is not finite, or moves a vertex beyond <see cref="MaxCoordinate"/>.</exception>
+    public TriMesh Transformed(Affine map)
+    {
+        var determinant = map.Determinant;
+        if (!(Math.Abs(determinant) > 0)) throw new ArgumentException("The map flattens space or is not finite.", nameof(map));
+        var builder = new MeshBuilder(_vertices.Length, TriangleCount);
+        if (!builder.Append(this, map)) throw new ArgumentException("The map moves a vertex too far out.", nameof(map));
+        return builder.ToMesh();
+    }
+
+    /// <summary>The mesh moved by a vector in mm.</summary>
+    public TriMesh Moved(Vec3 shift) => Transformed(Affine.Move(shift));
+
+    /// <summary>The mesh scaled about the origin.</summary>
+    public TriMesh Scaled(double factor) => Transformed(Affine.Scale(factor));
+
+    /// <summary>The mesh turned about an axis through the origin by degrees.</summary>
+    public TriMesh Rotated(Vec3 axis, double degrees) => Transformed(Affine.Rotate(axis, degrees));
+
+    /// <summary>Several meshes as one; vertices with equal coordinates become one.</summary>
+    public static TriMesh Merge(IEnumerable<TriMesh> meshes)
+    {
+        var all = (meshes ?? throw new ArgumentNullException(nameof(meshes))).ToArray();
+        if (all.Length == 1) return all[0];
+        var builder = new MeshBuilder(all.Sum(m => m.VertexCount), all.Sum(m => m.TriangleCount));
+        foreach (var mesh in all) builder.Append(mesh, Affine.Identity);
+        return builder.ToMesh();
+    }
+
+    /// <summary>Takes the arrays over without a copy and without a check; for <see cref="MeshBuilder"/>.</summary>
+    internal static TriMesh Own(Vec3[] vertices, int[] triangles) => triangles.Length == 0 ? Empty : new TriMesh(vertices, triangles);
+
+    internal Vec3[] RawVertices => _vertices;
+
+    internal int[] RawTriangles => _triangles;
+
+    internal MeshTopology Topology => _topology.Value;
+
+    private Vec3 Cross(int t)
+    {
+        var a = _vertices[_triangles[t]];
+        return Vec3.Cross(_vertices[_triangles[t + 1]] - a, _vertices[_triangles[t + 2]] - a);
+    }
+
+    private static Bounds BoundsOf(Vec3[] points)
+    {
+        if (points.Length == 0) return Bounds.Empty;
+        double x0 = points[0].X, y0 = points[0].Y, z0 = points[0].Z, x1 = x0, y1 = y0, z1 = z0;
+        foreach (var p in points)
+        {
+            if (p.X < x0) x0 = p.X;
+            if (p.X > x1) x1 = p.X;
+            if (p.Y < y0) y0 = p.Y;
+            if (p.Y > y1) y1 = p.Y;
+            if (p.Z < z0) z0 = p.Z;
+            if (p.Z > z1) z1 = p.Z;
+        }
+        return new Bounds(new Vec3(x0, y0, z0), new Vec3(x1, y1, z1));
+    }
+}
