@@ -1,0 +1,156 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Shaping;
+
+/// <summary>A map of positions; in cylindrical deformations X is the radius in mm, Y the angle in degrees, Z the height in mm.</summary>
+public delegate Vec3 PositionMap(Vec3 position);
+
+/// <summary>A map of a value (area in mm² or speed in mm/s) at a position, in coordinates before the mapping of positions.</summary>
+public delegate double ValueMap(double value, Vec3 position);
+
+/// <summary>
+/// Bends print paths by maps of position, area and speed (Kanada 2016, section 3.4: <c>deform_xyz</c>, <c>deform_cylinder</c>). Position maps act on the ends of segments; area and speed
+/// maps give one value per segment, taken at the middle of its coordinates before the mapping. Several deformations compose with <see cref="Then"/>. E follows from the mapped length.
+/// </summary>
+public sealed class Deformation
+{
+    private readonly Stage[] _stages;
+
+    private Deformation(Stage[] stages) => _stages = stages;
+
+    /// <summary>A deformation of x, y, z in mm.</summary>
+    public static Deformation Cartesian(PositionMap? position = null, ValueMap? area = null, ValueMap? speed = null)
+        => new([new Stage(position, area, speed, null)]);
+
+    /// <summary>
+    /// A deformation of radius (mm), angle (degrees) and height (mm) about the vertical through <paramref name="axis"/>. Along a path the angle runs on through full turns; on the axis
+    /// it keeps its last value.
+    /// </summary>
+    public static Deformation Cylindrical(PositionMap? position = null, ValueMap? area = null, ValueMap? speed = null, Vec3 axis = default)
+        => new([new Stage(position, area, speed, axis.WithZ(0))]);
+
+    /// <summary>This deformation and then another one.</summary>
+    public Deformation Then(Deformation next)
+    {
+        if (next is null) throw new ArgumentNullException(nameof(next));
+        return new Deformation([.. _stages, .. next._stages]);
+    }
+
+    /// <summary>
+    /// Deforms paths. With a tolerance (mm) segments are first divided until the mapped straight or arc segment is met within it, so that curves stay smooth; with 0 every segment
+    /// stays one straight segment. Arcs become chords.
+    /// </summary>
+    /// <returns>The paths in their order; none with an error where a map gives a position that is not finite, or an area or speed that is negative or not finite.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The tolerance is negative.</exception>
+    public Result<IReadOnlyList<PrintPath>> Apply(
+        IReadOnlyList<PrintPath> paths, double tolerance = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (paths is null) throw new ArgumentNullException(nameof(paths));
+        if (!(tolerance >= 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance is 0 mm or more.");
+        var problems = new DiagnosticList();
+        var mapped = new List<PrintPath>(paths.Count);
+        for (var i = 0; i < paths.Count; i++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            progress?.Report((double)i / paths.Count);
+            if (Apply(paths[i], tolerance, i, problems, cancel) is { } path) mapped.Add(path);
+        }
+        return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : mapped, problems.ToList());
+    }
+
+    private PrintPath? Apply(PrintPath path, double tolerance, int number, DiagnosticList problems, CancellationToken cancel)
+    {
+        var divided = PathDivision.Divide(path, tolerance, this, cancel);
+        var points = divided.Points;
+        var values = divided.Beads;
+        foreach (var stage in _stages)
+        {
+            var before = stage.Coordinates(points);
+            for (var i = 0; i < values.Length; i++)
+            {
+                var middle = (before[i] + before[i + 1]) * 0.5;
+                var area = stage.Area?.Invoke(values[i].Area, middle) ?? values[i].Area;
+                var speed = stage.Speed?.Invoke(values[i].Speed, middle) ?? values[i].Speed;
+                if (!(area >= 0) || double.IsInfinity(area) || !(speed >= 0) || double.IsInfinity(speed))
+                {
+                    problems.Add(Severity.Error, "shape.value", "The area or speed map gives a value that is negative or not finite.", new SourceLocation(Step: number));
+                    return null;
+                }
+                values[i] = new Bead(area, values[i].Height, speed);
+            }
+            for (var i = 0; i < points.Length; i++)
+            {
+                points[i] = stage.Map(before[i]);
+                if (points[i].IsFinite) continue;
+                problems.Add(Severity.Error, "shape.position", "The position map gives a point that is not finite.", new SourceLocation(Step: number));
+                return null;
+            }
+        }
+        if (!path.IsClosed) return path.WithGeometry(points, values, false);
+        // A closed path stays closed where its ends still meet: a map of the angle may open it.
+        var last = points.Length - 1;
+        if (points[last].DistanceTo(points[0]) > 1e-6) return path.WithGeometry(points, values, false);
+        Array.Resize(ref points, last);
+        return path.WithGeometry(points, values, true);
+    }
+
+    /// <summary>Maps a run of points through all stages; angles run on from point to point.</summary>
+    internal Vec3[] Map(Vec3[] points)
+    {
+        foreach (var stage in _stages)
+        {
+            var coordinates = stage.Coordinates(points);
+            points = Array.ConvertAll(coordinates, stage.Map);
+        }
+        return points;
+    }
+
+    private sealed class Stage(PositionMap? position, ValueMap? area, ValueMap? speed, Vec3? axis)
+    {
+        public ValueMap? Area => area;
+
+        public ValueMap? Speed => speed;
+
+        public Vec3[] Coordinates(Vec3[] points)
+        {
+            if (axis is not { } a) return points;
+            var result = new Vec3[points.Length];
+            var last = double.NaN;
+            for (var i = 0; i < points.Length; i++)
+            {
+                var d = points[i] - a;
+                var radius = d.LengthXY;
+                var angle = Angle.Atan2(d.Y, d.X);
+                if (!double.IsNaN(last)) angle = radius > 0 ? angle + 360 * Math.Floor((last - angle) / 360 + 0.5) : last;
+                if (radius > 0) last = angle;
+                else if (double.IsNaN(last)) angle = FirstAngle(points, i, a);
+                result[i] = new Vec3(radius, angle, points[i].Z);
+            }
+            return result;
+        }
+
+        public Vec3 Map(Vec3 coordinates)
+        {
+            var mapped = position is null ? coordinates : position(coordinates);
+            if (axis is not { } a) return mapped;
+            var (sin, cos) = Angle.SinCos(mapped.Y);
+            return new Vec3(a.X + mapped.X * cos, a.Y + mapped.X * sin, mapped.Z);
+        }
+
+        // A path that begins on the axis takes the angle of its first point off it.
+        private static double FirstAngle(Vec3[] points, int from, Vec3 axis)
+        {
+            for (var i = from + 1; i < points.Length; i++)
+            {
+                var d = points[i] - axis;
+                if (d.LengthXY > 0) return Angle.Atan2(d.Y, d.X);
+            }
+            return 0;
+        }
+    }
+}

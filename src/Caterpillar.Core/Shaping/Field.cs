@@ -1,0 +1,118 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Shaping;
+
+/// <summary>A place on a path, as fields see it.</summary>
+/// <param name="Position">Middle of the segment, or a vertex, mm.</param>
+/// <param name="Distance">Way along the path up to here, mm.</param>
+/// <param name="Length">Length of the whole path, mm.</param>
+/// <param name="Path">Number of the path among those being modulated, from 0.</param>
+/// <param name="Role">What the strand is for.</param>
+public readonly record struct PathPlace(Vec3 Position, double Distance, double Length, int Path, Role Role);
+
+/// <summary>A value for each place on a path; 0 to 1 unless it says otherwise.</summary>
+public delegate double Field(PathPlace place);
+
+/// <summary>Where on an image a place lies: u from the left, v from the bottom, 0 to 1 across the image. Beyond, the image repeats in u and its edge is taken in v.</summary>
+public delegate (double U, double V) ImageMapping(PathPlace place);
+
+/// <summary>Fields from images, functions and other fields.</summary>
+public static class Fields
+{
+    /// <summary>The same value everywhere.</summary>
+    public static Field Constant(double value) => _ => value;
+
+    /// <summary>A field from a function of the position in mm.</summary>
+    public static Field Function(Func<Vec3, double> function) => place => function(place.Position);
+
+    /// <summary>A field from a function of radius (mm), angle (degrees, −180 to 180) and height (mm) about a vertical axis.</summary>
+    public static Field Cylindrical(Func<Vec3, double> function, Vec3 axis = default)
+        => place =>
+        {
+            var d = place.Position - axis;
+            return function(new Vec3(d.LengthXY, Angle.Atan2(d.Y, d.X), place.Position.Z));
+        };
+
+    /// <summary>The brightness of an image, 0 (black) to 1 (white): of the nearest pixel, or between pixels where <paramref name="smooth"/> is set.</summary>
+    public static Field Image(GrayImage image, ImageMapping mapping, bool smooth = false)
+    {
+        if (image is null) throw new ArgumentNullException(nameof(image));
+        if (mapping is null) throw new ArgumentNullException(nameof(mapping));
+        return place =>
+        {
+            var (u, v) = mapping(place);
+            return smooth ? image.Between(u, v) : image.Nearest(u, v);
+        };
+    }
+
+    /// <summary>1 where the other field is 0, and the other way round.</summary>
+    public static Field Inverted(Field field) => place => 1 - field(place);
+
+    /// <summary>1 for the roles given, 0 for others; for masks.</summary>
+    public static Field OfRole(params Role[] roles) => place => Array.IndexOf(roles, place.Role) >= 0 ? 1 : 0;
+
+    /// <summary>1 inside a box, 0 outside; for masks.</summary>
+    public static Field Inside(Bounds box) => place => box.Contains(place.Position) ? 1 : 0;
+
+    /// <summary>A different value in each cell of a grid of <paramref name="cell"/> mm: the same seed gives the same values everywhere.</summary>
+    public static Field Noise(int seed, double cell)
+    {
+        if (!(cell > 0)) throw new ArgumentOutOfRangeException(nameof(cell), "The cell is larger than 0 mm.");
+        return place =>
+        {
+            unchecked
+            {
+                var hash = (ulong)seed * 0x9E3779B97F4A7C15UL;
+                hash = Mix(hash ^ (ulong)(long)Math.Floor(place.Position.X / cell));
+                hash = Mix(hash ^ (ulong)(long)Math.Floor(place.Position.Y / cell));
+                hash = Mix(hash ^ (ulong)(long)Math.Floor(place.Position.Z / cell));
+                return (hash >> 11) * (1.0 / (1UL << 53));
+            }
+        };
+    }
+
+    // splitmix64
+    private static ulong Mix(ulong x)
+    {
+        unchecked
+        {
+            x += 0x9E3779B97F4A7C15UL;
+            x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9UL;
+            x = (x ^ (x >> 27)) * 0x94D049BB133111EBUL;
+            return x ^ (x >> 31);
+        }
+    }
+}
+
+/// <summary>Ways to lay an image on paths.</summary>
+public static class ImageMappings
+{
+    /// <summary>Around a vertical axis: u is the angle (0 at <paramref name="from"/> degrees, repeated <paramref name="repeats"/> times a turn), v the height between two heights in mm.</summary>
+    public static ImageMapping Cylinder(double bottom, double top, Vec3 axis = default, double from = 0, int repeats = 1)
+        => place =>
+        {
+            var d = place.Position - axis;
+            var turn = (Angle.Atan2(d.Y, d.X) - from) / 360;
+            return ((turn - Math.Floor(turn)) * repeats, (place.Position.Z - bottom) / (top - bottom));
+        };
+
+    /// <summary>Around a sphere as on a globe: u is the longitude, v the latitude from the south (0) to the north pole (1).</summary>
+    public static ImageMapping Globe(Vec3 center, double from = 0)
+        => place =>
+        {
+            var d = place.Position - center;
+            var turn = (Angle.Atan2(d.Y, d.X) - from) / 360;
+            return (turn - Math.Floor(turn), 0.5 + Angle.Atan2(d.Z, d.LengthXY) / 180);
+        };
+
+    /// <summary>From above, on a rectangle of the bed given by its lower left corner and its size in mm.</summary>
+    public static ImageMapping Plan(Vec3 corner, double width, double depth)
+        => place => ((place.Position.X - corner.X) / width, (place.Position.Y - corner.Y) / depth);
+
+    /// <summary>Along the paths: u runs once along each path, v takes one of <paramref name="rows"/> rows for each path, from the bottom.</summary>
+    public static ImageMapping Along(int rows)
+        => place => (place.Length > 0 ? place.Distance / place.Length : 0, (place.Path % rows + 0.5) / rows);
+}

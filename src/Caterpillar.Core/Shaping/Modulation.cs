@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Shaping;
+
+/// <summary>What a modulation changes.</summary>
+public enum ModulationMode
+{
+    /// <summary>
+    /// The speed of the head at a constant flow of material: slower strands are thicker. This is Kanada's way, since heads respond faster than extruders.
+    /// </summary>
+    Speed,
+
+    /// <summary>The area of the strand at a constant speed.</summary>
+    Flow,
+
+    /// <summary>The place of the path, to its left (horizontally).</summary>
+    DisplaceLeft,
+
+    /// <summary>The place of the path, upwards.</summary>
+    DisplaceUp,
+}
+
+/// <summary>
+/// Writes a field (an image, a function) into paths by speed, by flow or by displacement (Kanada 2016, section 3.5: <c>modulate_cylinder</c>, here for any path).
+/// </summary>
+public sealed record Modulation
+{
+    /// <summary>The smallest ratio of speeds or areas that prints well (Kanada 2016: 1 to 0.6 or 0.7).</summary>
+    public const double LeastRatio = 0.6;
+
+    public Modulation(ModulationMode mode, Field field, double low, double high)
+    {
+        Mode = mode;
+        Field = field ?? throw new ArgumentNullException(nameof(field));
+        Low = low;
+        High = high;
+    }
+
+    public ModulationMode Mode { get; }
+
+    public Field Field { get; }
+
+    /// <summary>Where the field is 0: the factor on speed or area, or the displacement in mm.</summary>
+    public double Low { get; }
+
+    /// <summary>Where the field is 1.</summary>
+    public double High { get; }
+
+    /// <summary>How much of the modulation takes effect, 0 to 1 at each place; null is everywhere.</summary>
+    public Field? Mask { get; init; }
+
+    /// <summary>Segments are divided into parts of at most so many mm first; 0 leaves them as they are.</summary>
+    public double Resolution { get; init; }
+
+    /// <summary>Speed in mm/s of beads that leave it to the settings; only <see cref="ModulationMode.Speed"/> asks for it.</summary>
+    public double ReferenceSpeed { get; init; }
+
+    /// <summary>Modulates paths, each along its own way.</summary>
+    /// <returns>The paths in their order; none with an error. A warning where the ratio of the least to the greatest factor is below <see cref="LeastRatio"/>.</returns>
+    public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (paths is null) throw new ArgumentNullException(nameof(paths));
+        var problems = new DiagnosticList();
+        var modulated = new List<PrintPath>(paths.Count);
+        double least = double.MaxValue, greatest = 0;
+        for (var i = 0; i < paths.Count; i++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            progress?.Report((double)i / paths.Count);
+            var path = Mode is ModulationMode.Speed or ModulationMode.Flow
+                ? Scale(paths[i], i, problems, ref least, ref greatest, cancel)
+                : Displace(paths[i], i, problems, cancel);
+            if (path is not null) modulated.Add(path);
+        }
+        if (greatest > 0 && least < LeastRatio * greatest * (1 - 1e-12))
+        {
+            problems.Add(Severity.Warning, "shape.modulation_ratio",
+                $"The strands vary by 1 to {NumberFormatter.Format(least / greatest, 2)}; below 1 to {NumberFormatter.Format(LeastRatio, 2)} prints often fail.");
+        }
+        return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : modulated, problems.ToList());
+    }
+
+    private PrintPath? Scale(PrintPath path, int number, DiagnosticList problems, ref double least, ref double greatest, CancellationToken cancel)
+    {
+        var (points, beads, closed, arcs) = Parts(path, cancel);
+        var places = new Places(points, path, number, closed);
+        for (var i = 0; i < beads.Length; i++)
+        {
+            var change = ValueAt(places.Middle(i), 1, number, problems);
+            if (change is not { } factor) return null;
+            if (!(factor > 0 || (factor == 0 && Mode == ModulationMode.Flow)))
+            {
+                problems.Add(Severity.Error, "shape.modulation", "A modulated speed or area must stay positive.", new SourceLocation(Step: number));
+                return null;
+            }
+            least = Math.Min(least, factor);
+            greatest = Math.Max(greatest, factor);
+            if (Mode == ModulationMode.Flow)
+            {
+                beads[i] = beads[i].WithArea(beads[i].Area * factor);
+                continue;
+            }
+            var speed = beads[i].Speed > 0 ? beads[i].Speed : ReferenceSpeed;
+            if (!(speed > 0))
+            {
+                problems.Add(Severity.Error, "shape.no_speed", "The path has no speed of its own: modulating it needs a reference speed.", new SourceLocation(Step: number));
+                return null;
+            }
+            beads[i] = new Bead(beads[i].Area / factor, beads[i].Height, speed * factor);
+        }
+        return path.WithGeometry(points, beads, closed, arcs);
+    }
+
+    private PrintPath? Displace(PrintPath path, int number, DiagnosticList problems, CancellationToken cancel)
+    {
+        var (points, beads, closed) = PathDivision.Straight(path, Resolution, cancel);
+        var places = new Places(points, path, number, closed);
+        var moved = new Vec3[points.Length];
+        for (var i = 0; i < points.Length; i++)
+        {
+            if (ValueAt(places.Vertex(i), 0, number, problems) is not { } amount) return null;
+            moved[i] = points[i] + (Mode == ModulationMode.DisplaceUp ? Vec3.UnitZ : places.Left(i)) * amount;
+        }
+        return path.WithGeometry(moved, beads, closed);
+    }
+
+    private (Vec3[] Points, Bead[] Beads, bool Closed, Arc?[]? Arcs) Parts(PrintPath path, CancellationToken cancel)
+    {
+        if (Resolution > 0)
+        {
+            var (points, beads, closed) = PathDivision.Straight(path, Resolution, cancel);
+            return (points, beads, closed, null);
+        }
+        var own = new Bead[path.SegmentCount];
+        var arcs = path.HasArcs ? new Arc?[own.Length] : null;
+        for (var i = 0; i < own.Length; i++)
+        {
+            own[i] = path.BeadOf(i);
+            if (arcs is not null) arcs[i] = path.ArcOf(i);
+        }
+        return ((Vec3[])path.RawPoints.Clone(), own, path.IsClosed, arcs);
+    }
+
+    private double? ValueAt(PathPlace place, double neutral, int number, DiagnosticList problems)
+    {
+        var value = Field(place);
+        var weight = Mask?.Invoke(place) ?? 1;
+        if (double.IsNaN(value) || double.IsNaN(weight))
+        {
+            problems.Add(Severity.Error, "shape.field", "The field or its mask has no value on the path.", new SourceLocation(Step: number));
+            return null;
+        }
+        value = Math.Max(0, Math.Min(1, value));
+        weight = Math.Max(0, Math.Min(1, weight));
+        return neutral + (Low + (High - Low) * value - neutral) * weight;
+    }
+}

@@ -1,0 +1,34 @@
+using System;
+
+namespace Caterpillar.Traces;
+
+/// <summary>
+/// Lets the flow of a helix rise over its first turn, where the gap to the bed opens from nothing, and fall over its last, so that the rim ends level.
+/// </summary>
+public sealed class FlowRamp
+{
+    /// <summary>A ramp from <paramref name="minimum"/> (0 to 1 of the full area) at the very ends; either end can be left out.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The minimum is not between 0 and 1.</exception>
+    public FlowRamp(double minimum = 0.2, bool start = true, bool end = true)
+    {
+        if (!(minimum >= 0 && minimum <= 1)) throw new ArgumentOutOfRangeException(nameof(minimum), "The smallest flow is between 0 and 1.");
+        Minimum = minimum;
+        Start = start;
+        End = end;
+    }
+
+    public double Minimum { get; }
+
+    public bool Start { get; }
+
+    public bool End { get; }
+
+    /// <summary>Factor on the area after some turns, with some turns left to go.</summary>
+    internal double At(double turnsDone, double turnsLeft)
+    {
+        var factor = 1.0;
+        if (Start && turnsDone < 1) factor *= Minimum + (1 - Minimum) * Math.Max(0, turnsDone);
+        if (End && turnsLeft < 1) factor *= Minimum + (1 - Minimum) * Math.Max(0, turnsLeft);
+        return factor;
+    }
+}

@@ -1,0 +1,247 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Traces;
+
+/// <summary>
+/// A part made of strings in the order of printing (Kanada 2016, section 3, <c>draw3dp.Trace</c>). A builder: low-level moves and draws, shapes made of strings, and in the end
+/// <see cref="ToSteps"/>. Lengths in mm, areas in mm², speeds in mm/s, angles in degrees.
+/// </summary>
+public sealed class Trace
+{
+    /// <summary>Strings of a turn where a shape is not told otherwise.</summary>
+    public const int DefaultStringsPerTurn = 72;
+
+    private readonly List<TraceString> _strings = [];
+
+    /// <summary>An empty part at a point.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The area is negative or not finite.</exception>
+    public Trace(double area, Vec3 start = default)
+    {
+        Area = CheckNotNegative(area, nameof(area));
+        Position = start;
+    }
+
+    /// <summary>Cross-section of the strings to come, mm².</summary>
+    public double Area { get; private set; }
+
+    /// <summary>Speed of the strings to come, mm/s; 0 for the speed of the settings.</summary>
+    public double Speed { get; private set; }
+
+    /// <summary>Where the head stands.</summary>
+    public Vec3 Position { get; private set; }
+
+    /// <summary>The strings so far, in the order of printing.</summary>
+    public IReadOnlyList<TraceString> Strings => _strings;
+
+    /// <summary>Cross-section from now on (Kanada: <c>setCrossSection</c>, <c>thickness</c>).</summary>
+    public Trace SetArea(double area)
+    {
+        Area = CheckNotNegative(area, nameof(area));
+        return this;
+    }
+
+    /// <summary>Speed from now on (Kanada: <c>setVelocity</c>, <c>speed</c>).</summary>
+    public Trace SetSpeed(double speed)
+    {
+        Speed = CheckNotNegative(speed, nameof(speed));
+        return this;
+    }
+
+    /// <summary>Goes to a point without a string.</summary>
+    public Trace Move(Vec3 to)
+    {
+        Position = CheckFinite(to, nameof(to));
+        return this;
+    }
+
+    /// <summary>Adds a string to a point.</summary>
+    public Trace Draw(Vec3 to) => Draw(to, Area);
+
+    /// <summary>Adds strings along a polyline: moves to its first point, draws to the others.</summary>
+    public Trace Draw(Polyline curve)
+    {
+        if (curve is null) throw new ArgumentNullException(nameof(curve));
+        for (var i = 0; i < curve.Count; i++)
+        {
+            if (i == 0) Reach(curve[0]);
+            else Draw(curve[i]);
+        }
+        if (curve.IsClosed && curve.Count > 2) Draw(curve[0]);
+        return this;
+    }
+
+    /// <summary>A closed polygon of equal strings on a circle about the vertical through the centre, counter-clockwise from <paramref name="from"/> degrees. It closes exactly.</summary>
+    public Trace Circle(Vec3 center, double radius, int strings = DefaultStringsPerTurn, double from = 0)
+    {
+        CheckPositive(radius, nameof(radius));
+        if (strings < 3) throw new ArgumentOutOfRangeException(nameof(strings), "A circle needs three strings.");
+        var first = OnCircle(center, radius, from);
+        Reach(first);
+        for (var i = 1; i < strings; i++) Draw(OnCircle(center, radius, from + 360.0 * i / strings));
+        return Draw(first);
+    }
+
+    /// <summary>A flat spiral from the centre to the radius (or inwards), <paramref name="pitch"/> mm further out with each turn, counter-clockwise.</summary>
+    public Trace Spiral(Vec3 center, double radius, double pitch, int stringsPerTurn = DefaultStringsPerTurn, bool inwards = false)
+    {
+        CheckPositive(radius, nameof(radius));
+        CheckPositive(pitch, nameof(pitch));
+        // Inwards it begins where an outward spiral ends, so that spirals can be stacked.
+        var turns = radius / pitch;
+        return Turns(turns, stringsPerTurn, t => inwards ? OnCircle(center, (turns - t) * pitch, 360 * (turns + t)) : OnCircle(center, t * pitch, 360 * t));
+    }
+
+    /// <summary>
+    /// A hollow cylinder as one string without layers and seams: vertex i at angle 360°·i/n and height pitch·i/n, the last one at the height given. The ramp changes the flow at
+    /// both ends.
+    /// </summary>
+    public Trace Helix(Vec3 center, double radius, double height, double pitch, int stringsPerTurn = DefaultStringsPerTurn, FlowRamp? ramp = null)
+        => Cone(center, radius, radius, height, pitch, stringsPerTurn, ramp);
+
+    /// <summary>A hollow cone, or its frustum: a helix whose radius changes linearly with the height.</summary>
+    public Trace Cone(
+        Vec3 center, double bottomRadius, double topRadius, double height, double pitch, int stringsPerTurn = DefaultStringsPerTurn, FlowRamp? ramp = null)
+    {
+        CheckNotNegative(bottomRadius, nameof(bottomRadius));
+        CheckNotNegative(topRadius, nameof(topRadius));
+        CheckPositive(height, nameof(height));
+        CheckPositive(pitch, nameof(pitch));
+        return Turns(
+            height / pitch,
+            stringsPerTurn,
+            t => OnCircle(center + new Vec3(0, 0, t * pitch), bottomRadius + (topRadius - bottomRadius) * (t * pitch / height), 360 * t),
+            ramp);
+    }
+
+    /// <summary>
+    /// A filled cylinder: flat spirals on top of each other, outwards and inwards in turn, the first one at the height of the centre; the number of spirals is the height divided by
+    /// the vertical pitch, rounded.
+    /// </summary>
+    public Trace Cylinder(Vec3 center, double radius, double height, double verticalPitch, double horizontalPitch, int stringsPerTurn = DefaultStringsPerTurn)
+    {
+        CheckPositive(height, nameof(height));
+        CheckPositive(verticalPitch, nameof(verticalPitch));
+        var layers = Math.Max(1, (int)Math.Min(Math.Floor(height / verticalPitch + 0.5), 1_000_000));
+        for (var layer = 0; layer < layers; layer++)
+        {
+            var at = center + new Vec3(0, 0, layer * verticalPitch);
+            // The next spiral begins above the end of the last: the way up is short and prints.
+            if (layer > 0) Draw(Position.WithZ(at.Z));
+            Spiral(at, radius, horizontalPitch, stringsPerTurn, inwards: layer % 2 == 1);
+        }
+        return this;
+    }
+
+    /// <summary>Rings around a place, from the outside in, that start the flow before the part begins.</summary>
+    public Trace Skirt(Vec3 center, double radius, int loops = 1, double pitch = 0.5, int strings = DefaultStringsPerTurn)
+    {
+        if (loops < 1) throw new ArgumentOutOfRangeException(nameof(loops), "A skirt has one loop or more.");
+        for (var loop = loops - 1; loop >= 0; loop--) Circle(center, radius + loop * pitch, strings);
+        return this;
+    }
+
+    /// <summary>
+    /// A part in which connected strings shorter than <paramref name="minimum"/> mm are joined with their neighbours (too many short strings make printers stutter). A joined string
+    /// has the mean area and speed of its parts, by length; strings that are long enough stay.
+    /// </summary>
+    public Trace Merged(double minimum)
+    {
+        CheckNotNegative(minimum, nameof(minimum));
+        var merged = new Trace(Area, Position) { Speed = Speed };
+        foreach (var next in _strings)
+        {
+            var last = merged._strings.Count - 1;
+            var joins = last >= 0 && merged._strings[last].End == next.Start
+                && (merged._strings[last].Length < minimum || next.Length < minimum) && merged._strings[last].Start.DistanceTo(next.End) < 2 * minimum;
+            if (!joins)
+            {
+                merged._strings.Add(next);
+                continue;
+            }
+            var before = merged._strings[last];
+            double a = before.Length, b = next.Length, sum = a + b;
+            merged._strings[last] = sum > 0
+                ? new TraceString(before.Start, next.End, (before.Area * a + next.Area * b) / sum, (before.Speed * a + next.Speed * b) / sum)
+                : before;
+        }
+        return merged;
+    }
+
+    /// <summary>The strings as paths: connected strings become one path, a move begins another.</summary>
+    public IReadOnlyList<PrintPath> ToPaths()
+    {
+        var paths = new List<PrintPath>();
+        for (var first = 0; first < _strings.Count;)
+        {
+            var end = first + 1;
+            while (end < _strings.Count && _strings[end].Start == _strings[end - 1].End) end++;
+            var points = new Vec3[end - first + 1];
+            var beads = new Bead[end - first];
+            points[0] = _strings[first].Start;
+            for (var i = first; i < end; i++)
+            {
+                points[i - first + 1] = _strings[i].End;
+                beads[i - first] = new Bead(_strings[i].Area, 0, _strings[i].Speed);
+            }
+            paths.Add(new PrintPath(points, beads));
+            first = end;
+        }
+        return paths;
+    }
+
+    /// <summary>The part as steps, in the order of printing.</summary>
+    public IReadOnlyList<Step> ToSteps()
+    {
+        var steps = new List<Step>();
+        foreach (var path in ToPaths()) steps.Add(path);
+        return steps;
+    }
+
+    private static Vec3 OnCircle(Vec3 center, double radius, double degrees)
+    {
+        var (sin, cos) = Angle.SinCos(degrees);
+        return new Vec3(center.X + radius * cos, center.Y + radius * sin, center.Z);
+    }
+
+    private static double CheckPositive(double value, string name)
+        => value > 0 && !double.IsInfinity(value) ? value : throw new ArgumentOutOfRangeException(name, "The value must be positive and finite.");
+
+    private static double CheckNotNegative(double value, string name)
+        => value >= 0 && !double.IsInfinity(value) ? value : throw new ArgumentOutOfRangeException(name, "The value must be 0 or more and finite.");
+
+    private static Vec3 CheckFinite(Vec3 point, string name)
+        => point.IsFinite ? point : throw new ArgumentOutOfRangeException(name, "The point is not finite.");
+
+    private Trace Draw(Vec3 to, double area)
+    {
+        if (CheckFinite(to, nameof(to)) == Position) return this;
+        _strings.Add(new TraceString(Position, to, area, Speed));
+        Position = to;
+        return this;
+    }
+
+    // To the start of a shape: nothing where the head is there already.
+    private void Reach(Vec3 start) => Position = CheckFinite(start, nameof(start));
+
+    private Trace Turns(double turns, int stringsPerTurn, Func<double, Vec3> at, FlowRamp? ramp = null)
+    {
+        if (stringsPerTurn < 3) throw new ArgumentOutOfRangeException(nameof(stringsPerTurn), "A turn needs three strings.");
+        if (turns * stringsPerTurn > 100_000_000) throw new ArgumentOutOfRangeException(nameof(turns), "More than 100 million strings: the pitch is too small.");
+        Reach(at(0));
+        // A last string of rounding length is none.
+        var whole = (int)Math.Floor(turns * stringsPerTurn + 1e-9);
+        var rest = turns * stringsPerTurn - whole > 1e-9;
+        for (var i = 1; i <= whole + (rest ? 1 : 0); i++)
+        {
+            var from = (i - 1.0) / stringsPerTurn;
+            var to = i > whole || (i == whole && !rest) ? turns : (double)i / stringsPerTurn;
+            var middle = (from + to) / 2;
+            Draw(at(to), Area * (ramp?.At(middle, turns - middle) ?? 1));
+        }
+        return this;
+    }
+}

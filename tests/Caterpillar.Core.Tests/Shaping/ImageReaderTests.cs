@@ -1,0 +1,81 @@
+using System;
+using System.Linq;
+using System.Text;
+using Caterpillar.Display;
+using Caterpillar.Shaping;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Shaping;
+
+public class ImageReaderTests
+{
+    [Test]
+    public void Plain_and_raw_gray_maps_are_read()
+    {
+        var plain = Read("P2 # comment\n3 2\n# more\n10\n0 5 10\n10 5 0\n");
+        Assert.That(Enumerable.Range(0, 6).Select(i => plain[i % 3, i / 3]), Is.EqualTo(new[] { 0, 0.5, 1, 1, 0.5, 0 }));
+        var raw = ImageReader.Read([.. Encoding.ASCII.GetBytes("P5 2 1 255\n"), 0, 255], "a.pgm").Value!;
+        Assert.That((raw[0, 0], raw[1, 0]), Is.EqualTo((0.0, 1.0)));
+        var deep = ImageReader.Read([.. Encoding.ASCII.GetBytes("P5 1 1 65535\n"), 0x80, 0], "a.pgm").Value!;
+        Assert.That(deep[0, 0], Is.EqualTo(32768 / 65535.0));
+    }
+
+    [Test]
+    public void Bit_maps_are_black_where_the_bit_is_set()
+    {
+        var plain = Read("P1\n4 1\n0110");
+        Assert.That(Enumerable.Range(0, 4).Select(i => plain[i, 0]), Is.EqualTo(new double[] { 1, 0, 0, 1 }));
+        var raw = ImageReader.Read([.. Encoding.ASCII.GetBytes("P4 9 1\n"), 0b10000000, 0b10000000], "a.pbm").Value!;
+        Assert.That(Enumerable.Range(0, 9).Select(i => raw[i, 0]), Is.EqualTo(new double[] { 0, 1, 1, 1, 1, 1, 1, 1, 0 }));
+    }
+
+    [Test]
+    public void A_png_of_our_own_comes_back()
+    {
+        var picture = new RasterImage(5, 4, new Rgb(255, 255, 255));
+        picture[1, 2] = new Rgb(51, 51, 51);
+        picture[4, 3] = new Rgb(255, 0, 0);
+        var image = ImageReader.Read(PngWriter.ToBytes(picture), "a.png").Value!;
+        Assert.That((image.Width, image.Height), Is.EqualTo((5, 4)));
+        Assert.That(image[0, 0], Is.EqualTo(1));
+        Assert.That(image[1, 2], Is.EqualTo(0.2).Within(1e-12));
+        Assert.That(image[4, 3], Is.EqualTo(0.2126).Within(1e-12));
+    }
+
+    [TestCaseSource(nameof(ForeignImages))]
+    public void Images_of_other_writers_are_read(string base64, double[] expected)
+    {
+        var image = ImageReader.Read(Convert.FromBase64String(base64), "foreign.png");
+        Assert.That(image.Diagnostics, Is.Empty);
+        Assert.That(Enumerable.Range(0, expected.Length).Select(i => image.Value![i % 3, i / 3]), Is.EqualTo(expected).Within(1e-9));
+    }
+
+    [Test]
+    public void Damaged_images_give_errors_and_never_exceptions()
+    {
+        var png = PngWriter.ToBytes(new RasterImage(20, 20, new Rgb(9, 9, 9)));
+        for (var length = 0; length < png.Length - 12; length++)
+            Assert.That(ImageReader.Read(png.Take(length).ToArray(), "a.png").Diagnostics, Has.Count.EqualTo(1), $"{length} bytes");
+        var random = new Random(1);
+        for (var round = 0; round < 3000; round++)
+        {
+            var broken = (byte[])png.Clone();
+            for (var i = 0; i < 3; i++) broken[8 + random.Next(broken.Length - 8)] = (byte)random.Next(256);
+            Assert.That(() => ImageReader.Read(broken, "a.png"), Throws.Nothing);
+        }
+        foreach (var text in new[] { "P2 3", "P2 0 5 10 ", "P2 2 2 10 1 2 3", "P5 100000 100000 255 ", "P2 1 1 0 0", "P1 1 1 7", "P2 1 1 5 6", "GIF89a" })
+            Assert.That(ImageReader.Read(Encoding.ASCII.GetBytes(text + new string(' ', 40)), "a.pgm").Value, Is.Null, text);
+    }
+
+    private static readonly object[] ForeignImages =
+    [
+        // 4-bit gray, interlaced
+        new object[] { "iVBORw0KGgoAAAANSUhEUgAAAAMAAAADBAAAAAHBtDf0AAAAFUlEQVR4nGNgYFBgyGcQYChgMAkAAAedAZT+slCVAAAAAElFTkSuQmCC", new double[] { 0.0, 0.06666666666666667, 0.13333333333333333, 0.2, 0.26666666666666666, 0.3333333333333333, 0.4, 0.4666666666666667, 1.0 } },
+        // palette of 2 bits with transparency
+        new object[] { "iVBORw0KGgoAAAANSUhEUgAAAAMAAAACAgMAAADgGo6JAAAADFBMVEUAAAD/////AAAAAAAsH9zHAAAABHRSTlP///8AQCqp9AAAAAxJREFUeJxjkGA4AgABEADdEeUPIgAAAABJRU5ErkJggg==", new double[] { 0, 1, 0.2126, 1, 0, 1 } },
+        // 16-bit gray with alpha and the filters sub, up, average and Paeth
+        new object[] { "iVBORw0KGgoAAAANSUhEUgAAAAMAAAAEEAQAAACxtJHPAAAAOklEQVR4nGNkYPgPBAwMjYwMDEzMLxgYOC4yMHTvYGRkfvmmocF7BwOD6Z6GBhYxaQYGxgygEl8GBgCzXw5EU5IOAgAAAABJRU5ErkJggg==", new double[] { 0.0, 1.0, 0.500007629511, 0.015259021897, 0.030518043793, 1.0, 0.915541313802, 0.762951094835, 0.610360875868, 0.001876859693, 0.006958113985, 0.012039368276 } },
+    ];
+
+    private static GrayImage Read(string text) => ImageReader.Read(Encoding.ASCII.GetBytes(text), "a.pgm").Value!;
+}

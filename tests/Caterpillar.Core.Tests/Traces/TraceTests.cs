@@ -1,0 +1,136 @@
+using System;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Traces;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Traces;
+
+public class TraceTests
+{
+    [Test]
+    public void Moves_leave_no_string_and_draws_do()
+    {
+        var trace = new Trace(0.2, new Vec3(1, 0, 0)).Move(new Vec3(2, 0, 0)).Draw(new Vec3(2, 3, 0)).SetArea(0.3).SetSpeed(20).Draw(new Vec3(2, 3, 4));
+        Assert.That(trace.Strings, Is.EqualTo(new[]
+        {
+            new TraceString(new Vec3(2, 0, 0), new Vec3(2, 3, 0), 0.2, 0),
+            new TraceString(new Vec3(2, 3, 0), new Vec3(2, 3, 4), 0.3, 20),
+        }));
+        var paths = trace.ToPaths();
+        Assert.That(paths, Has.Count.EqualTo(1));
+        Assert.That(paths[0].BeadOf(0).Area, Is.EqualTo(0.2));
+        Assert.That(paths[0].BeadOf(1).Speed, Is.EqualTo(20));
+        Assert.That(paths[0].Volume, Is.EqualTo(3 * 0.2 + 4 * 0.3).Within(1e-12));
+    }
+
+    [Test]
+    public void A_move_begins_another_path()
+    {
+        var trace = new Trace(0.2).Draw(new Vec3(1, 0, 0)).Move(new Vec3(5, 0, 0)).Draw(new Vec3(6, 0, 0));
+        Assert.That(trace.ToPaths().Select(p => (p.Start.X, p.End.X)), Is.EqualTo(new[] { (0.0, 1.0), (5.0, 6.0) }));
+        Assert.That(trace.ToSteps(), Has.Count.EqualTo(2));
+    }
+
+    [TestCase(3)]
+    [TestCase(7)]
+    [TestCase(72)]
+    public void A_circle_closes_exactly_and_has_equal_strings(int n)
+    {
+        var strings = new Trace(0.2).Circle(new Vec3(10, 20, 0.3), 5, n).Strings;
+        Assert.That(strings, Has.Count.EqualTo(n));
+        Assert.That(strings[n - 1].End, Is.EqualTo(strings[0].Start));
+        var chord = 2 * 5 * Math.Sin(Math.PI / n);
+        Assert.That(strings.Select(s => s.Length), Is.All.EqualTo(chord).Within(1e-12));
+    }
+
+    [Test]
+    public void A_helix_climbs_its_pitch_each_turn_and_ends_at_its_height()
+    {
+        // 3.5 turns of 8 strings: 28 strings, each 2r sin(180/8) wide and 0.4/8 high.
+        var strings = new Trace(0.2).Helix(Vec3.Zero, 10, 1.4, 0.4, 8).Strings;
+        Assert.That(strings, Has.Count.EqualTo(28));
+        Assert.That(strings[27].End.Z, Is.EqualTo(1.4).Within(1e-12));
+        Assert.That(strings[27].End.X, Is.EqualTo(-10).Within(1e-12));
+        var chord = 20 * Math.Sin(Math.PI / 8);
+        Assert.That(strings.Select(s => s.Length), Is.All.EqualTo(Math.Sqrt(chord * chord + 0.05 * 0.05)).Within(1e-12));
+    }
+
+    [Test]
+    public void A_ramp_starts_and_ends_with_little_flow()
+    {
+        var strings = new Trace(1).Helix(Vec3.Zero, 10, 4, 1, 10, new FlowRamp(0.2)).Strings;
+        // The middle of string i is at turn (i + 0.5)/10.
+        Assert.That(strings[0].Area, Is.EqualTo(0.2 + 0.8 * 0.05).Within(1e-12));
+        Assert.That(strings[9].Area, Is.EqualTo(0.2 + 0.8 * 0.95).Within(1e-12));
+        Assert.That(strings.Skip(10).Take(20).Select(s => s.Area), Is.All.EqualTo(1));
+        Assert.That(strings[39].Area, Is.EqualTo(0.2 + 0.8 * 0.05).Within(1e-12));
+    }
+
+    [Test]
+    public void A_spiral_gains_its_pitch_each_turn_both_ways()
+    {
+        var outwards = new Trace(1).Spiral(new Vec3(0, 0, 2), 10, 2, 60).Strings;
+        Assert.That(outwards, Has.Count.EqualTo(300));
+        Assert.That(outwards[59].End.DistanceTo(new Vec3(2, 0, 2)), Is.LessThan(1e-12));
+        Assert.That(outwards[299].End.DistanceTo(new Vec3(10, 0, 2)), Is.LessThan(1e-12));
+        // Length of an Archimedean spiral r = aθ: a/2 (θ√(1+θ²) + asinh θ).
+        double a = 2 / (2 * Math.PI), t = 10 * Math.PI;
+        var exact = a / 2 * (t * Math.Sqrt(1 + t * t) + Math.Log(t + Math.Sqrt(1 + t * t)));
+        Assert.That(outwards.Sum(s => s.Length), Is.EqualTo(exact).Within(0.1));
+        var inwards = new Trace(1).Spiral(new Vec3(0, 0, 2), 9, 2, 60, inwards: true).Strings;
+        Assert.That(inwards[0].Start.DistanceTo(new Trace(1).Spiral(new Vec3(0, 0, 2), 9, 2, 60).Position), Is.LessThan(1e-12));
+        Assert.That(inwards[inwards.Count - 1].End.DistanceTo(new Vec3(0, 0, 2)), Is.LessThan(1e-12));
+    }
+
+    [Test]
+    public void A_filled_cylinder_is_one_path_of_stacked_spirals()
+    {
+        var trace = new Trace(0.2).Cylinder(new Vec3(0, 0, 0.3), 5, 0.9, 0.3, 0.45);
+        Assert.That(trace.ToPaths(), Has.Count.EqualTo(1));
+        Assert.That(trace.Strings.Select(s => s.End.Z).Distinct().Count(), Is.EqualTo(3));
+        Assert.That(trace.Strings.Max(s => s.End.Z), Is.EqualTo(0.9).Within(1e-12));
+        // The strands cover the disc: length × pitch is the area of three discs, within the curvature of the inner turns.
+        Assert.That(trace.Strings.Sum(s => s.Length) * 0.45, Is.EqualTo(3 * Math.PI * 25).Within(3));
+    }
+
+    [Test]
+    public void A_cone_ends_with_its_upper_radius()
+    {
+        var trace = new Trace(0.2).Cone(new Vec3(1, 2, 0), 10, 4, 5, 0.5);
+        Assert.That((trace.Position - new Vec3(1, 2, 5)).LengthXY, Is.EqualTo(4).Within(1e-12));
+        Assert.That(trace.Position.Z, Is.EqualTo(5).Within(1e-12));
+    }
+
+    [Test]
+    public void Short_strings_are_merged_and_keep_their_mean_area()
+    {
+        var trace = new Trace(1).Draw(new Vec3(0.1, 0, 0)).SetArea(3).Draw(new Vec3(0.4, 0, 0)).Draw(new Vec3(5, 0, 0));
+        var merged = trace.Merged(0.5).Strings;
+        Assert.That(merged.Select(s => s.End.X), Is.EqualTo(new[] { 0.4, 5 }));
+        Assert.That(merged[0].Area, Is.EqualTo((0.1 * 1 + 0.3 * 3) / 0.4).Within(1e-12));
+        Assert.That(trace.Merged(0).Strings, Is.EqualTo(trace.Strings));
+    }
+
+    [Test]
+    public void Merging_a_fine_spiral_thins_its_centre_only()
+    {
+        var fine = new Trace(0.2).Spiral(Vec3.Zero, 20, 0.5, 300);
+        var merged = fine.Merged(0.2);
+        Assert.That(merged.Strings.Count, Is.LessThan(fine.Strings.Count));
+        Assert.That(merged.Strings.Skip(3).Select(s => s.Length), Is.All.GreaterThan(0.1));
+        Assert.That(merged.ToPaths(), Has.Count.EqualTo(1));
+        Assert.That(merged.Strings[merged.Strings.Count - 1].End, Is.EqualTo(fine.Position));
+    }
+
+    [Test]
+    public void Values_that_make_no_part_are_refused()
+    {
+        Assert.That(() => new Trace(-1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => new Trace(1).Draw(new Vec3(double.NaN, 0, 0)), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => new Trace(1).Helix(Vec3.Zero, 10, 10, 0), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => new Trace(1).Helix(Vec3.Zero, 10, 1e9, 1e-3), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => new Trace(1).Circle(Vec3.Zero, 1, 2), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => new FlowRamp(2), Throws.InstanceOf<ArgumentOutOfRangeException>());
+    }
+}
