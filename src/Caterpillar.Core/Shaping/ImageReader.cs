@@ -26,6 +26,11 @@ public static class ImageReader
         {
             return Failed(problem.Message, name);
         }
+        catch (IOException)
+        {
+            // Mono's way to say that compressed data is damaged; nothing else here touches a disk.
+            return Failed("The compressed data of the image is damaged.", name);
+        }
         return Failed("This is neither a PNG nor a PGM or PBM image.", name);
     }
 
