@@ -39,6 +39,9 @@ public sealed class PathStep : Step
 
     /// <summary>Paths of one group may be sorted; without a group the path stays where it is.</summary>
     public StepGroup? Group { get; }
+
+    /// <summary>The path begins where it begins and runs as it runs (a chosen seam): sorting may change only its place in the order.</summary>
+    public bool KeepStart { get; init; }
 }
 
 /// <summary>How a drawn travel is meant.</summary>

@@ -1,0 +1,115 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>
+/// Puts paths into an order with short ways between them. All rules are deterministic: equal distances are decided by the order of the input.
+/// </summary>
+public static class PathSorter
+{
+    // Paths whose lowest points differ by less lie at the same height, mm.
+    private const double SameHeight = 1e-4;
+
+    /// <summary>The paths in the order wanted, turned and rotated where that is allowed. None is lost or doubled.</summary>
+    /// <exception cref="ArgumentException">A path is null.</exception>
+    public static IReadOnlyList<PrintPath> Sort(
+        IReadOnlyList<PrintPath> paths, SortOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        var places = Order(paths, options, progress, cancel);
+        var sorted = new PrintPath[places.Count];
+        for (var i = 0; i < sorted.Length; i++)
+        {
+            var path = paths[places[i].Index];
+            sorted[i] = places[i].Reversed ? path.Reversed() : places[i].Vertex > 0 ? path.StartingAt(places[i].Vertex) : path;
+        }
+        return sorted;
+    }
+
+    /// <summary>The same order as numbers of the paths, with what is to be done with each.</summary>
+    /// <exception cref="ArgumentException">A path is null.</exception>
+    public static IReadOnlyList<PathPlacement> Order(
+        IReadOnlyList<PrintPath> paths, SortOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (paths is null) throw new ArgumentNullException(nameof(paths));
+        options ??= new SortOptions();
+        var items = new SortItem[paths.Count];
+        for (var i = 0; i < items.Length; i++)
+        {
+            items[i] = new SortItem(paths[i] ?? throw new ArgumentException("A path is null.", nameof(paths)), options.Reverse, options.Rotate);
+        }
+        return options.Rule switch
+        {
+            SortRule.Layer => Grouped(items, ByLayer(paths), options, progress, cancel),
+            SortRule.Z => Grouped(items, ByHeight(paths), options, progress, cancel),
+            _ => Find(items, options, cancel),
+        };
+    }
+
+    /// <summary>Length in mm of the ways from the end of each path to the start of the next, for statistics.</summary>
+    public static double WayBetween(IReadOnlyList<PrintPath> paths)
+    {
+        if (paths is null) throw new ArgumentNullException(nameof(paths));
+        var sum = 0.0;
+        for (var i = 1; i < paths.Count; i++) sum += paths[i - 1].End.DistanceTo(paths[i].Start);
+        return sum;
+    }
+
+    internal static PathPlacement[] Find(SortItem[] items, SortOptions options, CancellationToken cancel)
+    {
+        switch (options.Rule)
+        {
+            case SortRule.None:
+                return NearestOrder.AsGiven(items.Length);
+            case SortRule.Orient:
+                return NearestOrder.Orient(items, options.Start);
+            default:
+                var order = NearestOrder.Find(items, options.Start, cancel);
+                return options.Rule == SortRule.Tour ? TourImprover.Improve(items, order, options.Start, options.Passes, cancel) : order;
+        }
+    }
+
+    private static List<PathPlacement> Grouped(
+        SortItem[] items, IEnumerable<int[]> groups, SortOptions options, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var order = new List<PathPlacement>(items.Length);
+        var at = options.Start;
+        foreach (var group in groups)
+        {
+            var members = Array.ConvertAll(group, i => items[i]);
+            var found = NearestOrder.Find(members, at, cancel);
+            foreach (var place in found) order.Add(place with { Index = group[place.Index] });
+            at = members[found[found.Length - 1].Index].Exit(found[found.Length - 1]);
+            progress?.Report((double)order.Count / items.Length);
+        }
+        return order;
+    }
+
+    private static IEnumerable<int[]> ByLayer(IReadOnlyList<PrintPath> paths) => Enumerable.Range(0, paths.Count)
+        .GroupBy(i => paths[i].Layer?.Index ?? -1)
+        .OrderBy(g => g.Key)
+        .Select(g => g.ToArray());
+
+    private static IEnumerable<int[]> ByHeight(IReadOnlyList<PrintPath> paths)
+    {
+        var heights = new double[paths.Count];
+        for (var i = 0; i < heights.Length; i++)
+        {
+            heights[i] = double.PositiveInfinity;
+            foreach (var p in paths[i].RawPoints) heights[i] = Math.Min(heights[i], p.Z);
+        }
+        var byHeight = Enumerable.Range(0, paths.Count).OrderBy(i => heights[i]).ToArray();
+        for (int first = 0, end = 0; first < byHeight.Length; first = end)
+        {
+            while (end < byHeight.Length && heights[byHeight[end]] - heights[byHeight[first]] < SameHeight) end++;
+            var group = new int[end - first];
+            Array.Copy(byHeight, first, group, 0, group.Length);
+            Array.Sort(group);
+            yield return group;
+        }
+    }
+}

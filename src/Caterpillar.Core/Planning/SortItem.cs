@@ -1,0 +1,112 @@
+using System;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>A path as sorting sees it, and what may be done with it.</summary>
+internal readonly struct SortItem(PrintPath path, bool reverse, bool rotate)
+{
+    public readonly PrintPath Path = path;
+
+    public readonly bool Reverse = reverse && !path.IsClosed;
+
+    public readonly bool Rotate = rotate && path.IsClosed;
+
+    public Vec3 Entry(PathPlacement at) => at.Reversed ? Path.End : Path.RawPoints[at.Vertex];
+
+    public Vec3 Exit(PathPlacement at) => at.Reversed ? Path.Start : Path.IsClosed ? Path.RawPoints[at.Vertex] : Path.End;
+
+    /// <summary>The end, or the vertex of a loop, that is nearest to a point; the first among equals.</summary>
+    public PathPlacement NearestEntry(int index, Vec3 from)
+    {
+        if (Reverse && (Path.End - from).LengthSquared < (Path.Start - from).LengthSquared) return new PathPlacement(index, true);
+        if (!Rotate) return new PathPlacement(index);
+        var points = Path.RawPoints;
+        var best = 0;
+        var bestSquare = double.PositiveInfinity;
+        for (var i = 0; i < points.Length; i++)
+        {
+            var square = (points[i] - from).LengthSquared;
+            if (square >= bestSquare) continue;
+            best = i;
+            bestSquare = square;
+        }
+        return new PathPlacement(index, false, best);
+    }
+
+    /// <summary>The vertex of a loop at which the way from one point to it and on to another is shortest.</summary>
+    public PathPlacement Between(int index, Vec3 from, Vec3 to)
+    {
+        var points = Path.RawPoints;
+        var best = 0;
+        var bestWay = double.PositiveInfinity;
+        for (var i = 0; i < points.Length; i++)
+        {
+            var way = points[i].DistanceTo(from) + points[i].DistanceTo(to);
+            if (way >= bestWay) continue;
+            best = i;
+            bestWay = way;
+        }
+        return new PathPlacement(index, false, best);
+    }
+
+    public PrintPath Placed(PathPlacement at) => at.Reversed ? Path.Reversed() : at.Vertex > 0 ? Path.StartingAt(at.Vertex) : Path;
+}
+
+/// <summary>The places at which printing of some paths may begin, with the path that each belongs to.</summary>
+internal sealed class EntryPoints
+{
+    // Loops of more vertices are searched by a selection of them first; the chosen loop then begins at its nearest vertex.
+    private const int MaxPerLoop = 128;
+    private Vec3[] _points = new Vec3[16];
+    private int[] _owners = new int[16];
+    private readonly int[] _firsts;
+
+    public EntryPoints(SortItem[] items)
+    {
+        _firsts = new int[items.Length + 1];
+        for (var i = 0; i < items.Length; i++)
+        {
+            _firsts[i] = Count;
+            AddEntries(items[i], i);
+        }
+        _firsts[items.Length] = Count;
+        Tree = new EntryTree(_points, Count);
+    }
+
+    public int Count { get; private set; }
+
+    public EntryTree Tree { get; }
+
+    public int OwnerOf(int point) => _owners[point];
+
+    public void RemoveOwner(int owner)
+    {
+        for (var i = _firsts[owner]; i < _firsts[owner + 1]; i++) Tree.Remove(i);
+    }
+
+    private void AddEntries(SortItem item, int owner)
+    {
+        if (item.Rotate)
+        {
+            var points = item.Path.RawPoints;
+            var step = (points.Length + MaxPerLoop - 1) / MaxPerLoop;
+            for (var i = 0; i < points.Length; i += step) Add(points[i], owner);
+            return;
+        }
+        Add(item.Path.Start, owner);
+        if (item.Reverse) Add(item.Path.End, owner);
+    }
+
+    private void Add(Vec3 point, int owner)
+    {
+        if (Count == _points.Length)
+        {
+            Array.Resize(ref _points, Count * 2);
+            Array.Resize(ref _owners, Count * 2);
+        }
+        _points[Count] = point;
+        _owners[Count++] = owner;
+    }
+}
