@@ -1,0 +1,157 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>
+/// Writes moves and keeps the books: where the head is, which tool works, how much filament of each tool is retracted, how high the print has grown. E beyond the balance is deposited, E below
+/// it only fills the nozzle.
+/// </summary>
+internal sealed class MoveEmitter
+{
+    // Rounding of sums, not a length anybody can print.
+    private const double BalanceEpsilon = 1e-9;
+    private readonly ToolpathBuilder _builder;
+    private readonly PlanRules _rules;
+    private readonly PlanCounts _counts;
+    private readonly double[] _retracted;
+    private readonly Dictionary<Layer, int> _layers = [];
+    private Layer? _layer;
+    private int _layerIndex = -1;
+
+    public MoveEmitter(PlanRules rules, Vec3? start, PlanCounts counts)
+    {
+        _rules = rules;
+        _counts = counts;
+        _builder = new ToolpathBuilder(MoveSource.Steps, start);
+        _retracted = new double[rules.Tools.Length];
+        IsPlaced = start is not null;
+    }
+
+    public Vec3 Position => _builder.Position;
+
+    /// <summary>False until the first move where the start is not known.</summary>
+    public bool IsPlaced { get; private set; }
+
+    public int Tool { get; private set; }
+
+    public ToolRules ToolRules => _rules.Tools[Tool];
+
+    /// <summary>Number of the step that the next moves belong to.</summary>
+    public int Source { get; set; } = -1;
+
+    /// <summary>Highest point printed so far, mm; negative infinity before.</summary>
+    public double Highest { get; private set; } = double.NegativeInfinity;
+
+    /// <summary>Retracted E of the tool that works.</summary>
+    public double Retracted => _retracted[Tool];
+
+    /// <summary>Number of moves so far.</summary>
+    public int Count => _builder.Count;
+
+    /// <summary>True when some printing E went into filling up what was retracted before.</summary>
+    public bool PrintedRetracted { get; private set; }
+
+    public Toolpath Build() => _builder.Build(Array.ConvertAll(_rules.Tools, t => new ToolpathTool(t.VolumePerE)));
+
+    public void Event(PrinterEvent what) => _builder.AddEvent(what);
+
+    public void EnterLayer(Layer? layer)
+    {
+        if (ReferenceEquals(layer, _layer)) return;
+        _layer = layer;
+        _layerIndex = -1;
+        if (layer is not null && !_layers.TryGetValue(layer, out _layerIndex)) _layers.Add(layer, _layerIndex = _builder.AddLayer(layer));
+    }
+
+    public void SwitchTool(int tool)
+    {
+        _builder.AddEvent(new ToolEvent(tool));
+        Tool = tool;
+        _counts.ToolChanges++;
+    }
+
+    public void Travel(Vec3 to, double speed)
+    {
+        if (IsPlaced && to == Position) return;
+        if (IsPlaced) _counts.TravelLength += Position.DistanceTo(to);
+        Add(to, 0, 0, speed, MoveKind.Travel, Role.Unspecified);
+    }
+
+    /// <summary>A segment of a path: its volume in mm³ becomes E; what is retracted is filled up first.</summary>
+    public void Print(Vec3 to, double volume, double speed, Role role, Arc? arc)
+    {
+        var e = volume / ToolRules.VolumePerE;
+        var fill = Fill(e);
+        if (fill > 0) PrintedRetracted = true;
+        Add(to, e, e - fill, speed, e > 0 && fill == e ? MoveKind.MovingRestore : MoveKind.Print, role, arc);
+    }
+
+    /// <summary>The end of a path that is moved along after the extruder has stopped.</summary>
+    public void Coast(Vec3 to, double speed, Role role, Arc? arc) => Add(to, 0, 0, speed, MoveKind.Travel, role, arc);
+
+    public void Reached(double z) => Highest = Math.Max(Highest, z);
+
+    public void Retract(double e, double speed)
+    {
+        _retracted[Tool] += e;
+        Add(Position, -e, 0, speed, MoveKind.Retract, Role.Unspecified);
+    }
+
+    public void Wipe(Vec3 to, double e, double speed)
+    {
+        _retracted[Tool] += e;
+        Add(to, -e, 0, speed, MoveKind.Wipe, Role.Unspecified);
+    }
+
+    /// <summary>Pushes back all that is retracted: in place, or on the way to a point.</summary>
+    public void Restore(Vec3? during, double speed)
+    {
+        var e = _retracted[Tool];
+        if (e <= 0)
+        {
+            if (during is { } there) Travel(there, speed);
+            return;
+        }
+        _retracted[Tool] = 0;
+        _counts.Restores++;
+        if (during is { } to)
+        {
+            _counts.TravelLength += Position.DistanceTo(to);
+            Add(to, e, 0, speed, MoveKind.MovingRestore, Role.Unspecified);
+        }
+        else
+        {
+            Add(Position, e, 0, speed, MoveKind.Restore, Role.Unspecified);
+        }
+    }
+
+    /// <summary>Pushes E out in place; what is retracted is filled up first.</summary>
+    public void Prime(double e, double speed)
+    {
+        var fill = Fill(e);
+        if (fill > 0)
+        {
+            _counts.Restores++;
+            Add(Position, fill, 0, speed, MoveKind.Restore, Role.Unspecified);
+        }
+        if (e > fill) Add(Position, e - fill, e - fill, speed, MoveKind.Prime, Role.Unspecified);
+    }
+
+    private double Fill(double e)
+    {
+        var fill = Math.Min(e, _retracted[Tool]);
+        if (fill <= 0) return 0;
+        var left = _retracted[Tool] - fill;
+        _retracted[Tool] = left > BalanceEpsilon ? left : 0;
+        return fill;
+    }
+
+    private void Add(Vec3 to, double e, double deposited, double speed, MoveKind kind, Role role, Arc? arc = null)
+    {
+        _builder.Add(to, e, deposited, speed, kind, role, _layerIndex, Tool, Source, arc);
+        IsPlaced = true;
+    }
+}

@@ -1,0 +1,56 @@
+using System;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>Turns the segments of a path into printing moves, with the lag of the pressure at its ends.</summary>
+internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanCounts counts)
+{
+    /// <summary>Prints a path of some length in mm from its start, where the head is.</summary>
+    public void Print(PrintPath path, double length)
+    {
+        // A path keeps at least half of its length between the two lags.
+        var stopAt = double.PositiveInfinity;
+        if (!rules.AddsNothing && (rules.StartDistance > 0 || rules.StopDistance > 0) && path.BeadOf(0).Area > 0)
+        {
+            counts.LaggedPaths++;
+            if (rules.StopDistance > 0) stopAt = length - Math.Min(rules.StopDistance, length / 2);
+            var start = Math.Min(rules.StartDistance, length / 2);
+            if (start > 0) emitter.Prime(start * path.BeadOf(0).Area / emitter.ToolRules.VolumePerE, emitter.ToolRules.RestoreSpeed);
+        }
+        var usual = rules.PrintSpeed(path.Role, path.Layer is { Index: 0 });
+        var points = path.RawPoints;
+        var done = 0.0;
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            var from = points[i];
+            var to = i + 1 == points.Length ? points[0] : points[i + 1];
+            var arc = path.ArcOf(i);
+            var way = arc is { } turn ? turn.Length(from, to) : from.DistanceTo(to);
+            if (!(way > 0))
+            {
+                counts.EmptySegments++;
+                continue;
+            }
+            var bead = path.BeadOf(i);
+            var speed = bead.Speed > 0 ? bead.Speed : usual;
+            var printed = Math.Min(way, Math.Max(stopAt - done, 0));
+            done += way;
+            if (printed >= way)
+            {
+                emitter.Print(to, way * bead.Area, speed, path.Role, arc);
+            }
+            else
+            {
+                var t = printed / way;
+                var stop = arc is { } a ? a.PointAt(from, to, t) : Vec3.Lerp(from, to, t);
+                if (printed > 0) emitter.Print(stop, printed * bead.Area, speed, path.Role, Part(arc, t));
+                emitter.Coast(to, speed, path.Role, Part(arc, 1 - t));
+            }
+            emitter.Reached(Math.Max(from.Z, to.Z));
+        }
+    }
+
+    private static Arc? Part(Arc? arc, double share) => arc is { } a ? a with { Sweep = a.Sweep * share } : null;
+}

@@ -1,0 +1,72 @@
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>How often each rule of planning had an effect.</summary>
+public sealed record PlanReport
+{
+    /// <summary>Paths printed.</summary>
+    public int Paths { get; init; }
+
+    /// <summary>Ways between paths that the planner chose, and that the designer drew.</summary>
+    public int Travels { get; init; }
+
+    /// <inheritdoc cref="Travels"/>
+    public int DrawnTravels { get; init; }
+
+    /// <summary>Travels above everything printed so far.</summary>
+    public int Lifts { get; init; }
+
+    /// <summary>Travels lifted only as far as what lies below the way.</summary>
+    public int CorridorLifts { get; init; }
+
+    /// <summary>Travels without a lift: too short, or nothing in the way.</summary>
+    public int SkippedLifts { get; init; }
+
+    /// <summary>Travels led around printed parts.</summary>
+    public int Detours { get; init; }
+
+    /// <summary>Retractions, in place or while wiping.</summary>
+    public int Retractions { get; init; }
+
+    /// <summary>Travels too short for a retraction.</summary>
+    public int SkippedRetractions { get; init; }
+
+    /// <summary>Travels that began with the filament already retracted.</summary>
+    public int AlreadyRetracted { get; init; }
+
+    /// <summary>Restores of retracted filament.</summary>
+    public int Restores { get; init; }
+
+    /// <summary>Retractions while the head wiped along what it had printed.</summary>
+    public int Wipes { get; init; }
+
+    /// <summary>Paths whose extrusion was started or stopped early for the lag of the pressure.</summary>
+    public int LaggedPaths { get; init; }
+
+    public int ToolChanges { get; init; }
+
+    /// <summary>Returns of a turtle over the top, back along the branch, and those for which no free way was found.</summary>
+    public int ReturnsOver { get; init; }
+
+    /// <inheritdoc cref="ReturnsOver"/>
+    public int ReturnsAlong { get; init; }
+
+    /// <inheritdoc cref="ReturnsOver"/>
+    public int BlockedReturns { get; init; }
+
+    /// <summary>Segments without a length, left out.</summary>
+    public int EmptySegments { get; init; }
+
+    /// <summary>Way of all travels, mm.</summary>
+    public double TravelLength { get; init; }
+
+    /// <summary>Way that sorting had to cover between the paths as given and as sorted, mm.</summary>
+    public double GivenWay { get; init; }
+
+    /// <inheritdoc cref="GivenWay"/>
+    public double SortedWay { get; init; }
+}
+
+/// <summary>A planned toolpath and what the rules did.</summary>
+public sealed record Plan(Toolpath Toolpath, PlanReport Report);

@@ -1,0 +1,80 @@
+using System;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>From where the height of a travel is taken.</summary>
+internal enum LiftRule : byte
+{
+    None,
+    Highest,
+    Corridor,
+}
+
+/// <summary>A tool as planning needs it. Amounts of E are in its own unit.</summary>
+/// <param name="VolumePerE">mm³ for one unit of E.</param>
+/// <param name="RetractE">E of a retraction; 0 for none.</param>
+/// <param name="RetractSpeed">mm/s of filament.</param>
+/// <param name="RestoreSpeed">mm/s of filament.</param>
+/// <param name="ExtraE">E pushed out beyond the balance after each restore.</param>
+/// <param name="LengthPerE">mm of filament for one unit of E.</param>
+internal sealed record ToolRules(double VolumePerE, double RetractE, double RetractSpeed, double RestoreSpeed, double ExtraE, double LengthPerE = 1)
+{
+    /// <summary>mm of filament for an amount of E.</summary>
+    public double FilamentLength(double e) => e * LengthPerE;
+}
+
+/// <summary>All numbers of the settings that planning needs, resolved. Lengths in mm, speeds in mm/s.</summary>
+internal sealed record PlanRules
+{
+    public required PlanPolicy Policy { get; init; }
+
+    public required ToolRules[] Tools { get; init; }
+
+    /// <summary>Speed of paths without one of their own, by role; and the same on the first layer.</summary>
+    public required Func<Role, bool, double> PrintSpeed { get; init; }
+
+    public required double TravelSpeed { get; init; }
+
+    /// <summary>Speed of moves straight up and down.</summary>
+    public required double LiftSpeed { get; init; }
+
+    public LiftRule Lift { get; init; }
+
+    /// <summary>Height of a travel above what it passes.</summary>
+    public double Clearance { get; init; }
+
+    /// <summary>Travels up to this length are made without a lift.</summary>
+    public double MinLiftTravel { get; init; }
+
+    /// <summary>Half the width that is kept free along a travel, for the corridor.</summary>
+    public double HeadRadius { get; init; }
+
+    public bool Detour { get; init; }
+
+    /// <summary>Travels up to this length are made without a retraction.</summary>
+    public double MinRetractTravel { get; init; }
+
+    public double WipeDistance { get; init; }
+
+    /// <summary>The extruder pushes this length of bead before a path begins.</summary>
+    public double StartDistance { get; init; }
+
+    /// <summary>The extruder stops this far before the end of a path.</summary>
+    public double StopDistance { get; init; }
+
+    public bool RestoreDuringDescent { get; init; }
+
+    public BeadShape Shape { get; init; }
+
+    /// <summary>What is in force where no path overrides it; null where the settings do not say.</summary>
+    public double? NozzleTemperature { get; init; }
+
+    /// <inheritdoc cref="NozzleTemperature"/>
+    public double? Fan { get; init; }
+
+    /// <inheritdoc cref="NozzleTemperature"/>
+    public double? Acceleration { get; init; }
+
+    public bool AddsNothing => Policy == PlanPolicy.AsDrawn;
+}

@@ -1,0 +1,142 @@
+using System;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>Goes through ordered steps once and writes their moves.</summary>
+internal sealed class StepPlanner
+{
+    private readonly PlanRules _rules;
+    private readonly OrderedStep[] _steps;
+    private readonly DiagnosticList _diagnostics;
+    private readonly MoveEmitter _emitter;
+    private readonly TravelPlanner _travel;
+    private readonly PathPrinter _printer;
+    private readonly OverrideState _overrides;
+    private readonly PlanCounts _counts;
+
+    // A drawn travel has been prepared for, until something is printed.
+    private bool _prepared;
+
+    public StepPlanner(PlanRules rules, OrderedStep[] steps, PlanOptions options, PlanCounts counts, DiagnosticList diagnostics)
+    {
+        _rules = rules;
+        _steps = steps;
+        _diagnostics = diagnostics;
+        _counts = counts;
+        _emitter = new MoveEmitter(rules, options.Start, counts);
+        _travel = new TravelPlanner(rules, _emitter, counts);
+        _printer = new PathPrinter(rules, _emitter, counts);
+        _overrides = new OverrideState(rules, _emitter);
+    }
+
+    public Toolpath Run(IProgress<double>? progress, CancellationToken cancel)
+    {
+        for (var i = 0; i < _steps.Length; i++)
+        {
+            if ((i & 255) == 0)
+            {
+                cancel.ThrowIfCancellationRequested();
+                progress?.Report((double)i / _steps.Length);
+            }
+            _emitter.Source = _steps[i].Source;
+            switch (_steps[i].Step)
+            {
+                case PathStep: Path(_steps[i].Path!); break;
+                case TravelStep travel: Travel(travel, i); break;
+                case EventStep step: Event(step.Event); break;
+            }
+        }
+        if (_overrides.CouldNotRevert)
+            _diagnostics.Add(Severity.Remark, "plan.override_kept", "A path overrides a setting whose usual value nobody states: the overriding value stays in force.");
+        if (_emitter.PrintedRetracted)
+        {
+            _diagnostics.Add(
+                Severity.Warning, "plan.printed_retracted", "Paths begin while filament is retracted: their first E only fills the nozzle. Extrude what was pulled back before printing.");
+        }
+        return _emitter.Build();
+    }
+
+    private void Path(PrintPath path)
+    {
+        var length = path.Length;
+        if (!(length > 0))
+        {
+            _diagnostics.Add(Severity.Warning, "plan.empty_path", "A path has no length and is left out.", new SourceLocation(Step: _emitter.Source));
+            return;
+        }
+        _counts.Paths++;
+        if (path.Tool != _emitter.Tool) SwitchTool(path.Tool);
+        _emitter.EnterLayer(path.Layer);
+        _travel.To(path.Start, retract: !_prepared);
+        _overrides.Apply(path.Overrides);
+        _travel.Restore();
+        _printer.Print(path, length);
+        _travel.Printed(path);
+        _prepared = false;
+    }
+
+    private void Travel(TravelStep travel, int index)
+    {
+        _counts.DrawnTravels++;
+        if (!_prepared && _emitter.IsPlaced && !_rules.AddsNothing) _travel.RetractFor(WayToNextPrint(index));
+        _prepared = true;
+        foreach (var point in travel.Points) _emitter.Travel(point, travel.Speed > 0 ? travel.Speed : _rules.TravelSpeed);
+    }
+
+    // The whole way without printing from here, mm; infinite where nothing is printed any more.
+    private double WayToNextPrint(int index)
+    {
+        var at = _emitter.Position;
+        var way = 0.0;
+        for (; index < _steps.Length; index++)
+        {
+            switch (_steps[index].Step)
+            {
+                case PathStep:
+                    return way + at.DistanceTo(_steps[index].Path!.Start);
+                case EventStep { Event: ExtrudeEvent { Volume: > 0 } }:
+                    return way;
+                case TravelStep travel:
+                    foreach (var point in travel.Points)
+                    {
+                        way += at.DistanceTo(point);
+                        at = point;
+                    }
+                    break;
+            }
+        }
+        return double.PositiveInfinity;
+    }
+
+    private void Event(PrinterEvent what)
+    {
+        switch (what)
+        {
+            case ExtrudeEvent extrude:
+                Extrude(extrude);
+                return;
+            case ToolEvent tool:
+                if (tool.Tool != _emitter.Tool) SwitchTool(tool.Tool);
+                return;
+        }
+        _overrides.Note(what);
+        _emitter.Event(what);
+    }
+
+    private void Extrude(ExtrudeEvent extrude)
+    {
+        var tool = _emitter.ToolRules;
+        var e = extrude.Volume / tool.VolumePerE;
+        if (e < 0) _emitter.Retract(-e, extrude.Speed > 0 ? extrude.Speed : tool.RetractSpeed);
+        else if (e > 0) _emitter.Prime(e, extrude.Speed > 0 ? extrude.Speed : tool.RestoreSpeed);
+    }
+
+    private void SwitchTool(int tool)
+    {
+        if (_emitter.IsPlaced) _travel.RetractFor(double.PositiveInfinity);
+        _emitter.SwitchTool(tool);
+    }
+}

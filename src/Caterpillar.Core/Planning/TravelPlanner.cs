@@ -1,0 +1,139 @@
+using System;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>Ways of the head between paths: retraction with balance, wipe, lift, and the way down.</summary>
+internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCounts counts)
+{
+    // Points nearer than this are one, mm: far below what any file or machine resolves.
+    internal const double Touching = 1e-6;
+    private readonly bool[] _hasPrinted = new bool[rules.Tools.Length];
+    private PrintPath? _last;
+
+    /// <summary>A path has been printed to its end.</summary>
+    public void Printed(PrintPath path)
+    {
+        _last = path;
+        _hasPrinted[emitter.Tool] = true;
+    }
+
+    /// <summary>Retracts before a way of some length, where the rules want it and it has not been done.</summary>
+    public void RetractFor(double length)
+    {
+        var tool = emitter.ToolRules;
+        if (rules.AddsNothing || tool.RetractE <= 0 || !_hasPrinted[emitter.Tool]) return;
+        var missing = tool.RetractE - emitter.Retracted;
+        if (missing <= 0)
+        {
+            counts.AlreadyRetracted++;
+        }
+        else if (length < rules.MinRetractTravel)
+        {
+            counts.SkippedRetractions++;
+        }
+        else
+        {
+            counts.Retractions++;
+            if (!TryWipe(missing, tool)) emitter.Retract(missing, tool.RetractSpeed);
+        }
+    }
+
+    /// <summary>Brings the head to where a path begins. Adds nothing where it is there already.</summary>
+    public void To(Vec3 start, bool retract)
+    {
+        if (rules.AddsNothing)
+        {
+            if (!emitter.IsPlaced || emitter.Position.DistanceTo(start) > Touching) Straight(start);
+            return;
+        }
+        if (!emitter.IsPlaced)
+        {
+            if (rules.Lift != LiftRule.None) emitter.Travel(start.WithZ(start.Z + rules.Clearance), rules.TravelSpeed);
+            Down(start);
+            return;
+        }
+        if (emitter.Position.DistanceTo(start) <= Touching) return;
+        counts.Travels++;
+        if (retract) RetractFor(emitter.Position.DistanceTo(start));
+        Over(start);
+    }
+
+    /// <summary>Pushes back what is retracted, before a path begins.</summary>
+    public void Restore()
+    {
+        if (rules.AddsNothing || emitter.Retracted <= 0) return;
+        emitter.Restore(null, emitter.ToolRules.RestoreSpeed);
+        Extra();
+    }
+
+    private void Straight(Vec3 to)
+    {
+        counts.Travels++;
+        emitter.Travel(to, rules.TravelSpeed);
+    }
+
+    private void Over(Vec3 to)
+    {
+        var from = emitter.Position;
+        var z = Math.Max(from.Z, to.Z);
+        if ((to - from).LengthXY <= Touching)
+        {
+            Down(to);
+            return;
+        }
+        if (rules.Lift == LiftRule.Highest && from.DistanceTo(to) > rules.MinLiftTravel)
+        {
+            counts.Lifts++;
+            z = Math.Max(z, emitter.Highest) + rules.Clearance;
+        }
+        else
+        {
+            counts.SkippedLifts++;
+        }
+        if (z > from.Z) emitter.Travel(from.WithZ(z), rules.LiftSpeed);
+        emitter.Travel(to.WithZ(z), rules.TravelSpeed);
+        Down(to);
+    }
+
+    private void Down(Vec3 to)
+    {
+        var length = emitter.IsPlaced ? emitter.Position.DistanceTo(to) : 0;
+        if (!rules.RestoreDuringDescent || emitter.Retracted <= 0 || !(length > 0))
+        {
+            emitter.Travel(to, rules.LiftSpeed);
+            return;
+        }
+        // Slow enough that the filament keeps up.
+        var tool = emitter.ToolRules;
+        emitter.Restore(to, Math.Min(rules.LiftSpeed, length * tool.RestoreSpeed / tool.FilamentLength(emitter.Retracted)));
+        Extra();
+    }
+
+    private void Extra()
+    {
+        var tool = emitter.ToolRules;
+        if (tool.ExtraE > 0) emitter.Prime(tool.ExtraE, tool.RestoreSpeed);
+    }
+
+    // Back along an open path, on along a closed one, while the filament is pulled back.
+    private bool TryWipe(double e, ToolRules tool)
+    {
+        if (rules.WipeDistance <= 0 || _last is not { } path || path.End.DistanceTo(emitter.Position) > Touching) return false;
+        var points = WipeWay.Along(path, rules.WipeDistance);
+        var length = 0.0;
+        for (var i = 1; i < points.Count; i++) length += points[i - 1].DistanceTo(points[i]);
+        if (!(length > 0)) return false;
+        var speed = Math.Min(rules.TravelSpeed, length * tool.RetractSpeed / tool.FilamentLength(e));
+        var left = e;
+        for (var i = 1; i < points.Count; i++)
+        {
+            var part = i + 1 == points.Count ? left : Math.Min(left, e * points[i - 1].DistanceTo(points[i]) / length);
+            emitter.Wipe(points[i], part, speed);
+            left -= part;
+        }
+        counts.Wipes++;
+        return true;
+    }
+}

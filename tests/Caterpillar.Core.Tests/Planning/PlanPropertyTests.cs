@@ -1,0 +1,148 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Planning;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Planning;
+
+/// <summary>What holds for every plan, on random designs and rules.</summary>
+public class PlanPropertyTests
+{
+    [Test]
+    public void Deposited_E_is_the_volume_of_the_paths()
+    {
+        foreach (var (steps, rules, random) in Designs(60))
+        {
+            var plan = PlanningTests.Plan(steps, rules with { StartDistance = 0, StopDistance = 0, Tools = Array.ConvertAll(rules.Tools, t => t with { ExtraE = 0 }) });
+            for (var tool = 0; tool < rules.Tools.Length; tool++)
+            {
+                var expected = steps.OfType<PathStep>().Where(p => p.Path.Tool == tool).Sum(p => p.Path.Volume) / rules.Tools[tool].VolumePerE;
+                var deposited = plan.Toolpath.Moves().Where(m => m.Tool == tool).Sum(m => m.Deposited);
+                Assert.That(deposited, Is.EqualTo(expected).Within(1e-9 * (1 + expected)));
+            }
+        }
+    }
+
+    [Test]
+    public void The_balance_of_each_tool_is_never_negative_nor_doubled_and_zero_where_it_prints()
+    {
+        foreach (var (steps, rules, _) in Designs(60))
+        {
+            var balance = new double[rules.Tools.Length];
+            foreach (var move in PlanningTests.Plan(steps, rules).Toolpath.Moves())
+            {
+                if (move.Kind is MoveKind.Print or MoveKind.Prime)
+                {
+                    Assert.That(balance[move.Tool], Is.Zero.Within(1e-12));
+                    Assert.That(move.Deposited, Is.EqualTo(move.E));
+                    continue;
+                }
+                Assert.That(move.Deposited, Is.Zero);
+                balance[move.Tool] -= move.E;
+                Assert.That(balance[move.Tool], Is.InRange(-1e-12, rules.Tools[move.Tool].RetractE + 1e-12));
+                if (move.Kind is MoveKind.Retract or MoveKind.Wipe) Assert.That(move.E, Is.Negative);
+                if (move.Kind is MoveKind.Restore or MoveKind.MovingRestore) Assert.That(balance[move.Tool], Is.Zero.Within(1e-12));
+            }
+        }
+    }
+
+    [Test]
+    public void As_drawn_has_only_paths_and_straight_ways()
+    {
+        foreach (var (steps, rules, _) in Designs(40))
+        {
+            var toolpath = PlanningTests.Plan(steps, rules with { Policy = PlanPolicy.AsDrawn }).Toolpath;
+            Assert.That(toolpath.Moves(), Has.All.Matches<Move>(m => m.Kind is MoveKind.Print or MoveKind.Travel));
+            var prints = steps.OfType<PathStep>().Sum(p => p.Path.SegmentCount);
+            Assert.That(toolpath.Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(prints));
+            Assert.That(toolpath.Moves().Count(m => m.Kind == MoveKind.Travel), Is.LessThanOrEqualTo(steps.Count));
+            Assert.That(toolpath.Moves().Select(m => m.Source), Is.Ordered);
+        }
+    }
+
+    [Test]
+    public void Every_segment_is_printed_once_and_in_one_piece()
+    {
+        foreach (var (steps, rules, _) in Designs(40))
+        {
+            var toolpath = PlanningTests.Plan(steps, rules with { StopDistance = 0 }).Toolpath;
+            var printed = toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => Key(m.Start, m.End)).OrderBy(k => k).ToArray();
+            var drawn = steps.OfType<PathStep>().SelectMany(p => Enumerable.Range(0, p.Path.SegmentCount).Select(i => Key(p.Path.Points[i], p.Path.EndOf(i)))).OrderBy(k => k).ToArray();
+            Assert.That(printed, Is.EqualTo(drawn));
+        }
+
+        static (double, double, double, double) Key(Vec3 a, Vec3 b) => a.X < b.X || (a.X == b.X && a.Y < b.Y) ? (a.X, a.Y, b.X, b.Y) : (b.X, b.Y, a.X, a.Y);
+    }
+
+    [Test]
+    public void Moves_join_and_a_second_run_gives_the_same_plan()
+    {
+        foreach (var (steps, rules, _) in Designs(40))
+        {
+            var plan = PlanningTests.Plan(steps, rules);
+            var again = PlanningTests.Plan(steps, rules);
+            Assert.That(again.Toolpath.Moves(), Is.EqualTo(plan.Toolpath.Moves()));
+            Assert.That(again.Toolpath.Events, Is.EqualTo(plan.Toolpath.Events));
+            Assert.That(again.Report, Is.EqualTo(plan.Report));
+            Assert.That(plan.Report.Retractions, Is.EqualTo(plan.Report.Restores).Or.EqualTo(plan.Report.Restores + 1).Or.EqualTo(plan.Report.Restores + 2));
+            var totals = ToolpathTotals.Of(plan.Toolpath);
+            Assert.That(plan.Report.TravelLength, Is.LessThanOrEqualTo(totals.TravelLength + 1e-6));
+        }
+    }
+
+    [Test]
+    public void Travels_with_a_lift_stay_above_everything_printed()
+    {
+        foreach (var (steps, rules, _) in Designs(40))
+        {
+            var top = double.NegativeInfinity;
+            foreach (var move in PlanningTests.Plan(steps.Where(s => s is PathStep).ToList(), rules with { Lift = LiftRule.Highest, MinLiftTravel = 0 }).Toolpath.Moves())
+            {
+                if (move.Kind == MoveKind.Print) top = Math.Max(top, Math.Max(move.Start.Z, move.End.Z));
+                if (move.Kind == MoveKind.Travel && (move.End - move.Start).LengthXY > 1e-9 && move.E == 0 && !IsCoast(move, rules))
+                    Assert.That(Math.Min(move.Start.Z, move.End.Z), Is.GreaterThanOrEqualTo(top + rules.Clearance - 1e-12));
+            }
+        }
+
+        static bool IsCoast(Move move, PlanRules rules) => rules.StopDistance > 0 && move.Role != Role.Unspecified;
+    }
+
+    [Test]
+    public void Planning_can_be_cancelled()
+    {
+        using var cancel = new System.Threading.CancellationTokenSource();
+        cancel.Cancel();
+        var (steps, rules, _) = Designs(1).Single();
+        Assert.That(() => PlanRun.Run(steps, rules, new PlanOptions(), null, cancel.Token), Throws.InstanceOf<OperationCanceledException>());
+    }
+
+    private static IEnumerable<(List<Step> Steps, PlanRules Rules, Random Random)> Designs(int count)
+    {
+        var random = new Random(31);
+        for (var round = 0; round < count; round++)
+        {
+            var steps = new List<Step>();
+            foreach (var path in SortingTests.Random(random.Next(1, 40), random))
+            {
+                var settled = path.With(role: random.Next(2) == 0 ? Role.OuterWall : Role.Infill, tool: random.Next(10) == 0 ? 1 : 0)
+                    .WithBeads(_ => new Bead(0.05 + random.NextDouble(), 0.2));
+                if (random.Next(15) == 0) steps.Add(new TravelStep(new Vec3(random.Next(100), random.Next(100), 5)));
+                if (random.Next(15) == 0) steps.Add(new FanEvent(random.NextDouble()));
+                steps.Add(new PathStep(settled, random.Next(4) == 0 ? null : new StepGroup(random.Next(2), random.Next(2), random.Next(2))));
+            }
+            var rules = PlanningTests.Rules with
+            {
+                Tools = [new ToolRules(2.405, 0.8, 40, 30, random.Next(2) * 0.1), new ToolRules(1, 2, 20, 10, 0)],
+                Lift = (LiftRule)random.Next(2),
+                WipeDistance = random.Next(2) * 2,
+                StartDistance = random.Next(2),
+                StopDistance = random.Next(2),
+                RestoreDuringDescent = random.Next(2) == 0,
+            };
+            yield return (steps, rules, random);
+        }
+    }
+}

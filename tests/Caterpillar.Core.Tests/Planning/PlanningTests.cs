@@ -1,0 +1,271 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Planning;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Planning;
+
+/// <summary>Hand cases: the moves of small plans, written as text (kind, end, E, speed).</summary>
+public class PlanningTests
+{
+    // 0.5 mm² of bead is 0.25 mm of filament for each mm.
+    internal static readonly PlanRules Rules = new()
+    {
+        Policy = PlanPolicy.Printer,
+        Tools = [new ToolRules(2, 1, 40, 30, 0)],
+        PrintSpeed = (role, first) => first ? 20 : role == Role.Infill ? 80 : 50,
+        TravelSpeed = 150,
+        LiftSpeed = 10,
+        Lift = LiftRule.Highest,
+        Clearance = 0.5,
+        MinLiftTravel = 2,
+        MinRetractTravel = 2,
+    };
+
+    private static readonly PlanOptions From0 = new() { Start = Vec3.Zero };
+
+    [Test]
+    public void A_travel_retracts_lifts_goes_over_comes_down_and_restores()
+    {
+        Assert.That(Moves([Line(0, 0, 10, 0, 0.2), Line(10, 10, 0, 10, 0.2)]), Is.EqualTo(new[]
+        {
+            "Travel 0,0,0.2 0 10", "Print 10,0,0.2 2.5 50",
+            "Retract 10,0,0.2 -1 40", "Travel 10,0,0.7 0 10", "Travel 10,10,0.7 0 150", "Travel 10,10,0.2 0 10", "Restore 10,10,0.2 1 30",
+            "Print 0,10,0.2 2.5 50",
+        }));
+    }
+
+    [Test]
+    public void The_lift_is_taken_from_the_highest_point_printed_so_far()
+    {
+        var moves = Moves([Line(0, 0, 10, 0, 5), Line(20, 0, 30, 0, 0.2), Line(40, 0, 50, 0, 0.2)]);
+        Assert.That(moves.Count(m => m.Contains(",5.5 ")), Is.EqualTo(4));
+    }
+
+    [Test]
+    public void As_drawn_adds_nothing()
+    {
+        Assert.That(Moves([Line(0, 0, 10, 0, 0), Line(10, 10, 0, 10, 0.2)], Rules with { Policy = PlanPolicy.AsDrawn, WipeDistance = 2, StartDistance = 1, StopDistance = 1 }),
+            Is.EqualTo(new[] { "Print 10,0,0 2.5 50", "Travel 10,10,0.2 0 150", "Print 0,10,0.2 2.5 50" }));
+    }
+
+    [Test]
+    public void Short_travels_neither_lift_nor_retract()
+    {
+        var plan = Plan([Line(0, 0, 10, 0, 0), Line(10, 1, 0, 1, 0), Line(0, 2, 10, 2, 0.3)], Rules);
+        Assert.That(Text(plan.Toolpath), Is.EqualTo(new[]
+        {
+            "Print 10,0,0 2.5 50", "Travel 10,1,0 0 150", "Print 0,1,0 2.5 50", "Travel 0,1,0.3 0 10", "Travel 0,2,0.3 0 150", "Print 10,2,0.3 2.5 50",
+        }));
+        Assert.That((plan.Report.SkippedRetractions, plan.Report.SkippedLifts, plan.Report.Retractions, plan.Report.Lifts), Is.EqualTo((2, 2, 0, 0)));
+    }
+
+    [Test]
+    public void Touching_paths_are_printed_without_a_travel()
+    {
+        Assert.That(Moves([Line(0, 0, 10, 0, 0), Line(10, 0, 10, 4, 0)]), Is.EqualTo(new[] { "Print 10,0,0 2.5 50", "Print 10,4,0 1 50" }));
+    }
+
+    [Test]
+    public void Without_a_lift_the_head_goes_up_first_and_down_last()
+    {
+        Assert.That(Moves([Line(0, 0, 10, 0, 3), Line(20, 0, 30, 0, 1), Line(40, 0, 50, 0, 3)], Rules with { Lift = LiftRule.None, MinRetractTravel = 100 }), Is.EqualTo(new[]
+        {
+            "Travel 0,0,3 0 10", "Print 10,0,3 2.5 50", "Travel 20,0,3 0 150", "Travel 20,0,1 0 10", "Print 30,0,1 2.5 50",
+            "Travel 30,0,3 0 10", "Travel 40,0,3 0 150", "Print 50,0,3 2.5 50",
+        }));
+    }
+
+    [Test]
+    public void An_unknown_start_is_left_for_a_place_above_the_first_path()
+    {
+        var plan = Plan([Line(5, 5, 10, 5, 0.2)], Rules, new PlanOptions());
+        Assert.That(Text(plan.Toolpath), Is.EqualTo(new[] { "Travel 5,5,0.7 0 150", "Travel 5,5,0.2 0 10", "Print 10,5,0.2 1.25 50" }));
+        Assert.That(plan.Toolpath.Start, Is.Null);
+    }
+
+    [Test]
+    public void Drawn_travels_stay_as_drawn_and_retract_once()
+    {
+        Step[] steps = [Line(0, 0, 10, 0, 0), new TravelStep(new Vec3(11, 0)), new TravelStep([new Vec3(11, 5), new Vec3(12, 5)], 33), Line(12, 5, 20, 5, 0)];
+        var plan = Plan(steps, Rules);
+        Assert.That(Text(plan.Toolpath), Is.EqualTo(new[]
+        {
+            "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Travel 11,0,0 0 150", "Travel 11,5,0 0 33", "Travel 12,5,0 0 33", "Restore 12,5,0 1 30", "Print 20,5,0 2 50",
+        }));
+        Assert.That((plan.Report.DrawnTravels, plan.Report.Travels, plan.Report.Retractions, plan.Report.Restores), Is.EqualTo((2, 0, 1, 1)));
+        Assert.That(Moves([Line(0, 0, 10, 0, 0), new TravelStep(new Vec3(10, 1)), Line(10, 1, 20, 1, 0)]), Has.None.StartsWith("Retract"));
+    }
+
+    [Test]
+    public void A_short_drawn_travel_followed_by_a_long_way_retracts_before_it()
+    {
+        Assert.That(Moves([Line(0, 0, 10, 0, 0), new TravelStep(new Vec3(10, 0, 1)), Line(20, 0, 30, 0, 0)]), Is.EqualTo(new[]
+        {
+            "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Travel 10,0,1 0 150", "Travel 10,0,1.5 0 10", "Travel 20,0,1.5 0 150", "Travel 20,0,0 0 10", "Restore 20,0,0 1 30",
+            "Print 30,0,0 2.5 50",
+        }));
+    }
+
+    [Test]
+    public void Extruding_in_place_fills_up_what_is_retracted_first()
+    {
+        Step[] steps = [Line(0, 0, 10, 0, 0), new ExtrudeEvent(-6), new TravelStep(new Vec3(20, 0)), new ExtrudeEvent(10, 7), Line(20, 0, 30, 0, 0)];
+        foreach (var policy in new[] { PlanPolicy.Printer, PlanPolicy.AsDrawn })
+        {
+            var plan = Plan(steps, Rules with { Policy = policy });
+            Assert.That(Text(plan.Toolpath), Is.EqualTo(new[]
+            {
+                "Print 10,0,0 2.5 50", "Retract 10,0,0 -3 40", "Travel 20,0,0 0 150", "Restore 20,0,0 3 7", "Prime 20,0,0 2 7", "Print 30,0,0 2.5 50",
+            }));
+            Assert.That(plan.Toolpath[3].Deposited, Is.Zero);
+            Assert.That(plan.Toolpath[4].Deposited, Is.EqualTo(2));
+        }
+    }
+
+    [Test]
+    public void Printing_with_retracted_filament_deposits_only_what_is_left()
+    {
+        Step[] steps = [new ExtrudeEvent(-1), Line(0, 0, 10, 0, 0), Line(10, 0, 20, 0, 0)];
+        var result = PlanRun.Run(steps, Rules with { Policy = PlanPolicy.AsDrawn }, From0, null, default);
+        Assert.That(result.Value!.Toolpath.Moves().Select(m => m.Deposited), Is.EqualTo(new[] { 0, 2, 2.5 }));
+        Assert.That(result.Diagnostics.Single().Code, Is.EqualTo("plan.printed_retracted"));
+    }
+
+    [Test]
+    public void Speeds_come_from_the_bead_then_the_role_then_the_first_layer()
+    {
+        var first = new Layer(0, 0.2);
+        var second = new Layer(1, 0.4);
+        Step[] steps =
+        [
+            new PrintPath([new Vec3(0, 0), new Vec3(10, 0)], new Bead(0.5, speed: 5)) { Layer = first },
+            new PrintPath([new Vec3(10, 0), new Vec3(20, 0)], new Bead(0.5)) { Layer = first, Role = Role.Infill },
+            new PrintPath([new Vec3(20, 0), new Vec3(30, 0)], new Bead(0.5)) { Layer = second, Role = Role.Infill },
+            new PrintPath([new Vec3(30, 0), new Vec3(40, 0)], new Bead(0.5)) { Layer = second, Role = Role.OuterWall },
+        ];
+        var toolpath = Plan(steps, Rules).Toolpath;
+        Assert.That(toolpath.Moves().Select(m => m.Speed), Is.EqualTo(new[] { 5, 20, 80, 50 }));
+        Assert.That(toolpath.Moves().Select(m => m.Layer), Is.EqualTo(new[] { 0, 0, 1, 1 }));
+        Assert.That(toolpath.Moves().Select(m => m.Source), Is.EqualTo(new[] { 0, 1, 2, 3 }));
+        Assert.That(toolpath.Moves().Select(m => m.Role), Is.EqualTo(new[] { Role.Unspecified, Role.Infill, Role.Infill, Role.OuterWall }));
+        Assert.That(toolpath.Layers, Is.EqualTo(new[] { first, second }));
+    }
+
+    [Test]
+    public void Overrides_are_set_before_the_path_and_taken_back_after_it_and_not_in_between()
+    {
+        var hot = new PathOverrides(NozzleTemperature: 230, Fan: 0);
+        Step[] steps =
+        [
+            Line(0, 0, 10, 0, 0), Line(10, 0, 20, 0, 0).With(overrides: hot), Line(20, 0, 30, 0, 0).With(overrides: hot), Line(30, 0, 40, 0, 0),
+            new FanEvent(0.5), Line(40, 0, 50, 0, 0).With(overrides: hot), Line(50, 0, 60, 0, 0),
+        ];
+        var toolpath = Plan(steps, Rules with { NozzleTemperature = 200, Fan = 1 }).Toolpath;
+        Assert.That(toolpath.Events, Is.EqualTo(new MoveEvent[]
+        {
+            new(1, new NozzleTemperatureEvent(230)), new(1, new FanEvent(0)), new(3, new NozzleTemperatureEvent(200)), new(3, new FanEvent(1)),
+            new(4, new FanEvent(0.5)), new(4, new NozzleTemperatureEvent(230)), new(4, new FanEvent(0)), new(5, new NozzleTemperatureEvent(200)), new(5, new FanEvent(0.5)),
+        }));
+    }
+
+    [Test]
+    public void Events_hang_on_the_move_that_follows_them()
+    {
+        Step[] steps = [new FanEvent(1), Line(0, 0, 10, 0, 0), new DwellEvent(2), new CommentEvent("x")];
+        Assert.That(Plan(steps, Rules).Toolpath.Events, Is.EqualTo(new MoveEvent[] { new(0, new FanEvent(1)), new(1, new DwellEvent(2)), new(1, new CommentEvent("x")) }));
+    }
+
+    [Test]
+    public void A_tool_change_retracts_and_each_tool_has_its_own_balance_and_factor()
+    {
+        var rules = Rules with { Tools = [new ToolRules(2, 1, 40, 30, 0), new ToolRules(1, 4, 20, 10, 0)], Lift = LiftRule.None };
+        Step[] steps = [Line(0, 0, 10, 0, 0), Line(10, 0, 20, 0, 0).With(tool: 1), Line(20, 0, 30, 0, 0), Line(30, 0, 40, 0, 0).With(tool: 1)];
+        var plan = Plan(steps, rules);
+        Assert.That(Text(plan.Toolpath), Is.EqualTo(new[]
+        {
+            "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Print 20,0,0 5 50", "Retract 20,0,0 -4 20", "Restore 20,0,0 1 30", "Print 30,0,0 2.5 50",
+            "Retract 30,0,0 -1 40", "Restore 30,0,0 4 10", "Print 40,0,0 5 50",
+        }));
+        Assert.That(plan.Toolpath.Events.Select(e => (e.Move, ((ToolEvent)e.Event).Tool)), Is.EqualTo(new[] { (2, 1), (4, 0), (7, 1) }));
+        Assert.That(plan.Report.ToolChanges, Is.EqualTo(3));
+        var wrong = PlanRun.Run([Line(0, 0, 1, 0, 0).With(tool: 2)], rules, From0, null, default);
+        Assert.That(wrong.Value, Is.Null);
+        Assert.That(wrong.Diagnostics.Single().Code, Is.EqualTo("plan.unknown_tool"));
+    }
+
+    [Test]
+    public void A_wipe_goes_back_along_an_open_path_and_on_along_a_loop_while_retracting()
+    {
+        var rules = Rules with { WipeDistance = 3, Lift = LiftRule.None };
+        var bent = new PrintPath([new Vec3(0, 0), new Vec3(10, 0), new Vec3(10, 1)], new Bead(0.5));
+        Assert.That(Moves([bent, Line(30, 0, 40, 0, 0)], rules).Skip(2).Take(3), Is.EqualTo(new[] { "Wipe 10,0,0 -0.33333 120", "Wipe 8,0,0 -0.66667 120", "Travel 30,0,0 0 150" }));
+        var loop = new PrintPath([new Vec3(0, 0), new Vec3(2, 0), new Vec3(2, 9)], new Bead(0.5), closed: true);
+        Assert.That(Moves([loop, Line(30, 0, 40, 0, 0)], rules).Skip(3).Take(2), Is.EqualTo(new[] { "Wipe 2,0,0 -0.66667 120", "Wipe 2,1,0 -0.33333 120" }));
+    }
+
+    [Test]
+    public void Restoring_during_the_descent_is_a_moving_restore_that_the_filament_can_follow()
+    {
+        var moves = Moves([Line(0, 0, 10, 0, 0), Line(20, 0, 30, 0, 0)], Rules with { RestoreDuringDescent = true, Clearance = 0.1 });
+        Assert.That(moves.Skip(4).Take(2), Is.EqualTo(new[] { "MovingRestore 20,0,0 1 3", "Print 30,0,0 2.5 50" }));
+    }
+
+    [Test]
+    public void Extra_restore_is_deposited()
+    {
+        var toolpath = Plan([Line(0, 0, 10, 0, 0), Line(20, 0, 30, 0, 0)], Rules with { Tools = [new ToolRules(2, 1, 40, 30, 0.25)] }).Toolpath;
+        Assert.That(Text(toolpath).Skip(5).Take(2), Is.EqualTo(new[] { "Restore 20,0,0 1 30", "Prime 20,0,0 0.25 30" }));
+        Assert.That(toolpath[6].Deposited, Is.EqualTo(0.25));
+    }
+
+    [Test]
+    public void Pressure_lag_primes_before_the_path_and_stops_early()
+    {
+        var rules = Rules with { StartDistance = 2, StopDistance = 3 };
+        Assert.That(Moves([Line(0, 0, 10, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 7,0,0 1.75 50", "Travel 10,0,0 0 50" }));
+        Assert.That(Moves([Line(0, 0, 4, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 2,0,0 0.5 50", "Travel 4,0,0 0 50" }));
+        var arc = new PrintPath([new Vec3(10, 0), new Vec3(-10, 0)], [new Bead(0.5)], false, [new Arc(Vec3.Zero, 180)]);
+        var half = Plan([arc], rules with { StartDistance = 0, StopDistance = 100 }, new PlanOptions { Start = new Vec3(10, 0) }).Toolpath;
+        Assert.That(half.Count, Is.EqualTo(2));
+        Assert.That(half[0].End.DistanceTo(new Vec3(0, 10)), Is.LessThan(1e-12));
+        Assert.That(half[0].Arc!.Value.Sweep, Is.EqualTo(90));
+        Assert.That(half[1].Arc!.Value.Sweep, Is.EqualTo(90));
+    }
+
+    [Test]
+    public void Strokes_without_material_are_printed_without_E()
+    {
+        Assert.That(Moves([new PrintPath([new Vec3(0, 0), new Vec3(5, 0)], new Bead(0))]), Is.EqualTo(new[] { "Print 5,0,0 0 50" }));
+    }
+
+    [Test]
+    public void Repeated_points_and_paths_without_length_are_left_out_and_said()
+    {
+        Step[] steps =
+        [
+            new PrintPath([new Vec3(0, 0), new Vec3(5, 0), new Vec3(5, 0), new Vec3(9, 0)], new Bead(0.5)),
+            new PrintPath([new Vec3(50, 0), new Vec3(50, 0)], new Bead(0.5)), Line(9, 0, 10, 0, 0),
+        ];
+        var result = PlanRun.Run(steps, Rules, From0, null, default);
+        Assert.That(Text(result.Value!.Toolpath), Is.EqualTo(new[] { "Print 5,0,0 1.25 50", "Print 9,0,0 1 50", "Print 10,0,0 0.25 50" }));
+        Assert.That(result.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "plan.empty_path", "plan.repeated_point" }));
+        Assert.That(PlanRun.Run([], Rules, From0, null, default).Diagnostics.Single().Code, Is.EqualTo("plan.empty"));
+    }
+
+    internal static Plan Plan(IReadOnlyList<Step> steps, PlanRules rules, PlanOptions? options = null)
+        => PlanRun.Run(steps, rules, options ?? From0, null, default).Value!;
+
+    internal static string[] Moves(IReadOnlyList<Step> steps, PlanRules? rules = null) => Text(Plan(steps, rules ?? Rules).Toolpath);
+
+    internal static string[] Text(Toolpath toolpath) => toolpath.Moves().Select(m
+        => $"{m.Kind} {F(m.End.X)},{F(m.End.Y)},{F(m.End.Z)} {F(m.E)} {F(m.Speed)}").ToArray();
+
+    internal static PrintPath Line(double x0, double y0, double x1, double y1, double z) => new([new Vec3(x0, y0, z), new Vec3(x1, y1, z)], new Bead(0.5));
+
+    private static string F(double value) => NumberFormatter.Format(value, 5);
+}
