@@ -58,6 +58,7 @@ public sealed class PrintPath
         Layer = other.Layer;
         Tool = other.Tool;
         Name = other.Name;
+        Color = other.Color;
         Overrides = other.Overrides;
     }
 
@@ -79,6 +80,9 @@ public sealed class PrintPath
 
     /// <summary>A name for people, or empty.</summary>
     public string Name { get; init; } = "";
+
+    /// <summary>A colour given by its designer as 0xRRGGBB, for pictures and baking, or null.</summary>
+    public int? Color { get; init; }
 
     public PathOverrides? Overrides { get; init; }
 
@@ -184,6 +188,9 @@ public sealed class PrintPath
             Overrides = overrides ?? Overrides,
         };
 
+    /// <summary>The same path in a colour, 0xRRGGBB, or in none.</summary>
+    public PrintPath WithColor(int? color) => new(this) { Color = color };
+
     /// <summary>Takes the arrays over without a copy; for code that has just made them.</summary>
     internal static PrintPath Own(Vec3[] points, Bead[] beads, bool closed, Arc?[]? arcs = null) => new(points, beads, closed, arcs, beads.Length != 1);
 
@@ -191,7 +198,7 @@ public sealed class PrintPath
 
     private PrintPath With(Vec3[] points, Bead[] beads, Arc?[]? arcs) => Settings(new PrintPath(points, beads, IsClosed, arcs, beads.Length != 1));
 
-    private PrintPath Settings(PrintPath geometry) => new(geometry) { Role = Role, Layer = Layer, Tool = Tool, Name = Name, Overrides = Overrides };
+    private PrintPath Settings(PrintPath geometry) => new(geometry) { Role = Role, Layer = Layer, Tool = Tool, Name = Name, Color = Color, Overrides = Overrides };
 
     private static T[] Rotated<T>(T[] items, int first)
     {

@@ -1,0 +1,103 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Expressions;
+
+/// <summary>A compiled formula or a part of one.</summary>
+internal delegate double Evaluator(FormulaContext context);
+
+/// <summary>A part of a formula while it is compiled.</summary>
+internal sealed class FormulaNode
+{
+    public FormulaNode(Evaluator evaluate, int depth = 1)
+    {
+        Evaluate = evaluate;
+        Depth = depth;
+    }
+
+    public FormulaNode(double value)
+    {
+        IsConstant = true;
+        Value = value;
+        Evaluate = _ => value;
+        Depth = 1;
+    }
+
+    public Evaluator Evaluate { get; }
+
+    public bool IsConstant { get; }
+
+    public double Value { get; }
+
+    /// <summary>How deep evaluations nest.</summary>
+    public int Depth { get; }
+
+    public static FormulaNode Of(FormulaNode a, Func<double, double> function)
+    {
+        if (a.IsConstant) return new FormulaNode(function(a.Value));
+        var x = a.Evaluate;
+        return new FormulaNode(c => function(x(c)), a.Depth + 1);
+    }
+
+    public static FormulaNode Of(FormulaNode a, FormulaNode b, Func<double, double, double> function)
+    {
+        if (a.IsConstant && b.IsConstant) return new FormulaNode(function(a.Value, b.Value));
+        var x = a.Evaluate;
+        var y = b.Evaluate;
+        return new FormulaNode(c => function(x(c), y(c)), Deeper(a, b));
+    }
+
+    public static FormulaNode Binary(string symbol, FormulaNode a, FormulaNode b)
+    {
+        var x = a.Evaluate;
+        var y = b.Evaluate;
+        Evaluator evaluate = symbol switch
+        {
+            "+" => c => x(c) + y(c),
+            "-" => c => x(c) - y(c),
+            "*" => c => x(c) * y(c),
+            "/" => c => x(c) / y(c),
+            "%" => c => x(c) % y(c),
+            "^" => c => Math.Pow(x(c), y(c)),
+            "<" => c => x(c) < y(c) ? 1 : 0,
+            ">" => c => x(c) > y(c) ? 1 : 0,
+            "<=" => c => x(c) <= y(c) ? 1 : 0,
+            ">=" => c => x(c) >= y(c) ? 1 : 0,
+            "==" => c => x(c) == y(c) ? 1 : 0,
+            "!=" or "<>" => c => x(c) != y(c) ? 1 : 0,
+            "and" => c => x(c) != 0 && y(c) != 0 ? 1 : 0,
+            "or" => c => x(c) != 0 || y(c) != 0 ? 1 : 0,
+            _ => throw new ArgumentOutOfRangeException(nameof(symbol)),
+        };
+        return Folded(evaluate, a.IsConstant && b.IsConstant, Deeper(a, b));
+    }
+
+    public static FormulaNode Choice(FormulaNode condition, FormulaNode yes, FormulaNode no)
+    {
+        if (condition.IsConstant) return condition.Value != 0 ? yes : no;
+        var test = condition.Evaluate;
+        var a = yes.Evaluate;
+        var b = no.Evaluate;
+        return new FormulaNode(c => test(c) != 0 ? a(c) : b(c), Math.Max(condition.Depth, Math.Max(yes.Depth, no.Depth)) + 1);
+    }
+
+    private static FormulaNode Folded(Evaluator evaluate, bool constant, int depth)
+        => constant ? new FormulaNode(evaluate(new FormulaContext([]))) : new FormulaNode(evaluate, depth);
+
+    private static int Deeper(FormulaNode a, FormulaNode b) => Math.Max(a.Depth, b.Depth) + 1;
+}
+
+/// <summary>Gives names of a formula their meaning.</summary>
+internal interface IFormulaScope
+{
+    /// <summary>All names, for suggestions.</summary>
+    IEnumerable<string> Names { get; }
+
+    /// <summary>The variable of that name, or null.</summary>
+    FormulaNode? Variable(string name);
+
+    bool IsArray(string name);
+
+    /// <summary>An element of the array of that name, or null.</summary>
+    FormulaNode? Element(string name, FormulaNode index, Token at);
+}

@@ -1,0 +1,236 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Caterpillar.Expressions;
+
+/// <summary>Recursive descent over tokens. Scripts let it begin anywhere; it stops behind the formula.</summary>
+internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope scope)
+{
+    // Keeps parsing and evaluation clear of the end of any thread's stack.
+    private const int MaxDepth = 250;
+
+    private static readonly string[] Words = ["and", "or", "not"];
+
+    private int _depth;
+
+    // Inside an argument of a script's command (not in parentheses) " -3" begins the next argument.
+    private bool _argument;
+
+    /// <summary>Index of the next token.</summary>
+    public int At { get; private set; } = at;
+
+    public bool UsesRandom { get; private set; }
+
+    private Token Next => tokens[At];
+
+    /// <summary>One formula.</summary>
+    public FormulaNode Parse() => Whole(argument: false);
+
+    /// <summary>
+    /// One of several arguments that are separated by blanks: a minus or plus with a blank before but none behind begins the next argument, as in Logo.
+    /// </summary>
+    public FormulaNode ParseArgument() => Whole(argument: true);
+
+    public void ExpectEnd()
+    {
+        if (Next.Kind != TokenKind.End) throw Unexpected(Next, "an operator or the end");
+    }
+
+    private FormulaNode Whole(bool argument)
+    {
+        var before = _argument;
+        _argument = argument;
+        var node = Choice();
+        _argument = before;
+        return node;
+    }
+
+    private FormulaNode Choice()
+    {
+        var at = Next;
+        if (++_depth > MaxDepth) throw TooDeep(at);
+        var node = Or();
+        if (Next.Is("?"))
+        {
+            At++;
+            var yes = Choice();
+            if (!Next.Is(":")) throw Unexpected(Next, "':' of 'condition ? value : value'");
+            At++;
+            node = Checked(FormulaNode.Choice(node, yes, Choice()), at);
+        }
+        _depth--;
+        return node;
+    }
+
+    private FormulaNode Or()
+    {
+        var node = And();
+        while (Next.IsWord("or") || Next.Is("||")) node = Binary("or", node, 0);
+        return node;
+    }
+
+    private FormulaNode And()
+    {
+        var node = Not();
+        while (Next.IsWord("and") || Next.Is("&&")) node = Binary("and", node, 1);
+        return node;
+    }
+
+    private FormulaNode Not()
+    {
+        var count = 0;
+        while (Next.IsWord("not") || Next.Is("!"))
+        {
+            At++;
+            count++;
+        }
+        var node = Comparison();
+        if (count == 0) return node;
+        return FormulaNode.Of(node, count % 2 == 1 ? x => x == 0 ? 1 : 0 : x => x != 0 ? 1 : 0);
+    }
+
+    private FormulaNode Comparison()
+    {
+        var node = Sum();
+        if (Next.Is("=")) throw new FormulaException("formula.syntax", "A single '=' does not compare; write '=='.", Next.Line, Next.Column);
+        if (!IsComparison(Next)) return node;
+        node = Binary(Next.Text, node, 3);
+        if (IsComparison(Next)) throw new FormulaException("formula.syntax", "Comparisons do not chain; join them with 'and'.", Next.Line, Next.Column);
+        return node;
+    }
+
+    private FormulaNode Sum()
+    {
+        var node = Product();
+        while ((Next.Is("+") || Next.Is("-")) && !(_argument && Next.BlankBefore && !Next.BlankAfter)) node = Binary(Next.Text, node, 4);
+        return node;
+    }
+
+    private FormulaNode Product()
+    {
+        var node = Sign();
+        while (Next.Is("*") || Next.Is("/") || Next.Is("%")) node = Binary(Next.Text, node, 5);
+        return node;
+    }
+
+    private FormulaNode Sign()
+    {
+        var negative = false;
+        while (Next.Is("-") || Next.Is("+"))
+        {
+            negative ^= Next.Is("-");
+            At++;
+        }
+        var node = Power();
+        return negative ? FormulaNode.Of(node, x => -x) : node;
+    }
+
+    private FormulaNode Power()
+    {
+        var node = Primary();
+        if (!Next.Is("^")) return node;
+        var at = Next;
+        At++;
+        if (++_depth > MaxDepth) throw TooDeep(at);
+        node = Checked(FormulaNode.Binary("^", node, Sign()), at);
+        _depth--;
+        return node;
+    }
+
+    private FormulaNode Binary(string symbol, FormulaNode left, int level)
+    {
+        var at = Next;
+        At++;
+        var right = level switch { 0 => And(), 1 => Not(), 3 => Sum(), 4 => Product(), _ => Sign() };
+        return Checked(FormulaNode.Binary(symbol, left, right), at);
+    }
+
+    private FormulaNode Primary()
+    {
+        var token = Next;
+        switch (token.Kind)
+        {
+            case TokenKind.Number:
+                At++;
+                return new FormulaNode(token.Value);
+            case TokenKind.Symbol when token.Text == "(":
+                At++;
+                var inner = Whole(argument: false);
+                Close(")", token);
+                return inner;
+            case TokenKind.Name when !Words.Contains(token.Text):
+                At++;
+                return Named(token);
+            default:
+                throw Unexpected(token, "a number, a name or '('");
+        }
+    }
+
+    private FormulaNode Named(Token name)
+    {
+        if (scope.IsArray(name.Text) && Next.Is("[") && !Next.BlankBefore)
+        {
+            var open = Next;
+            At++;
+            var index = Whole(argument: false);
+            Close("]", open);
+            return Checked(scope.Element(name.Text, index, name)!, name);
+        }
+        // A variable hides a function or constant of its name.
+        if (scope.Variable(name.Text) is { } variable)
+        {
+            if (Next.Is("(") && !Next.BlankBefore) throw new FormulaException("formula.unknown", $"'{name.Text}' is a variable, not a function.", name.Line, name.Column);
+            return variable;
+        }
+        if (Next.Is("(") && FormulaFunctions.Knows(name.Text)) return Call(name);
+        if (name.Text == "pi") return new FormulaNode(System.Math.PI);
+        if (name.Text == "tau") return new FormulaNode(2 * System.Math.PI);
+        if (FormulaFunctions.Knows(name.Text)) throw new FormulaException("formula.syntax", $"The function '{name.Text}' needs '('.", name.Line, name.Column);
+        if (scope.IsArray(name.Text)) throw new FormulaException("formula.syntax", $"'{name.Text}' is an array; write {name.Text}[index].", name.Line, name.Column);
+        var function = Next.Is("(") && !Next.BlankBefore;
+        var known = function ? FormulaFunctions.Names : scope.Names.Concat(["pi", "tau"]).Concat(FormulaFunctions.Names);
+        throw new FormulaException("formula.unknown", $"There is no {(function ? "function" : "variable")} '{name.Text}'.{Spelling.Hint(name.Text, known)}", name.Line, name.Column);
+    }
+
+    private FormulaNode Call(Token name)
+    {
+        var open = Next;
+        At++;
+        var arguments = new List<FormulaNode>();
+        if (!Next.Is(")"))
+        {
+            arguments.Add(Whole(argument: false));
+            while (Next.Is(","))
+            {
+                At++;
+                arguments.Add(Whole(argument: false));
+            }
+        }
+        Close(")", open);
+        if (arguments.Count > 64) throw TooDeep(name);
+        UsesRandom |= name.Text == "randint" || (name.Text == "random" && arguments.Count != 1);
+        return Checked(FormulaFunctions.Call(name, arguments), name);
+    }
+
+    private void Close(string bracket, Token open)
+    {
+        if (!Next.Is(bracket))
+        {
+            var what = Next.Kind is TokenKind.End or TokenKind.NewLine || Next.Is(";") || Next.Is("[")
+                ? $"'{open.Text}' is never closed by '{bracket}'."
+                : $"{Next} stands where '{bracket}' was expected.";
+            var where = what.StartsWith("'" + open.Text + "' is", System.StringComparison.Ordinal) ? open : Next;
+            throw new FormulaException("formula.bracket", what, where.Line, where.Column);
+        }
+        At++;
+    }
+
+    private static bool IsComparison(Token t) => t.Kind == TokenKind.Symbol && t.Text is "<" or ">" or "<=" or ">=" or "==" or "!=" or "<>";
+
+    private static FormulaNode Checked(FormulaNode node, Token at) => node.Depth > 4 * MaxDepth ? throw TooDeep(at) : node;
+
+    private static FormulaException TooDeep(Token at) => new("formula.too_long", "The formula is too long or too deeply nested.", at.Line, at.Column);
+
+    private static FormulaException Unexpected(Token token, string expected)
+        => new("formula.syntax", $"{char.ToUpperInvariant(token.ToString()[0])}{token.ToString().Substring(1)} stands where {expected} was expected.", token.Line, token.Column);
+}

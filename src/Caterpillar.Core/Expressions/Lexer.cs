@@ -1,0 +1,168 @@
+using System.Collections.Generic;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Expressions;
+
+internal enum TokenKind : byte
+{
+    Number,
+    Name,
+    Text,
+    Symbol,
+    NewLine,
+    End,
+}
+
+/// <summary>A word of a formula or a script. Lines and columns count from 1.</summary>
+internal readonly struct Token(TokenKind kind, string text, double value, int line, int column, bool blankBefore, bool blankAfter)
+{
+    public TokenKind Kind { get; } = kind;
+
+    public string Text { get; } = text;
+
+    public double Value { get; } = value;
+
+    public int Line { get; } = line;
+
+    public int Column { get; } = column;
+
+    public bool BlankBefore { get; } = blankBefore;
+
+    public bool BlankAfter { get; } = blankAfter;
+
+    public bool Is(string symbol) => Kind == TokenKind.Symbol && Text == symbol;
+
+    public bool IsWord(string word) => Kind == TokenKind.Name && Text == word;
+
+    public override string ToString() => Kind switch
+    {
+        TokenKind.End => "the end",
+        TokenKind.NewLine => "the end of the line",
+        TokenKind.Text => "\"" + Text + "\"",
+        _ => "'" + Text + "'",
+    };
+}
+
+/// <summary>Cuts text into tokens. Comments begin with # or // and end with the line.</summary>
+internal static class Lexer
+{
+    private static readonly string[] Pairs = ["==", "!=", "<>", "<=", ">=", "&&", "||", "+=", "-=", "*=", "/=", "->"];
+
+    // One-letter texts without an allocation each.
+    private static readonly string[] Singles = MakeSingles();
+
+    /// <exception cref="FormulaException">A character that no formula has, an open string, a number out of range.</exception>
+    public static List<Token> Read(string text)
+    {
+        var tokens = new List<Token>();
+        var line = 1;
+        var lineStart = 0;
+        var blank = true;
+        var i = 0;
+        while (i < text.Length)
+        {
+            var c = text[i];
+            if (c is '\n' or '\r')
+            {
+                tokens.Add(new Token(TokenKind.NewLine, "\n", 0, line, i - lineStart + 1, blank, true));
+                if (c == '\r' && i + 1 < text.Length && text[i + 1] == '\n') i++;
+                i++;
+                line++;
+                lineStart = i;
+                blank = true;
+                continue;
+            }
+            if (char.IsWhiteSpace(c) || c == '\uFEFF')
+            {
+                i++;
+                blank = true;
+                continue;
+            }
+            if (c == '#' || (c == '/' && i + 1 < text.Length && text[i + 1] == '/'))
+            {
+                while (i < text.Length && text[i] is not ('\n' or '\r')) i++;
+                blank = true;
+                continue;
+            }
+            var column = i - lineStart + 1;
+            var start = i;
+            var kind = TokenKind.Symbol;
+            var value = 0.0;
+            string word;
+            if (IsDigit(c) || (c == '.' && i + 1 < text.Length && IsDigit(text[i + 1])))
+            {
+                kind = TokenKind.Number;
+                i = NumberEnd(text, i);
+                word = text.Substring(start, i - start);
+                if (!NumberReader.TryParse(word, out value)) throw new FormulaException("formula.number", $"'{word}' is not a number.", line, column);
+                if (i < text.Length && (char.IsLetter(text[i]) || text[i] == '_'))
+                    throw new FormulaException("formula.number", $"A letter stands directly behind the number {word}; write * to multiply.", line, column);
+            }
+            else if (char.IsLetter(c) || c == '_')
+            {
+                kind = TokenKind.Name;
+                while (i < text.Length && (char.IsLetterOrDigit(text[i]) || text[i] == '_')) i++;
+                word = text.Substring(start, i - start);
+            }
+            else if (c == '"')
+            {
+                kind = TokenKind.Text;
+                i++;
+                while (i < text.Length && text[i] is not ('"' or '\n' or '\r')) i++;
+                if (i >= text.Length || text[i] != '"') throw new FormulaException("formula.text", "The text has no closing quotation mark.", line, column);
+                word = text.Substring(start + 1, i - start - 1);
+                i++;
+            }
+            else
+            {
+                word = Symbol(text, ref i, line, column);
+            }
+            var after = i >= text.Length || char.IsWhiteSpace(text[i]);
+            tokens.Add(new Token(kind, word, value, line, column, blank, after));
+            blank = false;
+        }
+        tokens.Add(new Token(TokenKind.End, "", 0, line, text.Length - lineStart + 1, blank, true));
+        return tokens;
+    }
+
+    private static string Symbol(string text, ref int i, int line, int column)
+    {
+        var c = text[i];
+        if (i + 1 < text.Length)
+        {
+            foreach (var pair in Pairs)
+            {
+                if (pair[0] != c || pair[1] != text[i + 1]) continue;
+                i += 2;
+                return pair;
+            }
+        }
+        i++;
+        // The minus sign of typesetting, as texts from the web have it.
+        if (c == '\u2212') return "-";
+        if (c is '\u00D7' or '\u00B7') return "*";
+        if (c < 128 && Singles[c].Length > 0) return Singles[c];
+        throw new FormulaException("formula.character", $"The character '{c}' has no meaning here.", line, column);
+    }
+
+    private static int NumberEnd(string text, int i)
+    {
+        while (i < text.Length && (IsDigit(text[i]) || text[i] == '.')) i++;
+        if (i >= text.Length || text[i] is not ('e' or 'E')) return i;
+        var p = i + 1;
+        if (p < text.Length && text[p] is '-' or '+') p++;
+        if (p >= text.Length || !IsDigit(text[p])) return i;
+        while (p < text.Length && IsDigit(text[p])) p++;
+        return p;
+    }
+
+    private static bool IsDigit(char c) => c is >= '0' and <= '9';
+
+    private static string[] MakeSingles()
+    {
+        var singles = new string[128];
+        for (var c = 0; c < 128; c++) singles[c] = "";
+        foreach (var c in "+-*/%^()[],;=<>!?:&|") singles[c] = c.ToString();
+        return singles;
+    }
+}

@@ -1,0 +1,175 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Expressions;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>
+/// A rewriting system (Prusinkiewicz and Lindenmayer, "The Algorithmic Beauty of Plants", 1990, chapter 1): deterministic, stochastic, parametric, with brackets. Rules are text:
+/// <c>F -&gt; F+F--F+F</c>; with weights for a random choice <c>0.3 F -&gt; F[+F]F</c>; with values and a condition <c>A(l, w) : l &gt; 1 -&gt; F(l)[+A(l*0.7, w)]</c>. Of rules that
+/// fit, one is drawn by weight when any has one, else the first is taken; letters without a rule stay.
+/// </summary>
+public sealed class LSystem
+{
+    /// <summary>The most letters of a word unless another bound is asked for.</summary>
+    public const int DefaultMaxSymbols = 10_000_000;
+
+    private readonly Module[] _axiom;
+    private readonly Dictionary<char, LSystemRule[]> _rules;
+
+    private LSystem(string axiom, Module[] modules, LSystemRule[] rules)
+    {
+        Axiom = axiom;
+        _axiom = modules;
+        _rules = rules.GroupBy(r => r.Symbol).ToDictionary(g => g.Key, g => g.ToArray());
+    }
+
+    /// <summary>The word of generation 0.</summary>
+    public string Axiom { get; }
+
+    /// <summary>Reads an axiom and its rules. Diagnostics name the rule as line (the axiom is line 0) and the column in it.</summary>
+    public static Result<LSystem> Parse(string axiom, IEnumerable<string> rules)
+    {
+        if (axiom is null) throw new ArgumentNullException(nameof(axiom));
+        if (rules is null) throw new ArgumentNullException(nameof(rules));
+        try
+        {
+            var read = rules.Where(r => !string.IsNullOrWhiteSpace(r)).Select((r, i) => LSystemRule.Parse(r, i + 1)).ToArray();
+            return new Result<LSystem>(new LSystem(axiom, LSystemRule.Word(axiom, 0, [], 0), read), []);
+        }
+        catch (FormulaException e)
+        {
+            var place = new SourceLocation(Line: e.Line, Column: e.Column, Key: e.Line == 0 ? "axiom" : "rule " + NumberFormatter.Format(e.Line));
+            return new Result<LSystem>(null, [new Diagnostic(Severity.Error, e.Code, e.Message, place)]);
+        }
+    }
+
+    /// <summary>Rewrites the axiom some times.</summary>
+    /// <param name="generations">0 or more.</param>
+    /// <param name="seed">Of the random choices.</param>
+    /// <param name="maxSymbols">A word beyond this is an error, and so are as many values.</param>
+    /// <param name="progress">Per generation.</param>
+    /// <param name="cancel">Stops with <see cref="OperationCanceledException"/>.</param>
+    public Result<LSystemWord> Grow(
+        int generations, int seed = 0, int maxSymbols = DefaultMaxSymbols, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (generations < 0) throw new ArgumentOutOfRangeException(nameof(generations), "Generations count 0 or more.");
+        var context = new FormulaContext([], new SeededRandom(seed));
+        var word = new WordBuilder(maxSymbols);
+        try
+        {
+            foreach (var module in _axiom) word.Add(module, context);
+            for (var g = 1; g <= generations; g++)
+            {
+                var last = word.Build();
+                var next = new WordBuilder(maxSymbols);
+                var rewritten = false;
+                for (var i = 0; i < last.Count; i++)
+                {
+                    if ((i & 0xFFF) == 0) cancel.ThrowIfCancellationRequested();
+                    if (Choose(last, i, context) is { } rule)
+                    {
+                        foreach (var module in rule.Successor) next.Add(module, context);
+                        rewritten = true;
+                    }
+                    else
+                    {
+                        next.Copy(last, i);
+                    }
+                    if (next.IsFull) return TooLarge(g, maxSymbols);
+                }
+                word = next;
+                progress?.Report((double)g / generations);
+                // Nothing can change any more.
+                if (!rewritten) break;
+            }
+        }
+        catch (FormulaException e)
+        {
+            return new Result<LSystemWord>(null, [new Diagnostic(Severity.Error, e.Code, e.Message)]);
+        }
+        return new Result<LSystemWord>(word.Build(), []);
+    }
+
+    private LSystemRule? Choose(LSystemWord word, int index, FormulaContext context)
+    {
+        if (!_rules.TryGetValue(word[index], out var rules)) return null;
+        LSystemRule? first = null;
+        var total = 0.0;
+        var weighted = false;
+        var count = word.ValueCount(index);
+        if (context.Values.Length != count) context.Values = new double[count];
+        for (var v = 0; v < count; v++) context.Values[v] = word.Value(index, v);
+        foreach (var rule in rules)
+        {
+            if (!Fits(rule, count, context)) continue;
+            first ??= rule;
+            weighted |= rule.Weight is not null;
+            total += rule.Weight ?? 1;
+        }
+        if (first is null || !weighted) return first;
+        var draw = context.Random.NextDouble() * total;
+        LSystemRule? chosen = null;
+        foreach (var rule in rules)
+        {
+            if (!Fits(rule, count, context)) continue;
+            chosen = rule;
+            draw -= rule.Weight ?? 1;
+            if (draw < 0) break;
+        }
+        return chosen;
+    }
+
+    private static bool Fits(LSystemRule rule, int count, FormulaContext context) => rule.Names.Length == count && (rule.Condition is null || rule.Condition.Evaluate(context) != 0);
+
+    private static Result<LSystemWord> TooLarge(int generation, int maxSymbols)
+    {
+        var message = $"Generation {NumberFormatter.Format(generation)} has more than {NumberFormatter.Format(maxSymbols)} letters or values.";
+        return new Result<LSystemWord>(null, [new Diagnostic(Severity.Error, "lsystem.too_large", message)]);
+    }
+
+    private sealed class WordBuilder(int limit)
+    {
+        private readonly List<char> _symbols = [];
+        private readonly List<int> _first = [];
+        private readonly List<double> _values = [];
+
+        public bool IsFull => _symbols.Count > limit || _values.Count > limit;
+
+        public void Add(Module module, FormulaContext context)
+        {
+            Letter(module.Symbol);
+            foreach (var formula in module.Values)
+            {
+                var value = formula.Evaluate(context);
+                if (double.IsNaN(value) || double.IsInfinity(value))
+                    throw new FormulaException("lsystem.value", $"The value '{formula.Text.Trim()}' of '{module.Symbol}' is not finite.", 0, 0);
+                _values.Add(value);
+            }
+        }
+
+        public void Copy(LSystemWord word, int index)
+        {
+            Letter(word[index]);
+            for (var v = 0; v < word.ValueCount(index); v++) _values.Add(word.Value(index, v));
+        }
+
+        public LSystemWord Build()
+        {
+            if (_values.Count == 0) return new LSystemWord(_symbols.ToArray(), null, []);
+            var first = new int[_first.Count + 1];
+            _first.CopyTo(first);
+            first[_first.Count] = _values.Count;
+            return new LSystemWord(_symbols.ToArray(), first, _values.ToArray());
+        }
+
+        private void Letter(char symbol)
+        {
+            _symbols.Add(symbol);
+            _first.Add(_values.Count);
+        }
+    }
+}

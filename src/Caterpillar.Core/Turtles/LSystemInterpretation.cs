@@ -1,0 +1,73 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>What the letters of an L-system make a turtle do. Immutable.</summary>
+public sealed class LSystemInterpretation
+{
+    private readonly Dictionary<char, TurtleCommand[]> _table;
+
+    /// <summary>A table of its own; letters that are not in it do nothing.</summary>
+    public LSystemInterpretation(IEnumerable<KeyValuePair<char, IReadOnlyList<TurtleCommand>>> table)
+    {
+        _table = [];
+        foreach (var entry in table ?? throw new ArgumentNullException(nameof(table))) _table[entry.Key] = entry.Value.ToArray();
+    }
+
+    /// <summary>
+    /// The usual letters: F and G draw a step, f and g go one without drawing, + and - yaw left and right, ^ and &amp; pitch up and down, \ and / roll left and right, | turns round, [ pushes and
+    /// ] pops. Values of a letter replace the step or angle.
+    /// </summary>
+    /// <param name="step">mm.</param>
+    /// <param name="angle">In the turtle's unit.</param>
+    public static LSystemInterpretation Standard(double step, double angle)
+    {
+        var draw = TurtleCommand.Of(TurtleAction.Forward, step);
+        var move = TurtleCommand.Of(TurtleAction.Move, step);
+        var table = new Dictionary<char, IReadOnlyList<TurtleCommand>>
+        {
+            ['F'] = [draw],
+            ['G'] = [draw],
+            ['f'] = [move],
+            ['g'] = [move],
+            ['+'] = [TurtleCommand.Of(TurtleAction.Yaw, angle)],
+            ['-'] = [TurtleCommand.Of(TurtleAction.Right, angle)],
+            ['^'] = [TurtleCommand.Of(TurtleAction.Pitch, angle)],
+            ['&'] = [TurtleCommand.Of(TurtleAction.PitchDown, angle)],
+            ['\\'] = [TurtleCommand.Of(TurtleAction.RollLeft, angle)],
+            ['/'] = [TurtleCommand.Of(TurtleAction.Roll, angle)],
+            ['|'] = [TurtleCommand.Of(TurtleAction.TurnAround)],
+            ['['] = [TurtleCommand.Of(TurtleAction.Push)],
+            [']'] = [TurtleCommand.Of(TurtleAction.Pop)],
+        };
+        return new LSystemInterpretation(table);
+    }
+
+    /// <summary>The same table with other commands for one letter; none makes it do nothing.</summary>
+    public LSystemInterpretation With(char letter, params TurtleCommand[] commands)
+        => new(_table.Where(e => e.Key != letter).Select(e => new KeyValuePair<char, IReadOnlyList<TurtleCommand>>(e.Key, e.Value))
+            .Concat([new KeyValuePair<char, IReadOnlyList<TurtleCommand>>(letter, commands)]));
+
+    /// <summary>The commands of a letter; empty when it does nothing.</summary>
+    public IReadOnlyList<TurtleCommand> Of(char letter) => _table.TryGetValue(letter, out var commands) ? commands : [];
+
+    internal void Apply(Turtle turtle, LSystemWord word, int index)
+    {
+        var letter = word[index];
+        if (!_table.TryGetValue(letter, out var commands)) return;
+        for (var i = 0; i < commands.Length; i++)
+        {
+            var count = i == 0 ? word.ValueCount(index) : 0;
+            if (count == 0)
+            {
+                commands[i].Apply(turtle);
+                continue;
+            }
+            var values = new double[Math.Min(Math.Max(count, commands[i].Values.Count), 4)];
+            for (var v = 0; v < values.Length; v++) values[v] = v < count ? word.Value(index, v) : commands[i].Values[v];
+            TurtleCommand.Of(commands[i].Action, commands[i].Text, values.Take(TurtleCommands.Of(commands[i].Action).Values.Count).ToArray()).Apply(turtle);
+        }
+    }
+}

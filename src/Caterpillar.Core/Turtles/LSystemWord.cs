@@ -1,0 +1,79 @@
+using System;
+using System.Collections.Generic;
+using System.Text;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>A grown word of an L-system: letters, some with values.</summary>
+public sealed class LSystemWord
+{
+    private readonly char[] _symbols;
+
+    // Values of letter i are _values[_first[i]] up to _values[_first[i + 1]]; null when no letter has any.
+    private readonly int[]? _first;
+    private readonly double[] _values;
+
+    internal LSystemWord(char[] symbols, int[]? first, double[] values)
+    {
+        _symbols = symbols;
+        _first = first;
+        _values = values;
+    }
+
+    /// <summary>Number of letters.</summary>
+    public int Count => _symbols.Length;
+
+    public char this[int index] => _symbols[index];
+
+    /// <summary>How many values a letter has.</summary>
+    public int ValueCount(int index) => _first is null ? 0 : _first[index + 1] - _first[index];
+
+    /// <summary>A value of a letter.</summary>
+    public double Value(int index, int which)
+        => which >= 0 && which < ValueCount(index) ? _values[_first![index] + which] : throw new ArgumentOutOfRangeException(nameof(which));
+
+    /// <summary>
+    /// Walks a turtle along the word. Letters without commands are passed over. A letter's own values replace the numbers of its first command. Nothing is drawn when the brackets do not match.
+    /// </summary>
+    /// <returns>What is wrong, with the number of the letter as column; empty when all went well.</returns>
+    public IReadOnlyList<Diagnostic> Draw(Turtle turtle, LSystemInterpretation interpretation, System.Threading.CancellationToken cancel = default)
+    {
+        if (turtle is null) throw new ArgumentNullException(nameof(turtle));
+        if (interpretation is null) throw new ArgumentNullException(nameof(interpretation));
+        var depth = turtle.StackDepth;
+        for (var i = 0; i < _symbols.Length; i++)
+        {
+            if ((i & 0xFFFF) == 0) cancel.ThrowIfCancellationRequested();
+            try
+            {
+                interpretation.Apply(turtle, this, i);
+            }
+            catch (Exception e) when (e is ArgumentException or InvalidOperationException)
+            {
+                var code = e is InvalidOperationException ? "lsystem.bracket" : "lsystem.value";
+                return [new Diagnostic(Severity.Error, code, $"Letter {NumberFormatter.Format(i + 1)} ('{_symbols[i]}') of the word: {Messages.Clean(e)}", new SourceLocation(Line: 1, Column: i + 1))];
+            }
+        }
+        return turtle.StackDepth == depth
+            ? []
+            : [new Diagnostic(Severity.Warning, "lsystem.bracket", $"{NumberFormatter.Format(turtle.StackDepth - depth)} opening brackets of the word are never closed.")];
+    }
+
+    /// <summary>The word as text; values with up to 6 decimals.</summary>
+    public override string ToString()
+    {
+        if (_first is null) return new string(_symbols);
+        var text = new StringBuilder();
+        for (var i = 0; i < _symbols.Length; i++)
+        {
+            text.Append(_symbols[i]);
+            for (var v = _first[i]; v < _first[i + 1]; v++)
+            {
+                text.Append(v == _first[i] ? '(' : ',').Append(NumberFormatter.Format(_values[v], 6));
+                if (v == _first[i + 1] - 1) text.Append(')');
+            }
+        }
+        return text.ToString();
+    }
+}

@@ -1,0 +1,15 @@
+using System;
+
+namespace Caterpillar.Turtles;
+
+internal static class Messages
+{
+    /// <summary>The sentence of an exception without the name of the parameter, which the runtimes add differently.</summary>
+    public static string Clean(Exception e)
+    {
+        var text = e.Message;
+        var end = text.IndexOf(" (Parameter '", StringComparison.Ordinal);
+        if (end < 0) end = text.IndexOf("\nParameter name:", StringComparison.Ordinal);
+        return end < 0 ? text : text.Substring(0, end).TrimEnd('\r');
+    }
+}

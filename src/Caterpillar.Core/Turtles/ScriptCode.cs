@@ -1,0 +1,109 @@
+using System.Collections.Generic;
+using Caterpillar.Expressions;
+
+namespace Caterpillar.Turtles;
+
+internal enum ScriptOp : byte
+{
+    Command,
+    Set,
+    SetElement,
+    NewArray,
+    Parameter,
+    Seed,
+    Jump,
+    JumpIfFalse,
+    RepeatStart,
+    RepeatNext,
+    ForStart,
+    ForNext,
+    Call,
+    Return,
+    Grow,
+    NextLetter,
+    Stop,
+}
+
+/// <summary>One instruction of a compiled script.</summary>
+internal sealed class Instruction(ScriptOp op, Token at)
+{
+    public ScriptOp Op { get; } = op;
+
+    public int Line { get; } = at.Line;
+
+    public int Column { get; } = at.Column;
+
+    public int Target { get; set; }
+
+    public int Slot { get; init; }
+
+    /// <summary>True when the slot counts from the frame of the procedure.</summary>
+    public bool Local { get; init; }
+
+    public TurtleAction Action { get; init; }
+
+    /// <summary>Numbers; null keeps a coordinate.</summary>
+    public Argument?[] Arguments { get; init; } = [];
+
+    public TextTemplate? Text { get; init; }
+
+    public Procedure? Procedure { get; init; }
+
+    public LSystem? System { get; init; }
+
+    public string Name { get; init; } = "";
+}
+
+/// <summary>A compiled number of a command and where it stands.</summary>
+internal sealed class Argument(FormulaNode node, Token at)
+{
+    public Evaluator Evaluate { get; } = node.Evaluate;
+
+    public int Line { get; } = at.Line;
+
+    public int Column { get; } = at.Column;
+}
+
+/// <summary>A procedure of a script.</summary>
+internal sealed class Procedure(string name, IReadOnlyList<string> parameters, Token at)
+{
+    public string Name { get; } = name;
+
+    public IReadOnlyList<string> Parameters { get; } = parameters;
+
+    public Token At { get; } = at;
+
+    public int Start { get; set; } = -1;
+
+    public int FrameSize { get; set; }
+}
+
+/// <summary>A text in which {formulas} are computed.</summary>
+internal sealed class TextTemplate(IReadOnlyList<string> texts, IReadOnlyList<Argument> values)
+{
+    /// <summary>One more text than values.</summary>
+    public IReadOnlyList<string> Texts { get; } = texts;
+
+    public IReadOnlyList<Argument> Values { get; } = values;
+}
+
+/// <summary>A compiled script.</summary>
+internal sealed class ScriptCode
+{
+    public Instruction[] Instructions { get; init; } = [];
+
+    public int GlobalCount { get; init; }
+
+    public int ArrayCount { get; init; }
+
+    /// <summary>Parameters that may be given from outside, in order.</summary>
+    public IReadOnlyList<string> Parameters { get; init; } = [];
+
+    /// <summary>Procedures of one letter, for L-systems.</summary>
+    public Dictionary<char, Procedure> Letters { get; init; } = [];
+
+    /// <summary>Slots of the globals that give L-systems their step and angle, or −1.</summary>
+    public int StepSlot { get; init; } = -1;
+
+    public int AngleSlot { get; init; } = -1;
+}

@@ -1,0 +1,129 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Expressions;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>Names of a script while it is compiled: globals, the locals of the procedure at hand, arrays, and the turtle's own state.</summary>
+internal sealed class ScriptScope : IFormulaScope
+{
+    private static readonly Dictionary<string, Func<Turtle, double>> State = new(StringComparer.Ordinal)
+    {
+        ["turtle_x"] = t => t.X,
+        ["turtle_y"] = t => t.Y,
+        ["turtle_z"] = t => t.Z,
+        ["turtle_yaw"] = t => t.Yaw,
+        ["turtle_pitch"] = t => t.Pitch,
+        ["turtle_roll"] = t => t.Roll,
+        ["turtle_density"] = t => t.Density,
+        ["turtle_area"] = t => t.Bead.Area,
+        ["turtle_rate"] = t => t.Rate,
+        ["turtle_speed"] = t => t.Speed,
+        ["turtle_pen"] = t => t.IsPenDown ? 1 : 0,
+    };
+
+    private readonly Dictionary<string, int> _globals = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, int> _arrays = new(StringComparer.Ordinal);
+    private Dictionary<string, int>? _locals;
+    private int _localCount;
+
+    public int GlobalCount { get; private set; }
+
+    public int ArrayCount => _arrays.Count;
+
+    public bool InProcedure => _locals is not null;
+
+    /// <summary>Slots that the procedure at hand needs.</summary>
+    public int LocalCount => _localCount;
+
+    public IEnumerable<string> Names
+        => (_locals?.Keys ?? Enumerable.Empty<string>()).Concat(_globals.Keys).Concat(_arrays.Keys).Concat(State.Keys).OrderBy(n => n, StringComparer.Ordinal);
+
+    public static bool IsState(string name) => State.ContainsKey(name);
+
+    public void Enter(IReadOnlyList<string> parameters)
+    {
+        _locals = new Dictionary<string, int>(StringComparer.Ordinal);
+        _localCount = 0;
+        foreach (var name in parameters) _locals[name] = _localCount++;
+    }
+
+    public void Leave() => _locals = null;
+
+    public int DeclareGlobal(string name)
+    {
+        if (!_globals.TryGetValue(name, out var slot)) _globals[name] = slot = GlobalCount++;
+        return slot;
+    }
+
+    public int DeclareArray(string name)
+    {
+        if (!_arrays.TryGetValue(name, out var slot)) _arrays[name] = slot = _arrays.Count;
+        return slot;
+    }
+
+    /// <summary>A variable of the procedure at hand, or of the script outside of procedures.</summary>
+    public (int Slot, bool Local) DeclareHere(string name)
+    {
+        if (_locals is null) return (DeclareGlobal(name), false);
+        if (!_locals.TryGetValue(name, out var slot)) _locals[name] = slot = _localCount++;
+        return (slot, true);
+    }
+
+    /// <summary>The variable that an assignment means: a local one, else a global one, else a new one here.</summary>
+    public (int Slot, bool Local) ForAssignment(string name)
+    {
+        if (_locals is not null && _locals.TryGetValue(name, out var local)) return (local, true);
+        return _globals.TryGetValue(name, out var global) ? (global, false) : DeclareHere(name);
+    }
+
+    /// <summary>Slots without names for the state of a loop.</summary>
+    public (int Slot, bool Local) Hidden(int count)
+    {
+        if (_locals is null)
+        {
+            GlobalCount += count;
+            return (GlobalCount - count, false);
+        }
+        _localCount += count;
+        return (_localCount - count, true);
+    }
+
+    public int GlobalSlot(string name) => _globals.TryGetValue(name, out var slot) ? slot : -1;
+
+    public int ArraySlot(string name) => _arrays.TryGetValue(name, out var slot) ? slot : -1;
+
+    public FormulaNode? Variable(string name)
+    {
+        if (_locals is not null && _locals.TryGetValue(name, out var local)) return new FormulaNode(c => c.Values[c.Base + local]);
+        if (_globals.TryGetValue(name, out var global)) return new FormulaNode(c => c.Values[global]);
+        return State.TryGetValue(name, out var read) ? new FormulaNode(c => read((Turtle)c.Host!)) : null;
+    }
+
+    public bool IsArray(string name) => _arrays.ContainsKey(name);
+
+    public FormulaNode? Element(string name, FormulaNode index, Token at)
+    {
+        var slot = _arrays[name];
+        var evaluate = index.Evaluate;
+        var (line, column) = (at.Line, at.Column);
+        return new FormulaNode(
+            c =>
+            {
+                var array = c.Arrays[slot];
+                return array is null
+                    ? throw new FormulaException("turtle.index", $"The array '{name}' has not been made yet.", line, column)
+                    : array[Index(evaluate(c), array.Length, name, line, column)];
+            },
+            index.Depth + 1);
+    }
+
+    public static int Index(double index, int length, string name, int line, int column)
+    {
+        if (index >= 0 && index < length && index == Math.Floor(index)) return (int)index;
+        var what = double.IsNaN(index) || double.IsInfinity(index) ? "This index" : NumberFormatter.Format(index, 6);
+        throw new FormulaException("turtle.index", $"{what} is no index of '{name}', which goes from 0 to {NumberFormatter.Format(length - 1)}.", line, column);
+    }
+}

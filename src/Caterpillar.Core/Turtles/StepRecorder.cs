@@ -1,0 +1,117 @@
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>What the strands of a turtle carry besides their beads; another tag begins another path.</summary>
+internal sealed record PathTags(Role Role, Layer? Layer, int Tool, string Name, int? Color);
+
+/// <summary>Joins moves into paths and travels, in order.</summary>
+internal sealed class StepRecorder
+{
+    private readonly List<Step> _steps = [];
+    private readonly List<Vec3> _points = [];
+    private readonly List<Bead> _beads = [];
+    private readonly List<Vec3> _travel = [];
+    private bool _uniform = true;
+    private PathTags? _tags;
+    private double _travelSpeed;
+
+    public long Moves { get; private set; }
+
+    /// <summary>True when something happened at a place, so that the start is settled.</summary>
+    public bool HasStarted { get; private set; }
+
+    public void Print(Vec3 from, Vec3 to, Bead bead, PathTags tags)
+    {
+        Moves++;
+        HasStarted = true;
+        if (from == to) return;
+        CloseTravel();
+        if (_points.Count > 0 && !ReferenceEquals(tags, _tags) && tags != _tags) ClosePath();
+        if (_points.Count == 0)
+        {
+            _points.Add(from);
+            _tags = tags;
+            _uniform = true;
+        }
+        _uniform &= _beads.Count == 0 || _beads[0] == bead;
+        _points.Add(to);
+        _beads.Add(bead);
+    }
+
+    public void Travel(Vec3 from, Vec3 to, double speed)
+    {
+        Moves++;
+        StateStart(from, speed);
+        if (from == to) return;
+        ClosePath();
+        if (_travel.Count > 0 && _travelSpeed != speed) CloseTravel();
+        _travelSpeed = speed;
+        _travel.Add(to);
+    }
+
+    public void Return(Vec3 from, Vec3 to)
+    {
+        Moves++;
+        HasStarted = true;
+        if (from == to) return;
+        Close();
+        _steps.Add(new TravelStep(to, intent: TravelIntent.Return));
+    }
+
+    public void Event(PrinterEvent what, Vec3 at, double speed)
+    {
+        if (what is ExtrudeEvent) StateStart(at, speed);
+        Close();
+        _steps.Add(new EventStep(what));
+    }
+
+    /// <summary>All steps so far; recording may go on and continues the last path.</summary>
+    public IReadOnlyList<Step> ToSteps()
+    {
+        var steps = new List<Step>(_steps.Count + 1);
+        steps.AddRange(_steps);
+        if (_points.Count > 0) steps.Add(MakePath());
+        if (_travel.Count > 0) steps.Add(new TravelStep(_travel, _travelSpeed));
+        return steps.ToArray();
+    }
+
+    // The first travel or extrusion says where the turtle stood.
+    private void StateStart(Vec3 at, double speed)
+    {
+        if (HasStarted) return;
+        HasStarted = true;
+        _travel.Add(at);
+        _travelSpeed = speed;
+    }
+
+    private void Close()
+    {
+        ClosePath();
+        CloseTravel();
+    }
+
+    private void ClosePath()
+    {
+        if (_points.Count == 0) return;
+        _steps.Add(MakePath());
+        _points.Clear();
+        _beads.Clear();
+    }
+
+    private void CloseTravel()
+    {
+        if (_travel.Count == 0) return;
+        _steps.Add(new TravelStep(_travel, _travelSpeed));
+        _travel.Clear();
+    }
+
+    private PathStep MakePath()
+    {
+        var path = PrintPath.Own(_points.ToArray(), _uniform ? [_beads[0]] : _beads.ToArray(), closed: false);
+        var tags = _tags!;
+        return new PathStep(path.With(tags.Role, tags.Layer, tags.Tool, tags.Name).WithColor(tags.Color));
+    }
+}

@@ -1,0 +1,35 @@
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>How a turtle begins. The defaults are those of ExtruderTurtle (Pezzuti Dyer and Buechley 2022, section 3).</summary>
+public sealed record TurtleOptions
+{
+    /// <summary>Where it stands and looks: X is forward, Y left, Z up; mm.</summary>
+    public Frame Start { get; init; } = Frame.World;
+
+    /// <summary>Diameter of the filament in mm, by which mm of filament become mm³.</summary>
+    public double FilamentDiameter { get; init; } = 1.75;
+
+    /// <summary>mm of filament per mm of path.</summary>
+    public double Density { get; init; } = 0.05;
+
+    /// <summary>mm/min.</summary>
+    public double Rate { get; init; } = 1000;
+
+    /// <summary>Unit of all angles that the turtle takes and gives.</summary>
+    public AngleUnit AngleUnit { get; init; }
+
+    /// <summary>Chords of arcs and circles keep within this distance of them, mm, where no number of segments is given.</summary>
+    public double ArcTolerance { get; init; } = 0.01;
+
+    /// <summary>Keeps the pose behind every command, for previews; see <see cref="Turtle.Poses"/>.</summary>
+    public bool KeepPoses { get; init; }
+}
+
+/// <summary>Unit of angles.</summary>
+public enum AngleUnit : byte
+{
+    Degrees,
+    Radians,
+}

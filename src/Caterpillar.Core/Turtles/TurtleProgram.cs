@@ -1,0 +1,121 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>Something that a turtle can carry out: a script, a list of commands, or a word of an L-system, with all it needs. Immutable.</summary>
+public sealed class TurtleProgram
+{
+    private readonly Func<Turtle, TurtleLimits, CancellationToken, IReadOnlyList<Diagnostic>> _run;
+
+    private TurtleProgram(string description, Func<Turtle, TurtleLimits, CancellationToken, IReadOnlyList<Diagnostic>> run)
+    {
+        Description = description;
+        _run = run;
+    }
+
+    /// <summary>One line for people.</summary>
+    public string Description { get; }
+
+    /// <summary>A script with the values of its parameters.</summary>
+    public static TurtleProgram FromScript(TurtleScript script, IReadOnlyDictionary<string, double>? variables = null, int seed = 0)
+    {
+        if (script is null) throw new ArgumentNullException(nameof(script));
+        var lines = script.Text.Count(c => c == '\n') + 1;
+        return new TurtleProgram($"Script of {NumberFormatter.Format(lines)} lines", (t, limits, cancel) => script.Run(t, variables, seed, limits, null, cancel));
+    }
+
+    /// <summary>Commands in order.</summary>
+    public static TurtleProgram FromCommands(IEnumerable<TurtleCommand> commands)
+    {
+        var list = (commands ?? throw new ArgumentNullException(nameof(commands))).ToArray();
+        return new TurtleProgram($"{NumberFormatter.Format(list.Length)} commands", (t, limits, cancel) => Run(list, t, limits, cancel));
+    }
+
+    /// <summary>A word of an L-system.</summary>
+    public static TurtleProgram FromWord(LSystemWord word, LSystemInterpretation interpretation)
+    {
+        if (word is null) throw new ArgumentNullException(nameof(word));
+        if (interpretation is null) throw new ArgumentNullException(nameof(interpretation));
+        return new TurtleProgram($"L-system of {NumberFormatter.Format(word.Count)} letters", (t, _, cancel) => word.Draw(t, interpretation, cancel));
+    }
+
+    /// <summary>Programs one after the other, with the same turtle.</summary>
+    public static TurtleProgram Sequence(IEnumerable<TurtleProgram> programs)
+    {
+        var list = (programs ?? throw new ArgumentNullException(nameof(programs))).ToArray();
+        return new TurtleProgram(string.Join(", ", list.Select(p => p.Description)), (t, limits, cancel) =>
+        {
+            var diagnostics = new DiagnosticList();
+            foreach (var program in list)
+            {
+                diagnostics.AddRange(program._run(t, limits, cancel));
+                if (diagnostics.HasErrors) break;
+            }
+            return diagnostics.ToList();
+        });
+    }
+
+    /// <summary>Carries it out.</summary>
+    /// <returns>The turtle at its end; none when an error stopped it.</returns>
+    public Result<Turtle> Run(TurtleOptions? options = null, TurtleLimits? limits = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        var turtle = new Turtle(options);
+        var diagnostics = _run(turtle, limits ?? new TurtleLimits(), cancel);
+        progress?.Report(1);
+        return new Result<Turtle>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : turtle, diagnostics);
+    }
+
+    public override string ToString() => Description;
+
+    private static IReadOnlyList<Diagnostic> Run(TurtleCommand[] commands, Turtle turtle, TurtleLimits limits, CancellationToken cancel)
+    {
+        // Lists that are being carried out, the innermost last; with a stack of our own no nesting is too deep.
+        var open = new Stack<Cursor>();
+        open.Push(new Cursor(commands, 1));
+        var steps = 0L;
+        while (open.Count > 0)
+        {
+            var cursor = open.Peek();
+            if (cursor.At == cursor.Commands.Count)
+            {
+                cursor.At = 0;
+                if (--cursor.Turns <= 0) open.Pop();
+                if (++steps > limits.MaxSteps) return [Stopped(limits.MaxSteps, "steps", "turtle.endless")];
+                continue;
+            }
+            var command = cursor.Commands[cursor.At++];
+            if (++steps > limits.MaxSteps) return [Stopped(limits.MaxSteps, "steps", "turtle.endless")];
+            if ((steps & 0x3FFF) == 0) cancel.ThrowIfCancellationRequested();
+            if (command.Action == TurtleAction.Repeat)
+            {
+                if (command.Body.Count > 0 && command.Values[0] >= 1) open.Push(new Cursor(command.Body, (long)command.Values[0]));
+                continue;
+            }
+            if (turtle.MoveCount >= limits.MaxMoves) return [Stopped(limits.MaxMoves, "moves", "turtle.too_many_moves")];
+            try
+            {
+                command.Apply(turtle);
+            }
+            catch (Exception e) when (e is ArgumentException or InvalidOperationException)
+            {
+                return [new Diagnostic(Severity.Error, "turtle.value", $"'{command}': {Messages.Clean(e)}")];
+            }
+        }
+        return [];
+    }
+
+    private static Diagnostic Stopped(long limit, string what, string code) => new(Severity.Error, code, $"The program was stopped after {NumberFormatter.Format(limit)} {what}.");
+
+    private sealed class Cursor(IReadOnlyList<TurtleCommand> commands, long turns)
+    {
+        public IReadOnlyList<TurtleCommand> Commands { get; } = commands;
+
+        public long Turns { get; set; } = turns;
+
+        public int At { get; set; }
+    }
+}

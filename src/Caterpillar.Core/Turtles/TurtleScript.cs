@@ -1,0 +1,103 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Expressions;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>
+/// A turtle program as text, compiled once: commands of <see cref="TurtleCommands"/> one a line or separated by <c>;</c>, formulas (<see cref="Formula"/>), variables, <c>repeat</c>, <c>for</c>,
+/// <c>while</c>, <c>if</c> and <c>else</c>, arrays, procedures (<c>def</c>), L-systems, comments. docs/turtle.md is its manual. Problems are diagnostics with line and column; programs that do not
+/// end are stopped by <see cref="TurtleLimits"/>. Immutable; may run on several threads at once.
+/// </summary>
+public sealed class TurtleScript
+{
+    private readonly ScriptCode _code;
+    private readonly string? _file;
+
+    private TurtleScript(string text, string? file, ScriptCode code)
+    {
+        Text = text;
+        _file = file;
+        _code = code;
+    }
+
+    public string Text { get; }
+
+    /// <summary>Variables that may be given from outside, in order (<c>param name = default</c>).</summary>
+    public IReadOnlyList<string> Parameters => _code.Parameters;
+
+    /// <summary>Compiles a script. It never throws for the text; at most one error comes back, the first.</summary>
+    /// <param name="text">The script.</param>
+    /// <param name="file">Its name, for diagnostics.</param>
+    public static Result<TurtleScript> Compile(string text, string? file = null)
+    {
+        if (text is null) throw new ArgumentNullException(nameof(text));
+        try
+        {
+            return new Result<TurtleScript>(new TurtleScript(text, file, ScriptCompiler.Compile(text)), []);
+        }
+        catch (FormulaException e)
+        {
+            return new Result<TurtleScript>(null, [Problem(e, file)]);
+        }
+    }
+
+    /// <summary>Runs the script with a new turtle.</summary>
+    /// <param name="options">How the turtle begins.</param>
+    /// <param name="variables">Values of parameters; a name that the script does not know is a warning.</param>
+    /// <param name="seed">Of <c>random()</c>, until the script sets its own.</param>
+    /// <param name="limits">Where it is stopped.</param>
+    /// <param name="progress">Told 1 at the end: how long a program runs is not known.</param>
+    /// <param name="cancel">Stops with <see cref="OperationCanceledException"/>.</param>
+    /// <returns>The turtle at its end; none when an error stopped it.</returns>
+    public Result<Turtle> Run(
+        TurtleOptions? options = null,
+        IReadOnlyDictionary<string, double>? variables = null,
+        int seed = 0,
+        TurtleLimits? limits = null,
+        IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        var turtle = new Turtle(options);
+        var diagnostics = Run(turtle, variables, seed, limits, progress, cancel);
+        return new Result<Turtle>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : turtle, diagnostics);
+    }
+
+    /// <summary>Runs the script with a turtle that may have done something before; after an error it stands where the program stopped.</summary>
+    /// <inheritdoc cref="Run(TurtleOptions?, IReadOnlyDictionary{string, double}?, int, TurtleLimits?, IProgress{double}?, CancellationToken)"/>
+    public IReadOnlyList<Diagnostic> Run(
+        Turtle turtle,
+        IReadOnlyDictionary<string, double>? variables = null,
+        int seed = 0,
+        TurtleLimits? limits = null,
+        IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        if (turtle is null) throw new ArgumentNullException(nameof(turtle));
+        var given = variables ?? new Dictionary<string, double>();
+        var diagnostics = new DiagnosticList();
+        foreach (var name in given.Keys.Where(n => !Parameters.Contains(n)).OrderBy(n => n, StringComparer.Ordinal))
+            diagnostics.Add(Severity.Warning, "turtle.parameter", $"The program has no parameter '{name}'.{Spelling.Hint(name, Parameters)}", _file is null ? null : new SourceLocation(_file));
+        foreach (var name in given.Keys.Where(n => double.IsNaN(given[n]) || double.IsInfinity(given[n])).OrderBy(n => n, StringComparer.Ordinal))
+            diagnostics.Add(Severity.Error, "turtle.not_finite", $"The value of '{name}' is not finite.", _file is null ? null : new SourceLocation(_file));
+        if (diagnostics.HasErrors) return diagnostics.ToList();
+        var unclosed = turtle.StackDepth;
+        try
+        {
+            new ScriptMachine(_code, turtle, limits ?? new TurtleLimits(), given, seed).Run(cancel);
+            if (turtle.StackDepth > unclosed)
+                diagnostics.Add(Severity.Remark, "turtle.push", $"{NumberFormatter.Format(turtle.StackDepth - unclosed)} pushed states are never popped.", _file is null ? null : new SourceLocation(_file));
+        }
+        catch (FormulaException e)
+        {
+            diagnostics.Add(Problem(e, _file));
+        }
+        progress?.Report(1);
+        return diagnostics.ToList();
+    }
+
+    private static Diagnostic Problem(FormulaException e, string? file) => new(Severity.Error, e.Code, e.Message, new SourceLocation(file, e.Line, e.Column));
+}
