@@ -1,0 +1,35 @@
+using System;
+using System.IO;
+
+namespace Caterpillar.Examples;
+
+/// <summary>Writes the example models: <c>dotnet run --project examples/make [FOLDER]</c>; without a folder into examples/models of the repository.</summary>
+internal static class Program
+{
+    private static int Main(string[] arguments)
+    {
+        var folder = arguments.Length > 0 ? arguments[0] : ModelsFolder();
+        if (folder is null)
+        {
+            Console.Error.WriteLine("Say into which folder: the repository is not above this program.");
+            return 2;
+        }
+        Directory.CreateDirectory(folder);
+        foreach (var (name, make) in ExampleModels.All)
+        {
+            var bytes = ExampleModels.ToStl(name, make());
+            File.WriteAllBytes(Path.Combine(folder, name), bytes);
+            Console.WriteLine($"{name}: {bytes.Length} bytes");
+        }
+        return 0;
+    }
+
+    private static string? ModelsFolder()
+    {
+        for (var folder = new DirectoryInfo(AppContext.BaseDirectory); folder is not null; folder = folder.Parent)
+        {
+            if (File.Exists(Path.Combine(folder.FullName, "Caterpillar.sln"))) return Path.Combine(folder.FullName, "examples", "models");
+        }
+        return null;
+    }
+}
