@@ -1,0 +1,125 @@
+using System;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// A binary tree of boxes over the segments of contours in their order along the contour, so it is built in linear time without sorting: consecutive
+/// segments are neighbours in space. A leaf holds a run of segments of one contour. Level 0 are the leaves; node i of a level has the children 2i and 2i + 1.
+/// </summary>
+internal sealed class BoxTree
+{
+    private const int LeafSize = 6;
+
+    public GridBox[] Boxes = new GridBox[64];
+    public bool[] Fresh = new bool[64];
+    public int[] LeafStart = new int[32];
+    public int[] LeafContour = new int[32];
+    public readonly int[] LevelStart = new int[33];
+    public readonly int[] LevelCount = new int[33];
+    public int Levels;
+
+    /// <summary>Contour c has the segments from contourStart[c] up to contourStart[c + 1]. Fresh marks nodes that hold a segment marked so.</summary>
+    public void Build(Segment[] segments, bool[]? fresh, int[] contourStart, int contours)
+    {
+        var leaves = 0;
+        for (var c = 0; c < contours; c++)
+        {
+            var first = contourStart[c];
+            var count = contourStart[c + 1] - first;
+            var parts = (count + LeafSize - 1) / LeafSize;
+            Need(ref LeafStart, leaves + parts + 1);
+            Need(ref LeafContour, leaves + parts + 1);
+            for (var p = 0; p < parts; p++)
+            {
+                LeafContour[leaves] = c;
+                LeafStart[leaves++] = first + (int)((long)count * p / parts);
+            }
+        }
+        Levels = 0;
+        if (leaves == 0) return;
+        LeafStart[leaves] = contourStart[contours];
+        Need(ref Boxes, 2 * leaves + 32);
+        Need(ref Fresh, 2 * leaves + 32);
+        for (var leaf = 0; leaf < leaves; leaf++)
+        {
+            var box = GridBox.Nothing;
+            var any = false;
+            for (var i = LeafStart[leaf]; i < LeafStart[leaf + 1]; i++)
+            {
+                ref readonly var s = ref segments[i];
+                box.Include(s.Ax, s.Ay);
+                box.Include(s.Bx, s.By);
+                if (fresh is not null) any |= fresh[i];
+            }
+            Boxes[leaf] = box;
+            Fresh[leaf] = any;
+        }
+        LevelStart[0] = 0;
+        LevelCount[0] = leaves;
+        Levels = 1;
+        while (LevelCount[Levels - 1] > 1) AddLevel();
+    }
+
+    /// <summary>Sums the operands' winding numbers of the place just left of and above (x, y), by a ray to the left.</summary>
+    public void Winding(Segment[] segments, byte[] operands, int x, int y, out int first, out int second)
+    {
+        first = 0;
+        second = 0;
+        if (Levels > 0) Descend(segments, operands, x, y, Levels - 1, 0, ref first, ref second);
+    }
+
+    private void Descend(Segment[] segments, byte[] operands, int x, int y, int level, int node, ref int first, ref int second)
+    {
+        ref readonly var box = ref Boxes[LevelStart[level] + node];
+        if (y < box.MinY || y >= box.MaxY || box.MinX >= x) return;
+        if (level > 0)
+        {
+            Descend(segments, operands, x, y, level - 1, 2 * node, ref first, ref second);
+            if (2 * node + 1 < LevelCount[level - 1]) Descend(segments, operands, x, y, level - 1, 2 * node + 1, ref first, ref second);
+            return;
+        }
+        var sum = 0;
+        for (var i = LeafStart[node]; i < LeafStart[node + 1]; i++)
+        {
+            ref readonly var s = ref segments[i];
+            if (s.Ay <= y)
+            {
+                // Upwards: the ray comes from the left side of the segment.
+                if (s.By > y && s.Side(x, y) < 0) sum--;
+            }
+            else if (s.By <= y && s.Side(x, y) > 0)
+            {
+                sum++;
+            }
+        }
+        if (operands[LeafContour[node]] == 0) first += sum;
+        else second += sum;
+    }
+
+    private void AddLevel()
+    {
+        var below = LevelStart[Levels - 1];
+        var count = LevelCount[Levels - 1];
+        var start = below + count;
+        for (var i = 0; i < count; i += 2)
+        {
+            var box = Boxes[below + i];
+            var any = Fresh[below + i];
+            if (i + 1 < count)
+            {
+                box.Include(Boxes[below + i + 1]);
+                any |= Fresh[below + i + 1];
+            }
+            Boxes[start + i / 2] = box;
+            Fresh[start + i / 2] = any;
+        }
+        LevelStart[Levels] = start;
+        LevelCount[Levels] = (count + 1) / 2;
+        Levels++;
+    }
+
+    private static void Need<T>(ref T[] array, int length)
+    {
+        if (array.Length < length) Array.Resize(ref array, Math.Max(length, array.Length * 2));
+    }
+}

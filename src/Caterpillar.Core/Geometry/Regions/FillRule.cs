@@ -1,0 +1,14 @@
+namespace Caterpillar.Geometry;
+
+/// <summary>Which places count as inside, by the winding number of the contours around them.</summary>
+public enum FillRule
+{
+    /// <summary>Every winding number but zero: the rule for solids whose bodies may overlap.</summary>
+    NonZero,
+
+    /// <summary>Odd winding numbers: overlaps cancel; orientation has no meaning.</summary>
+    EvenOdd,
+
+    /// <summary>Winding numbers above zero: what lies only inside clockwise contours is outside.</summary>
+    Positive,
+}

@@ -1,0 +1,62 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+public sealed partial class Region
+{
+    /// <summary>What lies in this region or the other.</summary>
+    public Region Union(Region other) => Combine(other, InsideRule.Positive, 0, new RegionEngine());
+
+    /// <summary>What lies in both.</summary>
+    public Region Intersect(Region other) => Combine(other, InsideRule.Intersection, 1, new RegionEngine());
+
+    /// <summary>What lies in this region and not in the other.</summary>
+    public Region Subtract(Region other) => Combine(other, InsideRule.Difference, 1, new RegionEngine());
+
+    /// <summary>What lies in exactly one of the two.</summary>
+    public Region Xor(Region other) => Combine(other, InsideRule.SymmetricDifference, 1, new RegionEngine());
+
+    /// <summary>What lies in any of the regions, in one go.</summary>
+    public static Region Union(IEnumerable<Region> regions)
+    {
+        if (regions is null) throw new ArgumentNullException(nameof(regions));
+        var engine = new RegionEngine();
+        foreach (var region in regions) engine.Add((region ?? throw new ArgumentException("A region is missing.", nameof(regions)))._paths);
+        return Own(engine.Run(InsideRule.Positive));
+    }
+
+    /// <summary>What lies in all of the regions; empty for none.</summary>
+    public static Region Intersect(IEnumerable<Region> regions)
+    {
+        if (regions is null) throw new ArgumentNullException(nameof(regions));
+        Region? result = null;
+        var engine = new RegionEngine();
+        foreach (var region in regions)
+        {
+            if (region is null) throw new ArgumentException("A region is missing.", nameof(regions));
+            result = result is null ? region : result.Combine(region, InsideRule.Intersection, 1, engine);
+        }
+        return result ?? Empty;
+    }
+
+    internal Region Union(Region other, RegionEngine engine) => Combine(other, InsideRule.Positive, 0, engine);
+
+    internal Region Intersect(Region other, RegionEngine engine) => Combine(other, InsideRule.Intersection, 1, engine);
+
+    internal Region Subtract(Region other, RegionEngine engine) => Combine(other, InsideRule.Difference, 1, engine);
+
+    private Region Combine(Region other, InsideRule rule, byte operand, RegionEngine engine)
+    {
+        if (other is null) throw new ArgumentNullException(nameof(other));
+        if (IsEmpty || other.IsEmpty)
+        {
+            if (rule == InsideRule.Intersection) return Empty;
+            return other.IsEmpty ? this : rule == InsideRule.Difference ? Empty : other;
+        }
+        engine.Clear();
+        engine.Add(_paths);
+        engine.Add(other._paths, operand);
+        return Own(engine.Run(rule));
+    }
+}

@@ -1,0 +1,83 @@
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// The clipper: contours in, rings of what is inside out. It cuts the contours at their crossings, takes winding numbers and follows the boundary. Where nothing
+/// crosses or touches, whole contours are kept or dropped. Holds its arrays for the next call; one thread at a time.
+/// </summary>
+internal sealed class RegionEngine
+{
+    public readonly Arrangement Arrangement = new();
+    private readonly PlanarGraph _graph = new();
+    private readonly RingTracer _tracer = new();
+    private readonly List<GridPoint[]> _rings = new();
+
+    public void Clear() => Arrangement.Clear();
+
+    public void Add(GridPoint[] path, byte operand = 0) => Arrangement.Add(path, 0, path.Length, operand);
+
+    public void Add(GridPoint[][] paths, byte operand = 0)
+    {
+        foreach (var path in paths) Arrangement.Add(path, 0, path.Length, operand);
+    }
+
+    /// <summary>The rings of the inside: outers counter-clockwise, holes clockwise, each simple, none crossing.</summary>
+    public GridPoint[][] Run(InsideRule rule)
+    {
+        _rings.Clear();
+        Arrangement.Resolve();
+        if (Arrangement.Touches || Arrangement.Cut)
+        {
+            _graph.Build(Arrangement);
+            _tracer.Trace(_graph, rule, _rings);
+        }
+        else
+        {
+            for (var c = 0; c < Arrangement.Contours; c++) Whole(c, rule);
+        }
+        return _rings.ToArray();
+    }
+
+    // A contour that touches nothing, not even itself.
+    private void Whole(int c, InsideRule rule)
+    {
+        int start = Arrangement.ContourStart[c], end = Arrangement.ContourStart[c + 1];
+        var segments = Arrangement.Segments;
+        // At the leftmost (then lowest) vertex the place just left of it is outside of the contour, and the contour does turn.
+        var leftmost = start;
+        for (var i = start + 1; i < end; i++)
+        {
+            if (segments[i].Ax < segments[leftmost].Ax || (segments[i].Ax == segments[leftmost].Ax && segments[i].Ay < segments[leftmost].Ay)) leftmost = i;
+        }
+        Arrangement.Tree.Winding(segments, Arrangement.Operand, segments[leftmost].Ax, segments[leftmost].Ay, out var first, out var second);
+        var previous = segments[leftmost == start ? end - 1 : leftmost - 1];
+        var turn = Grid.Cross(previous.A, previous.B, segments[leftmost].B);
+        var step = turn > 0 ? 1 : -1;
+        var outside = rule.Holds(first, second);
+        var inside = Arrangement.Operand[c] == 0 ? rule.Holds(first + step, second) : rule.Holds(first, second + step);
+        if (inside == outside) return;
+        var forward = inside == step > 0;
+        var count = 0;
+        for (var i = start; i < end; i++)
+        {
+            if (!Straight(i, start, end)) count++;
+        }
+        if (count < 3) return;
+        var ring = new GridPoint[count];
+        var n = 0;
+        for (var i = start; i < end; i++)
+        {
+            if (!Straight(i, start, end)) ring[forward ? n++ : count - ++n] = segments[i].A;
+        }
+        _rings.Add(ring);
+    }
+
+    private bool Straight(int i, int start, int end)
+    {
+        var segments = Arrangement.Segments;
+        ref readonly var before = ref segments[i == start ? end - 1 : i - 1];
+        ref readonly var s = ref segments[i];
+        return before.Side(s.Bx, s.By) == 0;
+    }
+}

@@ -1,0 +1,63 @@
+using System;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>A directed segment on the grid.</summary>
+internal struct Segment
+{
+    public int Ax;
+    public int Ay;
+    public int Bx;
+    public int By;
+
+    public Segment(GridPoint a, GridPoint b)
+    {
+        Ax = a.X;
+        Ay = a.Y;
+        Bx = b.X;
+        By = b.Y;
+    }
+
+    public readonly GridPoint A => new(Ax, Ay);
+
+    public readonly GridPoint B => new(Bx, By);
+
+    /// <summary>Positive when the point lies left of the segment. Exact.</summary>
+    public readonly long Side(int x, int y) => ((long)Bx - Ax) * ((long)y - Ay) - ((long)By - Ay) * ((long)x - Ax);
+}
+
+/// <summary>A box on the grid.</summary>
+internal struct GridBox
+{
+    public int MinX;
+    public int MinY;
+    public int MaxX;
+    public int MaxY;
+
+    public static GridBox Nothing => new() { MinX = int.MaxValue, MinY = int.MaxValue, MaxX = int.MinValue, MaxY = int.MinValue };
+
+    public void Include(int x, int y)
+    {
+        if (x < MinX) MinX = x;
+        if (x > MaxX) MaxX = x;
+        if (y < MinY) MinY = y;
+        if (y > MaxY) MaxY = y;
+    }
+
+    public void Include(in GridBox other)
+    {
+        MinX = Math.Min(MinX, other.MinX);
+        MinY = Math.Min(MinY, other.MinY);
+        MaxX = Math.Max(MaxX, other.MaxX);
+        MaxY = Math.Max(MaxY, other.MaxY);
+    }
+
+    public static bool Overlap(in GridBox a, in GridBox b) => a.MinX <= b.MaxX && b.MinX <= a.MaxX && a.MinY <= b.MaxY && b.MinY <= a.MaxY;
+
+    public static GridBox Of(GridPoint[] points)
+    {
+        var box = Nothing;
+        foreach (var p in points) box.Include(p.X, p.Y);
+        return box;
+    }
+}

@@ -1,0 +1,104 @@
+using System;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>Collects the points at which segments are to be cut, and cuts them all at once in the order along each segment.</summary>
+internal sealed class SegmentSplitter
+{
+    private int[] _head = new int[256];
+    private int[] _next = new int[64];
+    private GridPoint[] _points = new GridPoint[64];
+    private long[] _keys = new long[16];
+    private GridPoint[] _sorted = new GridPoint[16];
+    private Segment[] _spare = new Segment[256];
+    private bool[] _spareFresh = new bool[256];
+
+    public int Count { get; private set; }
+
+    public void Clear(int segments)
+    {
+        if (_head.Length < segments) _head = new int[Math.Max(segments, 2 * _head.Length)];
+        Array.Clear(_head, 0, segments);
+        Count = 0;
+    }
+
+    public GridPoint Point(int k) => _points[k];
+
+    /// <summary>Cut a segment at a point in its box; at its end points there is nothing to cut (false).</summary>
+    public bool Add(int segment, int x, int y, in Segment s)
+    {
+        if ((x == s.Ax && y == s.Ay) || (x == s.Bx && y == s.By)) return false;
+        if (Count == _points.Length)
+        {
+            Array.Resize(ref _points, 2 * Count);
+            Array.Resize(ref _next, 2 * Count);
+        }
+        _points[Count] = new GridPoint(x, y);
+        _next[Count++] = _head[segment];
+        _head[segment] = Count;
+        return true;
+    }
+
+    /// <summary>Cuts. Returns the new number of segments and moves the contours' starts; only the parts of cut segments are fresh.</summary>
+    public int Apply(ref Segment[] segments, ref bool[] fresh, int count, int[] contourStart, int contours)
+    {
+        if (_spare.Length < count + Count) _spare = new Segment[Math.Max(count + Count, 2 * _spare.Length)];
+        if (_spareFresh.Length < _spare.Length) _spareFresh = new bool[_spare.Length];
+        var n = 0;
+        var i = 0;
+        for (var c = 0; c < contours; c++)
+        {
+            var end = contourStart[c + 1];
+            for (; i < end; i++)
+            {
+                if (_head[i] == 0)
+                {
+                    _spareFresh[n] = false;
+                    _spare[n++] = segments[i];
+                }
+                else
+                {
+                    n = Parts(segments[i], _head[i], n);
+                }
+            }
+            contourStart[c + 1] = n;
+        }
+        (segments, _spare) = (_spare, segments);
+        (fresh, _spareFresh) = (_spareFresh, fresh);
+        return n;
+    }
+
+    private int Parts(in Segment s, int head, int n)
+    {
+        long dx = (long)s.Bx - s.Ax, dy = (long)s.By - s.Ay;
+        var count = 0;
+        for (var r = head; r != 0; r = _next[r - 1])
+        {
+            if (count == _keys.Length)
+            {
+                Array.Resize(ref _keys, 2 * count);
+                Array.Resize(ref _sorted, 2 * count);
+            }
+            var p = _points[r - 1];
+            _keys[count] = dx * ((long)p.X - s.Ax) + dy * ((long)p.Y - s.Ay);
+            _sorted[count++] = p;
+        }
+        if (count > 1) Array.Sort(_keys, _sorted, 0, count);
+        var a = s.A;
+        for (var k = 0; k < count; k++)
+        {
+            // Rounding keeps the order along both axes; where the double that was rounded was off, the point is pushed back into the order.
+            var p = _sorted[k];
+            var x = (dx >= 0 ? p.X < a.X : p.X > a.X) ? a.X : p.X;
+            var y = (dy >= 0 ? p.Y < a.Y : p.Y > a.Y) ? a.Y : p.Y;
+            var b = new GridPoint(x, y);
+            if (b == a || b == s.B) continue;
+            _spareFresh[n] = true;
+            _spare[n++] = new Segment(a, b);
+            a = b;
+        }
+        _spareFresh[n] = true;
+        _spare[n++] = new Segment(a, s.B);
+        return n;
+    }
+}

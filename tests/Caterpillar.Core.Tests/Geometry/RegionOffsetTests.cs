@@ -1,0 +1,134 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using NetTopologySuite.Operation.Buffer;
+using NUnit.Framework;
+using JoinStyle = Caterpillar.Geometry.JoinStyle;
+
+namespace Caterpillar.Tests.Geometry;
+
+public class RegionOffsetTests
+{
+    [Test]
+    public void A_square_grows_and_shrinks_by_the_formula_of_each_join()
+    {
+        var square = Region.Rectangle(0, 0, 10, 10);
+        Assert.That(square.Offset(1).Area, Is.EqualTo(144).Within(1e-9));
+        Assert.That(square.Offset(-1).Area, Is.EqualTo(64).Within(1e-9));
+        Assert.That(square.Offset(-1, JoinStyle.Round).Area, Is.EqualTo(64).Within(1e-9));
+        Assert.That(square.Offset(1, JoinStyle.Round, 2, 1e-4).Area, Is.EqualTo(100 + 40 + Math.PI).Within(1e-3));
+        // Each corner square of side 1 loses a triangle beyond distance 1 on the diagonal: height √2 − 1, base twice that.
+        var cut = (Math.Sqrt(2) - 1) * (Math.Sqrt(2) - 1);
+        Assert.That(square.Offset(1, JoinStyle.Square).Area, Is.EqualTo(144 - 4 * cut).Within(1e-4));
+        Assert.That(square.Offset(1, JoinStyle.Miter, 1.2).Area, Is.EqualTo(144 - 4 * cut).Within(1e-4));
+        Assert.That(square.Offset(-5).IsEmpty);
+        Assert.That(square.Offset(-4.9999).Area, Is.EqualTo(0.0002 * 0.0002).Within(1e-9));
+        Assert.That(square.Offset(-100).IsEmpty);
+        Assert.That(square.Offset(0).Area, Is.EqualTo(100));
+    }
+
+    [Test]
+    public void A_hole_shrinks_when_the_region_grows_and_vanishes()
+    {
+        var ring = Region.Rectangle(0, 0, 30, 30).Subtract(Region.Rectangle(10, 10, 20, 20));
+        Assert.That(ring.Offset(2).Area, Is.EqualTo(34 * 34 - 36).Within(1e-9));
+        Assert.That(ring.Offset(5).Contours, Has.Count.EqualTo(1));
+        Assert.That(ring.Offset(5).Area, Is.EqualTo(1600).Within(1e-9));
+        Assert.That(ring.Offset(-2).Area, Is.EqualTo(26 * 26 - 14 * 14).Within(1e-9));
+        Assert.That(ring.Offset(-5).IsEmpty);
+    }
+
+    [Test]
+    public void Neighbours_join_and_a_dumbbell_parts()
+    {
+        var two = Region.Rectangle(0, 0, 10, 10).Union(Region.Rectangle(11, 0, 21, 10));
+        Assert.That(two.Offset(0.4).Islands, Has.Count.EqualTo(2));
+        Assert.That(two.Offset(0.6).Islands, Has.Count.EqualTo(1));
+        var dumbbell = two.Union(Region.Rectangle(9, 4.5, 12, 5.5));
+        Assert.That(dumbbell.Offset(-0.4).Islands, Has.Count.EqualTo(1));
+        Assert.That(dumbbell.Offset(-0.6).Islands, Has.Count.EqualTo(2));
+        Assert.That(dumbbell.Opened(0.6).Islands, Has.Count.EqualTo(2));
+        Assert.That(two.Closed(0.6).Islands, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public void A_thin_sliver_beside_a_block_does_not_hurt_it()
+    {
+        var block = Region.Rectangle(0, 0, 10, 10);
+        var both = block.Union(Region.Rectangle(-0.25, 0, -0.05, 10)).Union(Region.Rectangle(10.05, 0, 10.25, 3));
+        Assert.That(both.Offset(-0.4).Area, Is.EqualTo(block.Offset(-0.4).Area).Within(1e-9));
+    }
+
+    [Test]
+    public void Round_offsets_agree_with_buffers_of_NetTopologySuite()
+    {
+        var random = new Random(3);
+        for (var k = 0; k < (Fast ? 300 : 20); k++)
+        {
+            var region = k % 3 == 0 ? Region.From(RegionReference.Random(random, 12, 10), FillRule.EvenOdd)
+                : Region.From(new[] { RegionReference.Star(random, 10 + k % 50, 0, 0, 4, 10), RegionReference.Star(random, 12, 1, 1, 1, 5) }, FillRule.EvenOdd);
+            var nts = RegionReference.ToNts(region);
+            foreach (var d in new[] { 0.3, -0.3, 1.7, -1.1, 4 })
+            {
+                var ours = region.Offset(d, JoinStyle.Round, 2, 0.0005);
+                RegionReference.AssertValid(ours);
+                var theirs = BufferOp.Buffer(nts, d, new BufferParameters(64));
+                Assert.That(ours.Area, Is.EqualTo(theirs.Area).Within(0.002 * (1 + theirs.Length)), $"region {k} by {d}");
+            }
+        }
+    }
+
+    [Test]
+    public void Larger_distances_give_larger_regions()
+    {
+        var random = new Random(4);
+        for (var k = 0; k < (Fast ? 60 : 6); k++)
+        {
+            var region = Region.From(new[] { RegionReference.Star(random, 40, 0, 0, 3, 10), RegionReference.Star(random, 12, 1, 1, 1, 3) }, FillRule.EvenOdd);
+            foreach (JoinStyle join in Enum.GetValues(typeof(JoinStyle)))
+            {
+                Region? previous = null;
+                foreach (var d in new[] { -2, -1, -0.5, -0.1, 0, 0.1, 0.5, 1, 2 })
+                {
+                    var now = region.Offset(d, join);
+                    RegionReference.AssertValid(now);
+                    if (previous is not null) Assert.That(previous.Subtract(now).Area, Is.LessThan(1e-2), $"{join} {d}");
+                    previous = now;
+                }
+            }
+        }
+    }
+
+    [Test]
+    public void Offsets_of_regions_on_the_finest_grid_stay_valid()
+    {
+        var random = new Random(9);
+        for (var k = 0; k < (Fast ? 300 : 20); k++)
+        {
+            var region = Region.From(RegionReference.Random(random, 10, 12, 1e-5), FillRule.EvenOdd);
+            foreach (var d in new[] { 1e-5, -1e-5, 3e-5, 1e-4, 0.4 })
+            {
+                RegionReference.AssertValid(region.Offset(d));
+                RegionReference.AssertValid(region.Offset(d, JoinStyle.Round));
+            }
+        }
+    }
+
+    [Test]
+    public void Simplifying_keeps_within_the_tolerance()
+    {
+        var circle = Region.From(new Polyline(Enumerable.Range(0, 1000).Select(i =>
+        {
+            var (sin, cos) = Angle.SinCos(i * 0.36);
+            return new Vec3(20 * cos, 20 * sin);
+        }), closed: true));
+        var simple = circle.Simplified(0.0125);
+        RegionReference.AssertValid(simple);
+        Assert.That(simple.VertexCount, Is.InRange(60, 200));
+        Assert.That(simple.Subtract(circle.Offset(0.0126)).IsEmpty && circle.Offset(-0.0126).Subtract(simple).IsEmpty);
+        Assert.That(circle.Simplified(0).VertexCount, Is.EqualTo(1000));
+    }
+
+    private static bool Fast => Type.GetType("Mono.Runtime") is null;
+}
