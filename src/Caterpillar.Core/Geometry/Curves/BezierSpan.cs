@@ -1,0 +1,128 @@
+using System;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>A rational Bézier curve of any degree with positive weights over u from 0 to 1, evaluated by de Casteljau's algorithm in homogeneous coordinates.</summary>
+internal sealed class BezierSpan
+{
+    private readonly HomogeneousPoint[] _controls;
+
+    public BezierSpan(HomogeneousPoint[] controls) => _controls = controls;
+
+    public int Degree => _controls.Length - 1;
+
+    public Vec3 Control(int i) => _controls[i].Point;
+
+    public Bounds Hull
+    {
+        get
+        {
+            var bounds = Bounds.Empty;
+            foreach (var control in _controls) bounds = bounds.Include(control.Point);
+            return bounds;
+        }
+    }
+
+    public Vec3 Point(double u)
+    {
+        if (u <= 0) return _controls[0].Point;
+        if (u >= 1) return _controls[Degree].Point;
+        var work = (HomogeneousPoint[])_controls.Clone();
+        Reduce(work, u, 0);
+        return work[0].Point;
+    }
+
+    /// <summary>First and second derivative by u (quotient rule on the homogeneous derivatives).</summary>
+    public (Vec3 First, Vec3 Second) Derivatives(double u)
+    {
+        var p = Degree;
+        var work = (HomogeneousPoint[])_controls.Clone();
+        Vec3 bend = default;
+        var bendWeight = 0.0;
+        if (p >= 2)
+        {
+            Reduce(work, u, 2);
+            bend = (work[2].Weighted - 2 * work[1].Weighted + work[0].Weighted) * (p * (p - 1));
+            bendWeight = (work[2].Weight - 2 * work[1].Weight + work[0].Weight) * (p * (p - 1));
+            work[0] = HomogeneousPoint.Mix(work[0], work[1], u);
+            work[1] = HomogeneousPoint.Mix(work[1], work[2], u);
+        }
+        var slope = (work[1].Weighted - work[0].Weighted) * p;
+        var slopeWeight = (work[1].Weight - work[0].Weight) * p;
+        var here = HomogeneousPoint.Mix(work[0], work[1], u);
+        var point = here.Point;
+        var first = (slope - point * slopeWeight) / here.Weight;
+        return (first, (bend - first * (2 * slopeWeight) - point * bendWeight) / here.Weight);
+    }
+
+    public Vec3 StartTangent
+    {
+        get
+        {
+            for (var i = 1; i <= Degree; i++)
+            {
+                var d = Control(i) - Control(0);
+                if (d.Length > 1e-10) return d.Unit();
+            }
+            return default;
+        }
+    }
+
+    public Vec3 EndTangent
+    {
+        get
+        {
+            for (var i = Degree - 1; i >= 0; i--)
+            {
+                var d = Control(Degree) - Control(i);
+                if (d.Length > 1e-10) return d.Unit();
+            }
+            return default;
+        }
+    }
+
+    /// <summary>True when the control points lie along the chord, in order and within some mm; the curve then does too.</summary>
+    public bool IsStraight(double tolerance)
+    {
+        var start = Control(0);
+        var chord = Control(Degree) - start;
+        var length = chord.Length;
+        if (!(length > 0)) return false;
+        var along = chord / length;
+        var last = 0.0;
+        for (var i = 1; i < Degree; i++)
+        {
+            var d = Control(i) - start;
+            var s = Vec3.Dot(d, along);
+            if (s < last - 1e-9 || s > length + 1e-9 || (d - along * s).Length > tolerance) return false;
+            last = s;
+        }
+        return true;
+    }
+
+    /// <summary>True when all control points are one point.</summary>
+    public bool IsPoint => Hull.Size.Length <= 1e-12;
+
+    /// <summary>The two halves at u.</summary>
+    public (BezierSpan Left, BezierSpan Right) Split(double u)
+    {
+        var p = Degree;
+        var left = new HomogeneousPoint[p + 1];
+        var right = (HomogeneousPoint[])_controls.Clone();
+        left[0] = right[0];
+        for (var r = 1; r <= p; r++)
+        {
+            for (var i = 0; i <= p - r; i++) right[i] = HomogeneousPoint.Mix(right[i], right[i + 1], u);
+            left[r] = right[0];
+        }
+        return (new BezierSpan(left), new BezierSpan(right));
+    }
+
+    private void Reduce(HomogeneousPoint[] work, double u, int to)
+    {
+        for (var r = Degree; r > to; r--)
+        {
+            for (var i = 0; i < r; i++) work[i] = HomogeneousPoint.Mix(work[i], work[i + 1], u);
+        }
+    }
+}

@@ -1,0 +1,41 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>A straight line from one point to another, in mm; its parameter runs from 0 to 1.</summary>
+public sealed class LineCurve : Curve
+{
+    private readonly Vec3 _from;
+    private readonly Vec3 _to;
+
+    /// <exception cref="ArgumentException">A point is not finite, or both are the same.</exception>
+    public LineCurve(Vec3 from, Vec3 to)
+    {
+        _from = Finite(from, nameof(from));
+        _to = Finite(to, nameof(to));
+        if (from == to) throw new ArgumentException("A line needs two different points.", nameof(to));
+    }
+
+    public override double DomainStart => 0;
+
+    public override double DomainEnd => 1;
+
+    public override double Length => _from.DistanceTo(_to);
+
+    public override Bounds Bounds => Bounds.Empty.Include(_from).Include(_to);
+
+    public override Vec3 PointAt(double t) => Vec3.Lerp(_from, _to, Clamp(t));
+
+    public override Vec3 DerivativeAt(double t) => _to - _from;
+
+    public override Curve Reversed() => new LineCurve(_to, _from);
+
+    /// <inheritdoc/>
+    /// <exception cref="ArgumentException">The map makes it a point.</exception>
+    public override Curve Transformed(Affine map) => new LineCurve(map.Apply(_from), map.Apply(_to));
+
+    internal override void AddSpans(List<CurveSpan> spans, double start, double scale) => spans.Add(CurveSpan.Straight(start, start + scale, _from, _to));
+
+    private protected override Curve Part(double from, double to) => new LineCurve(PointAt(from), PointAt(to));
+}

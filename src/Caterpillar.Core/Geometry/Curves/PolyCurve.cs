@@ -1,0 +1,78 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>Curves joined end to start; the parameter is the number of the piece plus the share of its domain. Pieces that are joined themselves are taken apart.</summary>
+public sealed class PolyCurve : Curve
+{
+    private readonly Curve[] _pieces;
+
+    /// <param name="pieces">At least one.</param>
+    /// <param name="joinTolerance">Largest gap between the end of one piece and the start of the next, mm.</param>
+    /// <exception cref="ArgumentException">No piece, or a larger gap.</exception>
+    public PolyCurve(IEnumerable<Curve> pieces, double joinTolerance = 1e-3)
+    {
+        _pieces = (pieces ?? throw new ArgumentNullException(nameof(pieces))).SelectMany(p => p is PolyCurve poly ? poly._pieces : [p]).ToArray();
+        if (_pieces.Length == 0) throw new ArgumentException("A joined curve needs a piece.", nameof(pieces));
+        for (var i = 1; i < _pieces.Length; i++)
+        {
+            if (!(_pieces[i - 1].End.DistanceTo(_pieces[i].Start) <= joinTolerance))
+                throw new ArgumentException($"Piece {i} does not begin where the one before it ends.", nameof(pieces));
+        }
+    }
+
+    public IReadOnlyList<Curve> Pieces => _pieces;
+
+    public override double DomainStart => 0;
+
+    public override double DomainEnd => _pieces.Length;
+
+    public override Bounds Bounds => _pieces.Aggregate(Bounds.Empty, (b, p) => b.Include(p.Bounds));
+
+    public override Vec3 PointAt(double t)
+    {
+        var (piece, inner) = Locate(t);
+        return piece.PointAt(inner);
+    }
+
+    public override Vec3 DerivativeAt(double t)
+    {
+        var (piece, inner) = Locate(t);
+        return piece.DerivativeAt(inner) * (piece.DomainEnd - piece.DomainStart);
+    }
+
+    public override Curve Reversed() => new PolyCurve(Enumerable.Reverse(_pieces).Select(p => p.Reversed()), double.MaxValue);
+
+    public override Curve Transformed(Affine map) => new PolyCurve(_pieces.Select(p => p.Transformed(map)), double.MaxValue);
+
+    internal override void AddSpans(List<CurveSpan> spans, double start, double scale)
+    {
+        for (var i = 0; i < _pieces.Length; i++)
+            _pieces[i].AddSpans(spans, start + i * scale, scale / (_pieces[i].DomainEnd - _pieces[i].DomainStart));
+    }
+
+    private protected override Curve Part(double from, double to)
+    {
+        var parts = new List<Curve>();
+        for (var i = (int)from; i < to; i++)
+        {
+            var piece = _pieces[i];
+            var size = piece.DomainEnd - piece.DomainStart;
+            var a = from > i ? piece.DomainStart + (from - i) * size : piece.DomainStart;
+            var b = to < i + 1 ? piece.DomainStart + (to - i) * size : piece.DomainEnd;
+            if (a < b) parts.Add(piece.SubCurve(a, b));
+        }
+        return parts.Count == 1 ? parts[0] : new PolyCurve(parts, double.MaxValue);
+    }
+
+    private (Curve Piece, double Inner) Locate(double t)
+    {
+        t = Clamp(t);
+        var i = Math.Min((int)t, _pieces.Length - 1);
+        var piece = _pieces[i];
+        var share = t - i;
+        return (piece, share >= 1 ? piece.DomainEnd : piece.DomainStart + share * (piece.DomainEnd - piece.DomainStart));
+    }
+}

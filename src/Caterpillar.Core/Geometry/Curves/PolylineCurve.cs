@@ -1,0 +1,77 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>Straight segments through points, in mm; the parameter is the number of the segment plus the share of it.</summary>
+public sealed class PolylineCurve : Curve
+{
+    private readonly Vec3[] _points;
+
+    /// <exception cref="ArgumentException">Fewer than two points (three when closed), or one that is not finite.</exception>
+    public PolylineCurve(IEnumerable<Vec3> points, bool closed = false)
+        : this(new Polyline(points, closed))
+    {
+    }
+
+    /// <exception cref="ArgumentException">Fewer than two points (three when closed), or one that is not finite.</exception>
+    public PolylineCurve(Polyline polyline)
+    {
+        Polyline = polyline ?? throw new ArgumentNullException(nameof(polyline));
+        _points = polyline.Raw;
+        if (_points.Length < (polyline.IsClosed ? 3 : 2)) throw new ArgumentException("A polyline needs two points, a closed one three.", nameof(polyline));
+        foreach (var p in _points) Finite(p, nameof(polyline));
+    }
+
+    public Polyline Polyline { get; }
+
+    public override double DomainStart => 0;
+
+    public override double DomainEnd => Polyline.SegmentCount;
+
+    public override bool IsClosed => Polyline.IsClosed || base.IsClosed;
+
+    public override double Length => Polyline.Length;
+
+    public override Bounds Bounds => Polyline.Bounds;
+
+    public override Vec3 PointAt(double t)
+    {
+        t = Clamp(t);
+        var i = Math.Min((int)t, Polyline.SegmentCount - 1);
+        return Vec3.Lerp(_points[i], At(i + 1), t - i);
+    }
+
+    public override Vec3 DerivativeAt(double t)
+    {
+        var i = Math.Min((int)Clamp(t), Polyline.SegmentCount - 1);
+        return At(i + 1) - _points[i];
+    }
+
+    public override Curve Reversed() => new PolylineCurve(Polyline.Reversed());
+
+    public override Curve Transformed(Affine map)
+    {
+        var points = new Vec3[_points.Length];
+        for (var i = 0; i < points.Length; i++) points[i] = map.Apply(_points[i]);
+        return new PolylineCurve(Polyline.Own(points, Polyline.IsClosed));
+    }
+
+    internal override void AddSpans(List<CurveSpan> spans, double start, double scale)
+    {
+        for (var i = 0; i < Polyline.SegmentCount; i++)
+        {
+            if (_points[i] != At(i + 1)) spans.Add(CurveSpan.Straight(start + i * scale, start + (i + 1) * scale, _points[i], At(i + 1)));
+        }
+    }
+
+    private protected override Curve Part(double from, double to)
+    {
+        var points = new List<Vec3> { PointAt(from) };
+        for (var i = (int)from + 1; i < to; i++) points.Add(At(i));
+        points.Add(PointAt(to));
+        return new PolylineCurve(points);
+    }
+
+    private Vec3 At(int i) => i == _points.Length ? _points[0] : _points[i];
+}
