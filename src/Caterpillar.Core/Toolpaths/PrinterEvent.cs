@@ -18,6 +18,9 @@ public sealed record ToolEvent(int Tool) : PrinterEvent;
 /// <summary>Acceleration in mm/s² from here on (M204).</summary>
 public sealed record AccelerationEvent(double Value) : PrinterEvent;
 
+/// <summary>The machine looks for its reference switches (G28). Where that moves the head, the event hangs on a travel to the home position.</summary>
+public sealed record HomeEvent(bool X = true, bool Y = true, bool Z = true) : PrinterEvent;
+
 /// <summary>The machine waits for some seconds (G4).</summary>
 public sealed record DwellEvent(double Seconds) : PrinterEvent;
 

@@ -1,0 +1,31 @@
+using System;
+using Caterpillar.Machines;
+
+namespace Caterpillar.GCode;
+
+/// <summary>When E counts as printing.</summary>
+public enum ExtrusionRule
+{
+    /// <summary>Only where it exceeds what was retracted, for each tool apart.</summary>
+    Balance,
+
+    /// <summary>Whenever E rises in a motion (the rule of the Caterpillar paper, and of the test data).</summary>
+    Rising,
+}
+
+/// <summary>How a file is decoded.</summary>
+public sealed record DecodeOptions
+{
+    /// <summary>The dialect, or null to detect it from the file.</summary>
+    public DialectRules? Dialect { get; init; }
+
+    public ExtrusionRule Rule { get; init; } = ExtrusionRule.Balance;
+
+    /// <summary>Diameter of the filament in mm where the file does not say; null leaves volumes unknown.</summary>
+    public double? FilamentDiameter { get; init; }
+
+    /// <summary>Threads; 0 for all cores. The result does not depend on it.</summary>
+    public int Threads { get; init; }
+
+    internal int Degree => Threads > 0 ? Threads : Math.Max(Environment.ProcessorCount, 1);
+}

@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using System.Text;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.GCode;
+
+/// <summary>What a file does, in numbers. Lengths in mm, E in mm of filament (mm³ in volumetric files); positions as written in the file. Start and end code are not left out.</summary>
+public sealed record DecodeReport
+{
+    /// <summary>Name of the file, or empty.</summary>
+    public string File { get; init; } = "";
+
+    /// <summary>SHA-256 of the unpacked bytes in hexadecimal, or empty where it was not asked for.</summary>
+    public string Sha256 { get; init; } = "";
+
+    public long Bytes { get; init; }
+
+    /// <summary>E, A, B, A+B, M101 (a switch, no amounts) or none.</summary>
+    public string ExtrusionAxis { get; init; } = "none";
+
+    public int PrintSegments { get; init; }
+
+    public int TravelSegments { get; init; }
+
+    /// <summary>Travels with negative E (wipes).</summary>
+    public int TravelsWithRetract { get; init; }
+
+    public int PrintArcs { get; init; }
+
+    public int TravelArcs { get; init; }
+
+    /// <summary>Prints by G0, and travels by others.</summary>
+    public int PrintsByG0 { get; init; }
+
+    public int TravelsByG1 { get; init; }
+
+    public int RapidMoves { get; init; }
+
+    public int FeedMoves { get; init; }
+
+    public int Retracts { get; init; }
+
+    public int Unretracts { get; init; }
+
+    public int FirmwareRetracts { get; init; }
+
+    public int FirmwareUnretracts { get; init; }
+
+    public int NoOps { get; init; }
+
+    public int ToolChanges { get; init; }
+
+    public int LayerMarks { get; init; }
+
+    public double PrintLength { get; init; }
+
+    public double PrintLengthXY { get; init; }
+
+    public double TravelLength { get; init; }
+
+    /// <summary>False where the file has no amounts of extrusion; then the amounts below are 0 and mean nothing.</summary>
+    public bool HasAmounts { get; init; }
+
+    public double EPositive { get; init; }
+
+    public double ENegative { get; init; }
+
+    public double EPrint { get; init; }
+
+    public double ENet { get; init; }
+
+    /// <summary>Highest value of the running sum, for each tool apart and added up: what slicers call filament used.</summary>
+    public double EUsed { get; init; }
+
+    public IReadOnlyList<KeyValuePair<int, double>> EUsedByTool { get; init; } = [];
+
+    /// <summary>The sum of E by the rule of Marlin 2 (the last of G90, G91, M82, M83 decides) where it differs, else null.</summary>
+    public double? EByMarlin2Rule { get; init; }
+
+    /// <summary>Different heights (to 1 µm) at the ends of strands; the same of flat strands only.</summary>
+    public int Heights { get; init; }
+
+    public int FlatHeights { get; init; }
+
+    public int HeightChanges { get; init; }
+
+    public Bounds PrintBounds { get; init; }
+
+    public Bounds AllBounds { get; init; }
+
+    public Vec3 EndPosition { get; init; }
+
+    /// <summary>Numbers of lines with the things that make a dialect.</summary>
+    public IReadOnlyList<KeyValuePair<string, int>> Features { get; init; } = [];
+
+    public bool ByteOrderMark { get; init; }
+
+    /// <summary>The report as a JSON object; amounts are null where the file has none.</summary>
+    public string ToJson(string indent = "")
+    {
+        var json = new JsonLines(indent);
+        json.Text("file", File);
+        if (Sha256.Length > 0) json.Text("sha256_unpacked", Sha256);
+        json.Number("bytes_unpacked", Bytes);
+        json.Text("extrusion_axis", ExtrusionAxis);
+        json.Number("print_segments", PrintSegments);
+        json.Number("travel_segments", TravelSegments);
+        json.Number("travel_with_retract", TravelsWithRetract);
+        json.Number("print_arcs", PrintArcs);
+        json.Number("travel_arcs", TravelArcs);
+        json.Number("print_g0", PrintsByG0);
+        json.Number("travel_g1", TravelsByG1);
+        json.Number("rapid_moves_g0", RapidMoves);
+        json.Number("feed_moves_g123", FeedMoves);
+        json.Number("retracts", Retracts);
+        json.Number("unretracts", Unretracts);
+        json.Number("fw_retracts", FirmwareRetracts);
+        json.Number("fw_unretracts", FirmwareUnretracts);
+        json.Number("noops", NoOps);
+        json.Number("tool_changes", ToolChanges);
+        json.Number("layer_marks", LayerMarks);
+        json.Raw("print_length", JsonLines.Number(PrintLength));
+        json.Raw("print_length_xy", JsonLines.Number(PrintLengthXY));
+        json.Raw("travel_length", JsonLines.Number(TravelLength));
+        json.Raw("e_positive", Amount(EPositive));
+        json.Raw("e_negative", Amount(ENegative));
+        json.Raw("e_print", Amount(EPrint));
+        json.Raw("e_net", Amount(ENet));
+        json.Raw("e_used", Amount(EUsed));
+        if (HasAmounts && EUsedByTool.Count > 1) json.Raw("e_used_by_tool", ByTool());
+        if (HasAmounts && EByMarlin2Rule is { } other) json.Raw("e_total_marlin2_rule", Amount(other));
+        json.Number("layers_z", Heights);
+        json.Number("layers_flat", FlatHeights);
+        json.Number("z_changes_of_print", HeightChanges);
+        json.Raw("print_box", JsonLines.Box(PrintBounds));
+        json.Raw("all_moves_box", JsonLines.Box(AllBounds));
+        json.Raw("end_position", JsonLines.Point(EndPosition));
+        json.Raw("features", FeatureObject());
+        return json.ToString();
+    }
+
+    private string Amount(double value) => HasAmounts ? JsonLines.Number(value) : "null";
+
+    private string ByTool()
+    {
+        var text = new StringBuilder("{");
+        foreach (var pair in EUsedByTool)
+            text.Append(text.Length > 1 ? ", " : "").Append('"').Append(NumberFormatter.Format(pair.Key)).Append("\": ").Append(JsonLines.Number(pair.Value));
+        return text.Append('}').ToString();
+    }
+
+    private string FeatureObject()
+    {
+        var text = new StringBuilder("{");
+        foreach (var pair in Features)
+            text.Append(text.Length > 1 ? ", " : "").Append('"').Append(pair.Key).Append("\": ").Append(NumberFormatter.Format(pair.Value));
+        if (ByteOrderMark) text.Append(text.Length > 1 ? ", " : "").Append("\"bom\": true");
+        return text.Append('}').ToString();
+    }
+}

@@ -1,0 +1,116 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// Reads G-code into a Toolpath. Any bytes decode to something: what a line means to no firmware is counted and reported, never fatal. The rules of each firmware are data
+/// (<see cref="DialectRules"/>); with the dialect <c>slicer</c> and <see cref="ExtrusionRule.Rising"/> they are those of slicers' own viewers.
+/// </summary>
+public static class Decoder
+{
+    // Without any E in this many bytes of a stream, the axis is decided from what was seen.
+    private const long LongestSearch = 256L * 1024 * 1024;
+
+    /// <summary>Decodes a document.</summary>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static Result<Decoding> Decode(GCodeDocument document, DecodeOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (document is null) throw new ArgumentNullException(nameof(document));
+        var axis = ExtrusionAxis.Detect(document.Chunks);
+        return Run(document, document.Chunks, axis, document.Length, document.Name, options ?? new DecodeOptions(), progress, cancel);
+    }
+
+    /// <summary>Decodes bytes, plain or gzip.</summary>
+    /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
+    public static Result<Decoding> Decode(byte[] bytes, DecodeOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        GCodeDocument document;
+        try
+        {
+            document = GCodeDocument.FromBytes(bytes);
+        }
+        catch (InvalidDataException broken)
+        {
+            return new Result<Decoding>(null, [new Diagnostic(Severity.Error, "gcode.gzip", "The file is a broken gzip file: " + broken.Message)]);
+        }
+        return Decode(document, options, progress, cancel);
+    }
+
+    /// <summary>
+    /// Decodes a stream while it is read, without keeping the text: memory is that of the moves. The stream may be packed with gzip and stays open; progress is reported where its length is known.
+    /// </summary>
+    /// <exception cref="IOException">The stream cannot be read.</exception>
+    /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
+    public static Result<Decoding> DecodeStream(
+        Stream stream, DecodeOptions? options = null, string name = "", IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (stream is null) throw new ArgumentNullException(nameof(stream));
+        using var chunks = ChunkReader.Read(stream, 1024 * 1024, cancel).GetEnumerator();
+        var head = new List<GCodeChunk>();
+        var seen = 0L;
+        IEnumerable<GCodeChunk> Head()
+        {
+            while (seen < LongestSearch && chunks.MoveNext())
+            {
+                head.Add(chunks.Current);
+                seen += chunks.Current.Length;
+                yield return chunks.Current;
+            }
+        }
+        IEnumerable<GCodeChunk> All()
+        {
+            for (var i = 0; i < head.Count; i++)
+            {
+                yield return head[i];
+                head[i] = null!;
+            }
+            while (chunks.MoveNext()) yield return chunks.Current;
+        }
+        var axis = ExtrusionAxis.Detect(Head());
+        var length = stream.CanSeek ? stream.Length : 0;
+        return Run(null, All(), axis, length, name, options ?? new DecodeOptions(), progress, cancel, head);
+    }
+
+    private static Result<Decoding> Run(
+        GCodeDocument? document, IEnumerable<GCodeChunk> chunks, ExtrusionAxis axis, long length, string name, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel,
+        IReadOnlyList<GCodeChunk>? head = null)
+    {
+        Detection? detected = options.Dialect is null ? DialectDetector.Detect(head ?? document!.Chunks, axis) : null;
+        var rules = options.Dialect ?? detected!.Value.Dialect;
+        var core = new DecoderCore(rules, options.Rule, axis);
+        var lines = 0;
+        var mark = false;
+        long bytes = 0;
+        ChunkPipeline.Run(
+            chunks,
+            axis.Letter,
+            options.Degree,
+            (parser, done) =>
+            {
+                if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
+                core.Run(parser, lines);
+                lines += parser.Lines;
+                bytes = done;
+                if (length > 0) progress?.Report(Math.Min((double)done / length, 1));
+            },
+            cancel);
+        core.ReportIgnored();
+        if (detected is { } found && found.IsDefault)
+            core.Diagnostics.Add(Severity.Remark, "gcode.dialect_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
+        var settings = core.Settings.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
+        var toolpath = core.Finish(FilamentFactors.Of(settings, options.FilamentDiameter));
+        var report = Reports.Of(core, axis, name, bytes, mark);
+        var diagnostics = core.Diagnostics.ToList();
+        if (name.Length > 0) diagnostics = diagnostics.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }).ToList();
+        return new Result<Decoding>(
+            new Decoding(document, toolpath, report, rules, detected?.Evidence ?? [], settings, core.IgnoredCommands.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal), options.Rule),
+            diagnostics);
+    }
+}

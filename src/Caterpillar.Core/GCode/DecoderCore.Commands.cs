@@ -1,0 +1,308 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Lines that the fast path leaves: modal words, G92, G28, and motions in unusual notation.</summary>
+internal sealed partial class DecoderCore
+{
+    private int _motion;
+    private bool _relative;
+    private bool _inches;
+    private bool _m83;
+    private bool _lastRelative;
+    private bool _relativeE;
+
+    // True when the fast path holds: absolute, mm, and no doubt about the mode of E.
+    private bool _plain = true;
+    private bool _modesDiffer;
+
+    // E as Marlin 2 would count it, from where the rules part.
+    private bool _shadow;
+    private double _shadowE;
+    private double _feedFactor = 1;
+    private double _feed;
+
+    private double Unit => _inches ? 25.4 : 1;
+
+    private void Execute(byte[] text, int start, int end)
+    {
+        if (_line == 1 && start == 0 && end >= 3 && text[0] == 0xEF && text[1] == 0xBB && text[2] == 0xBF) start = 3;
+        var line = _parsed;
+        line.Scan(text, start, end);
+        Features.Count(line);
+        if (line.Shape == LineShape.Macro)
+        {
+            Macro(text, line);
+            return;
+        }
+        if (line.CommentStart >= 0)
+        {
+            if (line.Shape == LineShape.Blank) Meaning(text, line.CommentStart, end);
+            else if (!_typed) TrailingComment(text, line.CommentStart);
+        }
+        if (line.Shape == LineShape.Blank) return;
+        switch ((char)line.Letters[0])
+        {
+            case 'M':
+                Machine(text, line);
+                return;
+            case 'T':
+                if (!_rules.ToolByM6) ChangeTool(line.Values[0]);
+                else _nextTool = line.Values[0];
+                return;
+            case 'O':
+                return;
+            default:
+                Motion(line);
+                return;
+        }
+    }
+
+    private void Motion(ParsedLine line)
+    {
+        var action = 0;
+        var explicitMotion = -1;
+        var words = 0;
+        for (var i = 0; i < line.Count; i++)
+        {
+            if (line.Letters[i] != 'G' || !line.HasValue[i]) continue;
+            words++;
+            var code = line.Values[i] is >= 0 and < 1000 ? (int)Math.Floor(line.Values[i] * 10 + 0.5) : -1;
+            if (code is 0 or 10 or 20 or 30) explicitMotion = code / 10;
+            else if (!Modal(code)) action = code;
+        }
+        if (words > 1) Features.MultiG++;
+        if (explicitMotion >= 0)
+        {
+            _motion = explicitMotion;
+            Move(line);
+        }
+        else if (action != 0)
+        {
+            Action(action, line);
+        }
+        else if (HasAxisWord(line) && (words == 0 || _rules.ModalMotion == ModalMotionRule.Standard))
+        {
+            Features.ModalLines++;
+            if (_rules.ModalMotion == ModalMotionRule.Never)
+            {
+                Differs("gcode.dialect_modal", "A line moves without a G word: " + _rules.Title + " ignores it, others repeat the last motion.");
+                return;
+            }
+            Move(line);
+        }
+        else if (words == 0)
+        {
+            if (_rules.ModalMotion != ModalMotionRule.Never && line.TryGet('F', out var feed)) SetFeed(feed);
+            else if (line.Find('F') < 0) Ignored((char)line.Letters[0], line.HasValue[0] ? line.Values[0] : 0);
+        }
+    }
+
+    // True when the code changes a mode only.
+    private bool Modal(int code)
+    {
+        switch (code)
+        {
+            case 170:
+            case 180:
+            case 190:
+                if (_rules.Planes) _plane = (Geometry.ArcPlane)((code - 170) / 10);
+                return true;
+            case 200:
+                Features.G20++;
+                if (_rules.Inches) _inches = true;
+                else Refused("gcode.inches", _rules.Title + " knows no inches: G20 is refused.");
+                Modes();
+                return true;
+            case 210:
+                Features.G21++;
+                _inches = false;
+                Modes();
+                return true;
+            case 900:
+            case 910:
+                if (code == 900) Features.G90++;
+                else Features.G91++;
+                _relative = code == 910;
+                _lastRelative = _relative;
+                Modes();
+                return true;
+            case 901:
+            case 911:
+                if (_rules.AbsoluteCenters) _absoluteCenters = code == 901;
+                return true;
+            default:
+                return false;
+        }
+    }
+
+    // After each change of a mode: which rule of E holds, and whether the fast path does.
+    private void Modes()
+    {
+        var either = _relative || _m83;
+        _relativeE = _rules.RelativeE switch
+        {
+            RelativeERule.EitherG91OrM83 => either,
+            RelativeERule.LastWins => _lastRelative,
+            RelativeERule.OnlyM82M83 => _m83,
+            _ => _relative,
+        };
+        _modesDiffer = either != _lastRelative || either != _m83;
+        if (!_shadow && _relativeE != _lastRelative)
+        {
+            _shadow = true;
+            _shadowE = _e;
+            Tally.EMarlin2 = Tally.ENet;
+        }
+        _plain = !_relative && !_inches && !_shadow && !_modesDiffer;
+    }
+
+    private void Move(ParsedLine line)
+    {
+        if (line.TryGet('F', out var feed)) SetFeed(feed);
+        if (_motion > 1)
+        {
+            ArcMove(line);
+            return;
+        }
+        var mask = (line.TryGet('X', out var x) ? ChunkParser.HasX : 0) | (line.TryGet('Y', out var y) ? ChunkParser.HasY : 0)
+            | (line.TryGet('Z', out var z) ? ChunkParser.HasZ : 0) | (ExtruderWord(line, out var e) ? ChunkParser.HasE : 0);
+        General(mask, x, y, z, e, _motion);
+    }
+
+    private void General(int mask, double x, double y, double z, double e, int code)
+    {
+        var de = (mask & ChunkParser.HasE) != 0 ? ChangeOfE(e) : 0;
+        Linear(
+            (mask & ChunkParser.HasX) != 0 ? Target(_x, x) : _x,
+            (mask & ChunkParser.HasY) != 0 ? Target(_y, y) : _y,
+            (mask & ChunkParser.HasZ) != 0 ? Target(_z, z) : _z,
+            de,
+            code);
+    }
+
+    private double Target(double from, double word) => _relative ? from + word * Unit : word * Unit;
+
+    private double ChangeOfE(double word)
+    {
+        word *= Unit;
+        if (!(word is < LargestE and > -LargestE))
+        {
+            OutOfRange();
+            return 0;
+        }
+        if (_modesDiffer)
+            Differs("gcode.dialect_e_mode", "E is absolute or relative depending on the firmware here (order of G90, G91, M82, M83); " + _rules.Title + " takes it as " + (_relativeE ? "relative." : "absolute."));
+        var change = _relativeE ? word : word - _e;
+        _e += change;
+        if (_shadow)
+        {
+            var other = _lastRelative ? word : word - _shadowE;
+            _shadowE += other;
+            if (Math.Abs(other) >= NoChange) Tally.EMarlin2 += other;
+        }
+        return change;
+    }
+
+    private bool ExtruderWord(ParsedLine line, out double value)
+    {
+        value = 0;
+        if (!_axis.HasAmounts) return false;
+        if (_axis != ExtrusionAxis.Both) return line.TryGet((char)_axis.Letter, out value);
+        var any = line.TryGet('A', out var a);
+        any |= line.TryGet('B', out var b);
+        value = TwoAxes(a, line.Find('A') >= 0, b, line.Find('B') >= 0);
+        return any;
+    }
+
+    // Two extruder axes become one E: the sum of what both change.
+    private double TwoAxes(double a, bool hasA, double b, bool hasB)
+    {
+        double change = 0;
+        if (hasA)
+        {
+            change += _relativeE ? a : a - _a;
+            _a = _relativeE ? _a + a : a;
+        }
+        if (hasB)
+        {
+            change += _relativeE ? b : b - _b;
+            _b = _relativeE ? _b + b : b;
+        }
+        return _relativeE ? change : _e / Unit + change;
+    }
+
+    private double _a;
+    private double _b;
+
+    private bool HasAxisWord(ParsedLine line)
+    {
+        for (var i = 0; i < line.Count; i++)
+        {
+            if (line.HasValue[i] && (line.Letters[i] is (byte)'X' or (byte)'Y' or (byte)'Z' || _axis.Is(line.Letters[i])
+                || (_motion > 1 && line.Letters[i] is (byte)'I' or (byte)'J' or (byte)'K' or (byte)'R'))) return true;
+        }
+        return false;
+    }
+
+    private void SetFeed(double feed)
+    {
+        feed *= Unit;
+        if (!(feed is > 0 and < 1e9)) return;
+        _feed = feed;
+        _speed = feed / 60 * _feedFactor;
+    }
+
+    private void Action(int code, ParsedLine line)
+    {
+        switch (code)
+        {
+            case 40:
+                Dwell(line);
+                return;
+            case 100:
+            case 110:
+                if (!HasOffsetWord(line)) FirmwareRetraction(code == 100);
+                return;
+            case 280:
+                Home(line);
+                return;
+            case 920:
+                Rename(line);
+                return;
+            case 921:
+            case 922:
+                ClearShifts();
+                return;
+            default:
+                Ignored('G', code < 0 ? 0 : code / 10.0);
+                return;
+        }
+    }
+
+    private static bool HasOffsetWord(ParsedLine line) => line.Has('P') || line.Has('L') || line.Has('X') || line.Has('Y') || line.Has('Z');
+
+    private void FirmwareRetraction(bool retract)
+    {
+        Features.FirmwareRetraction++;
+        if (!_rules.FirmwareRetraction)
+        {
+            Ignored('G', retract ? 10 : 11);
+            return;
+        }
+        if (retract) Tally.FirmwareRetracts++;
+        else Tally.FirmwareUnretracts++;
+        Emit(_x, _y, _z, 0, 0, retract ? MoveKind.Retract : MoveKind.Restore);
+    }
+
+    private void Dwell(ParsedLine line)
+    {
+        var seconds = line.TryGet('S', out var s) && _rules.DwellS > 0 ? s * _rules.DwellS : line.TryGet('P', out var p) ? p * _rules.DwellP : 0;
+        if (!(seconds is > 0 and < 1e9)) return;
+        AddEvent(new DwellEvent(seconds));
+        Emit(_x, _y, _z, 0, 0, MoveKind.Dwell);
+    }
+}

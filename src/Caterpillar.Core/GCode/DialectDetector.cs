@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Machines;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Finds the dialect of a file from what its slicer says about it and from commands that only one firmware has.</summary>
+internal static class DialectDetector
+{
+    private const int Head = 96 * 1024;
+    private const int Tail = 96 * 1024;
+
+    // Flavours as slicers name them in their comments.
+    private static readonly (string Key, string Name)[] Flavours =
+    [
+        ("reprap (marlin/sprinter)", "marlin2"), ("reprap (reprap)", "marlin1"), ("reprapfirmware", "reprapfirmware"), ("reprapsprinter", "marlin1"), ("repetier", "repetier"),
+        ("teacup", "marlin1"), ("makerware", "sailfish"), ("sailfish", "sailfish"), ("marlin2", "marlin2"), ("marlin", "marlin1"), ("klipper", "klipper"), ("mach3", "cnc"),
+        ("machinekit", "cnc"), ("smoothie", "smoothie"), ("reprap", "marlin1"), ("ultigcode", "ultigcode"), ("griffin", "marlin1"), ("bfb", "bfb"), ("rrf", "reprapfirmware"),
+    ];
+
+    // Commands and words, as they begin a line, that tell a firmware.
+    private static readonly (string Start, string Name, string Why)[] Commands =
+    [
+        ("SET_VELOCITY_LIMIT", "klipper", "the extended command SET_VELOCITY_LIMIT"),
+        ("SET_PRESSURE_ADVANCE", "klipper", "the extended command SET_PRESSURE_ADVANCE"),
+        ("EXCLUDE_OBJECT", "klipper", "the extended command EXCLUDE_OBJECT"),
+        ("SAVE_GCODE_STATE", "klipper", "the extended command SAVE_GCODE_STATE"),
+        ("START_PRINT", "klipper", "the macro START_PRINT"),
+        ("PRINT_START", "klipper", "the macro PRINT_START"),
+        ("BED_MESH_CALIBRATE", "klipper", "the extended command BED_MESH_CALIBRATE"),
+        ("M620 ", "bambu", "M620 of the filament changer"),
+        ("M1002 ", "bambu", "M1002"),
+        ("M862.", "prusa", "M862, the check of Prusa's printers"),
+        ("M566 ", "reprapfirmware", "M566"),
+        ("M572 ", "reprapfirmware", "M572, pressure advance"),
+        ("M98 P", "reprapfirmware", "M98, a macro file"),
+        ("M205 J", "marlin2", "M205 J, junction deviation"),
+        ("M413 ", "marlin2", "M413, power-loss recovery"),
+        ("$H", "grbl", "$H, homing"),
+    ];
+
+    public static Detection Detect(IReadOnlyList<GCodeChunk> chunks, ExtrusionAxis axis)
+    {
+        var evidence = new List<string>();
+        var text = Text(chunks);
+        string? name = null;
+        if (text.IndexOf("BambuStudio", StringComparison.Ordinal) is >= 0 and < 2000)
+        {
+            evidence.Add("The header names BambuStudio.");
+            name = "bambu";
+        }
+        name ??= ByCommand(text, evidence) ?? ByFlavour(text, evidence);
+        if (name is null && axis == ExtrusionAxis.Switched)
+        {
+            evidence.Add("M101 and M103 switch the extruder, and no word has amounts.");
+            name = "bfb";
+        }
+        if (name is null && (axis == ExtrusionAxis.A || axis == ExtrusionAxis.Both || axis == ExtrusionAxis.B))
+        {
+            var sailfish = text.IndexOf("\nM126", StringComparison.Ordinal) >= 0 || text.IndexOf("\nG162", StringComparison.Ordinal) >= 0 || axis != ExtrusionAxis.A;
+            evidence.Add("The " + axis.Name + " axis extrudes.");
+            name = sailfish ? "sailfish" : "cnc";
+        }
+        if (name is null && axis == ExtrusionAxis.None && (text.IndexOf("\nM3 ", StringComparison.Ordinal) >= 0 || text.IndexOf("\nM5", StringComparison.Ordinal) >= 0))
+        {
+            evidence.Add("Nothing extrudes, and M3 or M5 switch a spindle.");
+            name = "grbl";
+        }
+        if (name is null) return new Detection(DialectTable.Marlin2, ["Nothing in the file says which firmware it is for."], true);
+        return new Detection(DialectTable.Find(name)!, evidence, false);
+    }
+
+    private static string? ByFlavour(string text, List<string> evidence)
+    {
+        foreach (var key in new[] { ";FLAVOR:", "; gcode_flavor = ", "gcode_flavor = ", "machine_gcode_flavor = " })
+        {
+            var at = text.IndexOf(key, StringComparison.Ordinal);
+            if (at < 0) continue;
+            var end = at + key.Length;
+            while (end < text.Length && text[end] != '\n' && text[end] != '\r') end++;
+            var flavour = text.Substring(at + key.Length, end - at - key.Length).Trim();
+            var plain = flavour.ToLowerInvariant();
+            // Cura calls Marlin 1 and 2 alike.
+            if (plain == "marlin" && key[1] == 'F') plain = "marlin2";
+            foreach (var (known, name) in Flavours)
+            {
+                if (plain != known) continue;
+                evidence.Add("A comment says: " + text.Substring(at, end - at).Trim());
+                return name;
+            }
+        }
+        return null;
+    }
+
+    private static string? ByCommand(string text, List<string> evidence)
+    {
+        foreach (var (start, name, why) in Commands)
+        {
+            var at = text.IndexOf("\n" + start, StringComparison.Ordinal);
+            if (at < 0 && !text.StartsWith(start, StringComparison.Ordinal)) continue;
+            evidence.Add("The file has " + why + ".");
+            return name;
+        }
+        return null;
+    }
+
+    // The beginning and the end of the file; CR as LF.
+    private static string Text(IReadOnlyList<GCodeChunk> chunks)
+    {
+        if (chunks.Count == 0) return "";
+        var first = chunks[0];
+        var head = TextEncoding.Decode(first.Text, first.Start, Math.Min(first.End, first.Start + Head));
+        var last = chunks[chunks.Count - 1];
+        var from = Math.Max(last.End - Tail, chunks.Count == 1 ? Math.Min(first.End, first.Start + Head) : last.Start);
+        return (head + "\n" + TextEncoding.Decode(last.Text, from, last.End)).Replace('\r', '\n');
+    }
+}
+
+/// <summary>The dialect of a file, why, and whether it is a mere default.</summary>
+internal readonly record struct Detection(DialectRules Dialect, IReadOnlyList<string> Evidence, bool IsDefault);

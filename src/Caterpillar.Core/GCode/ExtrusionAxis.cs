@@ -1,0 +1,68 @@
+using System.Collections.Generic;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Which words of a file extrude.</summary>
+internal sealed class ExtrusionAxis
+{
+    public static readonly ExtrusionAxis E = new("E");
+    public static readonly ExtrusionAxis A = new("A");
+    public static readonly ExtrusionAxis B = new("B");
+    public static readonly ExtrusionAxis Both = new("A+B");
+    public static readonly ExtrusionAxis Switched = new("M101");
+    public static readonly ExtrusionAxis None = new("none");
+
+    private ExtrusionAxis(string name) => Name = name;
+
+    /// <summary>As reports say it: E, A, B, A+B, M101 or none.</summary>
+    public string Name { get; }
+
+    /// <summary>The letter of the fast path, or 0.</summary>
+    public byte Letter => Name.Length == 1 ? (byte)Name[0] : (byte)0;
+
+    /// <summary>True when amounts of extrusion are in the file.</summary>
+    public bool HasAmounts => this != Switched && this != None;
+
+    public bool Is(byte letter) => Letter == letter || (this == Both && (letter == 'A' || letter == 'B'));
+
+    /// <summary>
+    /// E when some G0 to G3 with an X or Y word has an E word; else A, B or A+B by the same test; else the switch when there is an M101 or M103. Chunks are read until an E is found.
+    /// </summary>
+    public static ExtrusionAxis Detect(IEnumerable<GCodeChunk> chunks)
+    {
+        var parser = new ChunkParser((byte)'E');
+        var line = new ParsedLine();
+        bool a = false, b = false, switched = false;
+        double motion = -1;
+        var first = true;
+        foreach (var chunk in chunks)
+        {
+            parser.Parse(chunk, chunk.Start + (first ? TextEncoding.MarkLength(chunk) : 0));
+            first = false;
+            for (var i = 0; i < parser.Count; i++)
+            {
+                ref var record = ref parser.Records[i];
+                if (record.Op <= 1)
+                {
+                    motion = record.Op;
+                    if ((record.Mask & ChunkParser.HasE) != 0 && (record.Mask & (ChunkParser.HasX | ChunkParser.HasY)) != 0) return E;
+                    continue;
+                }
+                if (record.Op != ChunkParser.Other) continue;
+                line.Scan(chunk.Text, record.Start, record.Aux);
+                if (line.Shape != LineShape.Code) continue;
+                if (line.Letters[0] == 'M')
+                {
+                    if (line.Values[0] is 101 or 103) switched = true;
+                    continue;
+                }
+                if (line.TryGet('G', out var g)) motion = g;
+                if (!(motion is >= 0 and <= 3) || (line.Find('X') < 0 && line.Find('Y') < 0)) continue;
+                if (line.Find('E') >= 0) return E;
+                if (line.Find('A') >= 0) a = true;
+                if (line.Find('B') >= 0) b = true;
+            }
+        }
+        return a && b ? Both : a ? A : b ? B : switched ? Switched : None;
+    }
+}

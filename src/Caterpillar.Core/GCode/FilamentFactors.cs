@@ -1,0 +1,25 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+
+namespace Caterpillar.GCode;
+
+/// <summary>mm³ for one unit of E, from the settings that a slicer left in its comments.</summary>
+internal static class FilamentFactors
+{
+    public static double?[] Of(IReadOnlyDictionary<string, string> settings, double? diameter)
+    {
+        if (settings.TryGetValue("use_volumetric_e", out var volumetric) && volumetric.Split(',')[0].Trim() == "1") return [1.0];
+        if (settings.TryGetValue("filament_diameter", out var text))
+        {
+            var parts = text.Split(',');
+            var factors = new double?[Math.Min(parts.Length, 1000)];
+            for (var i = 0; i < factors.Length; i++)
+                factors[i] = NumberReader.TryParse(parts[i].Trim(), out var d) && d is > 0 and < 1000 ? Area(d) : diameter is { } other ? Area(other) : null;
+            return factors;
+        }
+        return diameter is { } given ? [Area(given)] : [];
+    }
+
+    private static double Area(double diameter) => Math.PI / 4 * diameter * diameter;
+}

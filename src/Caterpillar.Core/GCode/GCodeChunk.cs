@@ -1,0 +1,75 @@
+using System;
+using System.Threading;
+
+namespace Caterpillar.GCode;
+
+/// <summary>A stretch of a document that ends behind a line end (or with the file). The buffer is shared and never changed.</summary>
+internal sealed class GCodeChunk(byte[] text, int start, int end)
+{
+    /// <summary>Bytes of a chunk; lines that are longer make it longer.</summary>
+    public const int Target = 256 * 1024;
+
+    private int[]? _lineStarts;
+
+    public byte[] Text { get; } = text;
+
+    public int Start { get; } = start;
+
+    public int End { get; } = end;
+
+    public int Length => End - Start;
+
+    /// <summary>Where the lines begin, and behind them the end of the chunk.</summary>
+    public int[] LineStarts()
+    {
+        var known = Volatile.Read(ref _lineStarts);
+        if (known is not null) return known;
+        var starts = new int[64];
+        var count = 0;
+        for (var at = Start; at < End;)
+        {
+            if (count + 1 >= starts.Length) Array.Resize(ref starts, starts.Length * 2);
+            starts[count++] = at;
+            at = LineEnds.Next(Text, at, End);
+        }
+        Array.Resize(ref starts, count + 1);
+        starts[count] = End;
+        Volatile.Write(ref _lineStarts, starts);
+        return starts;
+    }
+
+    public int CountLines()
+    {
+        var known = Volatile.Read(ref _lineStarts);
+        if (known is not null) return known.Length - 1;
+        var count = 0;
+        for (var at = Start; at < End; count++) at = LineEnds.Next(Text, at, End);
+        return count;
+    }
+}
+
+/// <summary>LF, CRLF and CR end a line.</summary>
+internal static class LineEnds
+{
+    /// <summary>Index of the first CR or LF from <paramref name="at"/> on, or <paramref name="end"/>.</summary>
+    public static int Find(byte[] text, int at, int end)
+    {
+#if NET8_0_OR_GREATER
+        var found = new ReadOnlySpan<byte>(text, at, end - at).IndexOfAny((byte)'\n', (byte)'\r');
+        return found < 0 ? end : at + found;
+#else
+        while (at < end && text[at] != '\n' && text[at] != '\r') at++;
+        return at;
+#endif
+    }
+
+    /// <summary>Index behind the line end that stands at <paramref name="at"/>.</summary>
+    public static int Skip(byte[] text, int at, int end)
+    {
+        if (at >= end) return end;
+        return text[at] == '\r' && at + 1 < end && text[at + 1] == '\n' ? at + 2 : at + 1;
+    }
+
+    /// <summary>Where the next line begins.</summary>
+    public static int Next(byte[] text, int at, int end) => Skip(text, Find(text, at, end), end);
+}

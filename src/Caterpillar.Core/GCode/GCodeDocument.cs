@@ -1,0 +1,154 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// A G-code file, lossless: every byte is kept as it is. Lines end with LF, CRLF or CR, also mixed; a byte order mark belongs to the first line but is no part of its text.
+/// Lines are indexed without copying and their words are read when asked for. Immutable.
+/// </summary>
+public sealed class GCodeDocument
+{
+    private const int BufferSize = 4 * 1024 * 1024;
+    private readonly GCodeChunk[] _chunks;
+    private int[]? _firstLines;
+
+    internal GCodeDocument(GCodeChunk[] chunks, string name)
+    {
+        _chunks = chunks;
+        Name = name;
+        foreach (var chunk in chunks) Length += chunk.Length;
+    }
+
+    /// <summary>Name of the file, or empty.</summary>
+    public string Name { get; }
+
+    /// <summary>Number of bytes (unpacked).</summary>
+    public long Length { get; }
+
+    /// <summary>Number of lines; what follows the last line end counts as a line when it is not empty.</summary>
+    public int LineCount
+    {
+        get
+        {
+            var first = FirstLines();
+            return first[first.Length - 1];
+        }
+    }
+
+    /// <summary>True when the file begins with a UTF-8 byte order mark.</summary>
+    public bool HasByteOrderMark => _chunks.Length > 0 && TextEncoding.MarkLength(_chunks[0]) > 0;
+
+    internal IReadOnlyList<GCodeChunk> Chunks => _chunks;
+
+    /// <summary>A document over bytes, which are not copied and must not be changed afterwards. Packed bytes (gzip) are unpacked.</summary>
+    /// <exception cref="InvalidDataException">The bytes are a broken gzip file.</exception>
+    public static GCodeDocument FromBytes(byte[] bytes, string name = "")
+    {
+        if (bytes is null) throw new ArgumentNullException(nameof(bytes));
+        if (IsGzip(bytes, bytes.Length)) return Read(new MemoryStream(bytes, false), name);
+        var chunks = new List<GCodeChunk>(bytes.Length / GCodeChunk.Target + 1);
+        Cut(bytes, bytes.Length, chunks);
+        return new GCodeDocument(chunks.ToArray(), name);
+    }
+
+    /// <summary>A document from text; characters beyond Latin-1 are written as UTF-8.</summary>
+    public static GCodeDocument FromText(string text, string name = "") => FromBytes(TextEncoding.Encode(text), name);
+
+    /// <summary>Reads a file, plain or packed with gzip.</summary>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="InvalidDataException">The file is a broken gzip file.</exception>
+    public static GCodeDocument ReadFile(string path, CancellationToken cancel = default)
+    {
+        using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
+        return Read(stream, Path.GetFileName(path), cancel);
+    }
+
+    /// <summary>Reads a stream to its end, plain or packed with gzip. The stream stays open.</summary>
+    /// <exception cref="IOException">The stream cannot be read.</exception>
+    /// <exception cref="InvalidDataException">It is a broken gzip stream.</exception>
+    public static GCodeDocument Read(Stream stream, string name = "", CancellationToken cancel = default)
+    {
+        var chunks = new List<GCodeChunk>();
+        foreach (var chunk in ChunkReader.Read(stream, BufferSize, cancel)) chunks.Add(chunk);
+        return new GCodeDocument(chunks.ToArray(), name);
+    }
+
+    /// <summary>A line by its number, from 1.</summary>
+    public GCodeLine Line(int number)
+    {
+        if (number < 1 || number > LineCount) throw new ArgumentOutOfRangeException(nameof(number), "There is no line with this number.");
+        var first = FirstLines();
+        var at = Array.BinarySearch(first, number - 1);
+        if (at < 0) at = ~at - 1;
+        while (first[at + 1] == first[at]) at++;
+        return LineOf(at, number - 1 - first[at], number);
+    }
+
+    /// <summary>Up to <paramref name="count"/> lines from line <paramref name="first"/> (from 1) on.</summary>
+    public IReadOnlyList<GCodeLine> Lines(int first, int count)
+    {
+        var last = (int)Math.Min((long)first + count - 1, LineCount);
+        var lines = new List<GCodeLine>();
+        for (var number = Math.Max(first, 1); number <= last; number++) lines.Add(Line(number));
+        return lines;
+    }
+
+    /// <summary>Writes the document byte for byte.</summary>
+    public void WriteTo(Stream stream)
+    {
+        foreach (var chunk in _chunks) stream.Write(chunk.Text, chunk.Start, chunk.Length);
+    }
+
+    /// <summary>A copy of its bytes.</summary>
+    public byte[] ToBytes()
+    {
+        var bytes = new byte[Length];
+        var at = 0;
+        foreach (var chunk in _chunks)
+        {
+            Buffer.BlockCopy(chunk.Text, chunk.Start, bytes, at, chunk.Length);
+            at += chunk.Length;
+        }
+        return bytes;
+    }
+
+    /// <summary>For a panel: name, lines and size.</summary>
+    public override string ToString()
+        => (Name.Length > 0 ? Name + ": " : "") + Basics.NumberFormatter.Format(LineCount) + " lines, " + Basics.NumberFormatter.Format(Length) + " bytes of G-code";
+
+    /// <summary>Number of lines before each chunk, and of all.</summary>
+    internal int[] FirstLines()
+    {
+        var known = Volatile.Read(ref _firstLines);
+        if (known is not null) return known;
+        var first = new int[_chunks.Length + 1];
+        for (var i = 0; i < _chunks.Length; i++) first[i + 1] = first[i] + _chunks[i].CountLines();
+        Volatile.Write(ref _firstLines, first);
+        return first;
+    }
+
+    internal static bool IsGzip(byte[] bytes, int count) => count >= 3 && bytes[0] == 0x1F && bytes[1] == 0x8B && bytes[2] == 8;
+
+    /// <summary>Cuts bytes into chunks behind line ends.</summary>
+    internal static void Cut(byte[] bytes, int count, List<GCodeChunk> chunks)
+    {
+        for (var start = 0; start < count;)
+        {
+            var end = count - start <= GCodeChunk.Target ? count : LineEnds.Next(bytes, start + GCodeChunk.Target, count);
+            chunks.Add(new GCodeChunk(bytes, start, end));
+            start = end;
+        }
+    }
+
+    private GCodeLine LineOf(int chunk, int index, int number)
+    {
+        var starts = _chunks[chunk].LineStarts();
+        var text = _chunks[chunk].Text;
+        var start = starts[index];
+        if (number == 1) start += TextEncoding.MarkLength(_chunks[0]);
+        return new GCodeLine(number, text, start, LineEnds.Find(text, start, starts[index + 1]));
+    }
+}

@@ -1,0 +1,73 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Collects moves into the columns of blocks, without a call for each value.</summary>
+internal sealed class MoveColumns
+{
+    private readonly List<ToolpathBlock> _blocks = [];
+    private readonly List<int> _arcMoves = [];
+    private readonly List<Arc> _arcs = [];
+    private int _sealed;
+
+    public ToolpathColumns Columns { get; private set; } = new(1024);
+
+    /// <summary>Number of moves so far.</summary>
+    public int Count => _sealed + Columns.Count;
+
+    public bool IsFull => Columns.Count == Columns.X.Length;
+
+    public void Grow()
+    {
+        if (Columns.Capacity < ToolpathBlock.Capacity)
+        {
+            Columns = Columns.Copy(Math.Min(Columns.Capacity * 4, ToolpathBlock.Capacity));
+            return;
+        }
+        Seal();
+        Columns = new ToolpathColumns(ToolpathBlock.Capacity);
+    }
+
+    /// <summary>The last move is an arc.</summary>
+    public void AddArc(Arc arc)
+    {
+        _arcMoves.Add(Columns.Count - 1);
+        _arcs.Add(arc);
+    }
+
+    /// <summary>Takes the layer from all moves so far; for files whose comments about layers begin late.</summary>
+    public void ForgetLayers()
+    {
+        foreach (var block in _blocks) Forget(block.Columns);
+        Forget(Columns);
+    }
+
+    public IReadOnlyList<ToolpathBlock> ToBlocks()
+    {
+        if (Columns.Count > 0)
+        {
+            if (Columns.Count < Columns.Capacity / 2) Columns = Columns.Copy(Columns.Count);
+            Seal();
+        }
+        return _blocks;
+    }
+
+    private static void Forget(ToolpathColumns columns)
+    {
+        for (var i = 0; i < columns.Count; i++) columns.Layer[i] = -1;
+    }
+
+    private void Seal()
+    {
+        Columns.ArcMoves = _arcMoves.ToArray();
+        Columns.Arcs = _arcs.ToArray();
+        _arcMoves.Clear();
+        _arcs.Clear();
+        _blocks.Add(new ToolpathBlock(Columns));
+        _sealed += Columns.Count;
+        Columns = new ToolpathColumns(0);
+    }
+}

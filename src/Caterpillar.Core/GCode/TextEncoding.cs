@@ -1,0 +1,25 @@
+using System.Text;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Bytes of G-code are Latin-1, one character a byte; a UTF-8 byte order mark is skipped.</summary>
+internal static class TextEncoding
+{
+    private static readonly Encoding Latin1 = Encoding.GetEncoding(28591);
+    private static readonly Encoding Utf8 = new UTF8Encoding(false);
+
+    /// <summary>3 when the chunk begins with a byte order mark, else 0.</summary>
+    public static int MarkLength(GCodeChunk first)
+        => first.Length >= 3 && first.Text[first.Start] == 0xEF && first.Text[first.Start + 1] == 0xBB && first.Text[first.Start + 2] == 0xBF ? 3 : 0;
+
+    public static byte[] Encode(string text)
+    {
+        foreach (var c in text)
+        {
+            if (c > 255) return Utf8.GetBytes(text);
+        }
+        return Latin1.GetBytes(text);
+    }
+
+    public static string Decode(byte[] text, int start, int end) => end > start ? Latin1.GetString(text, start, end - start) : "";
+}
