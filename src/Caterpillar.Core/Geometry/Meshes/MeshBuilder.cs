@@ -100,6 +100,7 @@ internal sealed class MeshBuilder
         if (mesh.TriangleCount == 0) return mesh;
         mesh = MeshCleaning.DropDuplicates(mesh, source, diagnostics);
         if (closeCracks && mesh.Topology.OpenEdges > 0) mesh = CrackSnap.Close(mesh, source, diagnostics);
+        mesh = MeshOrientation.Unify(mesh, source, diagnostics);
         MeshCleaning.ReportTopology(mesh, source, diagnostics);
         return mesh;
     }

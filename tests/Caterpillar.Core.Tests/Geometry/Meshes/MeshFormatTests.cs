@@ -139,6 +139,28 @@ public class MeshFormatTests
     }
 
     [Test]
+    public void Triangles_that_are_inside_out_are_turned()
+    {
+        var hollow = TriMesh.Merge([MeshMaker.BumpySphere(24, 12), MeshMaker.InsideOut(MeshMaker.Box(-3, -3, 33, 3, 3, 39))]);
+        var random = new Random(8);
+        var indices = hollow.Indices.ToArray();
+        var turned = 0;
+        for (var t = 0; t < indices.Length - 36; t += 3)
+        {
+            if (random.Next(3) != 0) continue;
+            (indices[t], indices[t + 1]) = (indices[t + 1], indices[t]);
+            turned++;
+        }
+        var read = MeshReader.Read(StlWriter.ToBytes(TriMesh.Create(hollow.Vertices, indices)), "x.stl");
+        Assert.That(read.Diagnostics.Select(d => (d.Code, d.Count)), Is.EqualTo(new[] { ("mesh.faces_turned", turned) }));
+        Assert.That(read.Value!.Single().Mesh.IsWatertight);
+        Assert.That(read.Value!.Single().Mesh.Volume, Is.EqualTo(hollow.Volume).Within(0.1), "the cavity stays a cavity");
+        var all = MeshReader.Read(StlWriter.ToBytes(MeshMaker.InsideOut(hollow)), "x.stl");
+        Assert.That(all.Diagnostics.Single().Code, Is.EqualTo("mesh.inside_out"));
+        Assert.That(all.Value!.Single().Mesh.Volume, Is.EqualTo(hollow.Volume).Within(0.1));
+    }
+
+    [Test]
     public void Ply_faces_may_be_polygons()
     {
         const string Text = "ply\nformat ascii 1.0\nobj_info a b\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"

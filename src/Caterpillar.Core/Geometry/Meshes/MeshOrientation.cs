@@ -1,0 +1,116 @@
+using System.Collections.Generic;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// Turns triangles that are inside out. Over edges with two triangles that run along them in the same direction one of the two is turned, so that each body is turned alike: closed bodies
+/// outwards, open ones as most of their triangles were. A closed mesh that is inside out as a whole is turned as a whole. Bodies without conflicts stay as they are, because
+/// cavities face inwards rightly.
+/// </summary>
+internal static class MeshOrientation
+{
+    public static TriMesh Unify(TriMesh mesh, SourceLocation source, DiagnosticList diagnostics)
+    {
+        var turned = 0;
+        var result = mesh;
+        if (mesh.WindingConflictCount > 0)
+        {
+            var turn = TurnConflicts(mesh);
+            foreach (var t in turn) turned += t ? 1 : 0;
+            if (turned > 0) result = Turned(mesh, turn);
+        }
+        if (turned > 0)
+        {
+            diagnostics.Add(Severity.Warning, "mesh.faces_turned", "Triangles that were inside out against their neighbours were turned.", source, turned);
+        }
+        if (!result.IsWatertight || result.Volume >= 0) return result;
+        diagnostics.Add(Severity.Warning, "mesh.inside_out", "The mesh was inside out: all triangles were turned.", source);
+        return Turned(result, null);
+    }
+
+    private static TriMesh Turned(TriMesh mesh, bool[]? which)
+    {
+        var triangles = (int[])mesh.RawTriangles.Clone();
+        for (var t = 0; t < mesh.TriangleCount; t++)
+        {
+            if (which is null || which[t]) (triangles[3 * t + 1], triangles[3 * t + 2]) = (triangles[3 * t + 2], triangles[3 * t + 1]);
+        }
+        return TriMesh.Own(mesh.RawVertices, triangles);
+    }
+
+    private static bool[] TurnConflicts(TriMesh mesh)
+    {
+        var count = mesh.TriangleCount;
+        var neighbours = Neighbours(mesh);
+        var turn = new bool[count];
+        var seen = new bool[count];
+        var body = new List<int>();
+        for (var first = 0; first < count; first++)
+        {
+            if (seen[first]) continue;
+            body.Clear();
+            body.Add(first);
+            seen[first] = true;
+            var conflicts = false;
+            var closed = true;
+            for (var i = 0; i < body.Count; i++)
+            {
+                for (var h = 3 * body[i]; h < 3 * body[i] + 3; h++)
+                {
+                    var other = neighbours[h];
+                    if (other < 0)
+                    {
+                        closed = false;
+                        continue;
+                    }
+                    // Half-edges of neighbours should start at different vertices.
+                    var same = mesh.RawTriangles[h] == mesh.RawTriangles[other];
+                    conflicts |= same;
+                    if (seen[other / 3]) continue;
+                    seen[other / 3] = true;
+                    turn[other / 3] = turn[body[i]] ^ same;
+                    body.Add(other / 3);
+                }
+            }
+            if (conflicts && IsWrongWayRound(mesh, body, turn, closed))
+            {
+                foreach (var t in body) turn[t] = !turn[t];
+            }
+            else if (!conflicts)
+            {
+                foreach (var t in body) turn[t] = false;
+            }
+        }
+        return turn;
+    }
+
+    private static bool IsWrongWayRound(TriMesh mesh, List<int> body, bool[] turn, bool closed)
+    {
+        var origin = mesh.Bounds.Center;
+        var volume = 0.0;
+        var turned = 0;
+        foreach (var t in body)
+        {
+            var (a, b, c) = mesh.Triangle(t);
+            var part = Vec3.Dot(mesh.RawVertices[a] - origin, Vec3.Cross(mesh.RawVertices[b] - origin, mesh.RawVertices[c] - origin));
+            volume += turn[t] ? -part : part;
+            if (turn[t]) turned++;
+        }
+        return closed && volume != 0 ? volume < 0 : 2 * turned > body.Count;
+    }
+
+    // For each half-edge the other one of an edge with exactly two triangles, else −1.
+    private static int[] Neighbours(TriMesh mesh)
+    {
+        var (_, keys) = MeshTopology.SortedEdges(mesh.VertexCount, mesh.RawTriangles, out var sameAsBefore);
+        var neighbours = new int[keys.Length];
+        for (int i = 0, end; i < keys.Length; i = end)
+        {
+            end = i + 1;
+            while (end < keys.Length && sameAsBefore[end]) end++;
+            for (var k = i; k < end; k++) neighbours[(int)keys[k]] = end - i == 2 ? (int)keys[i + i + 1 - k] : -1;
+        }
+        return neighbours;
+    }
+}
