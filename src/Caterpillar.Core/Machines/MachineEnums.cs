@@ -1,0 +1,75 @@
+namespace Caterpillar.Machines;
+
+/// <summary>Where a printer has its origin (X 0, Y 0).</summary>
+public enum BedOrigin : byte
+{
+    /// <summary>At the front left corner of the bed.</summary>
+    Corner,
+
+    /// <summary>In the middle of the bed.</summary>
+    Center,
+}
+
+/// <summary>Outline of the bed.</summary>
+public enum BedShape : byte
+{
+    Rectangle,
+
+    /// <summary>A circle, or an ellipse where the build volume is not square.</summary>
+    Round,
+}
+
+/// <summary>How the writer states E.</summary>
+public enum ExtrusionMode : byte
+{
+    /// <summary>Increments (M83).</summary>
+    Relative,
+
+    /// <summary>Sums (M82).</summary>
+    Absolute,
+}
+
+/// <summary>What one unit of E is.</summary>
+public enum ExtrusionUnit : byte
+{
+    /// <summary>One mm of filament, or of the way of a plunger.</summary>
+    Mm,
+
+    /// <summary>One mm³ of material (volumetric firmware).</summary>
+    Mm3,
+
+    /// <summary>There is no E: a pen, a brush, a bare hot tool.</summary>
+    None,
+}
+
+/// <summary>How the firmware limits the speed in corners.</summary>
+public enum CornerRule : byte
+{
+    /// <summary>By the jump of the speed of each axis (Marlin's classic jerk, RepRapFirmware's M566).</summary>
+    Jerk,
+
+    /// <summary>By the deviation from the corner that an arc of constant acceleration would need (Marlin 2, Grbl).</summary>
+    JunctionDeviation,
+
+    /// <summary>By the speed through a corner of 90° (Klipper).</summary>
+    SquareCornerVelocity,
+}
+
+/// <summary>How high the head goes for a travel.</summary>
+public enum TravelLift : byte
+{
+    /// <summary>Above the highest point printed so far.</summary>
+    PrintedTop,
+
+    /// <summary>Above what lies under the way.</summary>
+    Corridor,
+
+    /// <summary>It does not: travels are straight lines.</summary>
+    None,
+}
+
+/// <summary>A number for each axis.</summary>
+public readonly record struct AxisValues(double X, double Y, double Z, double E);
+
+/// <summary>A point of the outline of a head: nothing of the head within <paramref name="Radius"/> mm of its axis is lower than <paramref name="Height"/> mm above the tip.</summary>
+public readonly record struct HeadPoint(double Radius, double Height);

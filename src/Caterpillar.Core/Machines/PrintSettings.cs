@@ -1,0 +1,111 @@
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Machines;
+
+/// <summary>
+/// How something is printed. Lengths in mm, speeds in mm/s. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's room throws an
+/// <see cref="System.ArgumentOutOfRangeException"/>. Immutable.
+/// </summary>
+public sealed record PrintSettings
+{
+    /// <summary>Name of the profile.</summary>
+    public string Name { get; init; } = "standard";
+
+    /// <summary>Name for people.</summary>
+    public string Title { get; init => field = SettingsKeys.Title.Check(value); } = "Standard";
+
+    /// <summary>mm.</summary>
+    public double LayerHeight { get; init => field = SettingsKeys.LayerHeight.Check(value); } = 0.2;
+
+    /// <summary>Height of the layer on the bed, mm.</summary>
+    public double FirstLayerHeight { get; init => field = SettingsKeys.FirstLayerHeight.Check(value); } = 0.2;
+
+    /// <summary>Width of a strand, mm.</summary>
+    public double LineWidth { get; init => field = SettingsKeys.LineWidth.Check(value); } = 0.45;
+
+    /// <summary>Cross-section from which area and width of a strand follow.</summary>
+    public BeadShape BeadShape { get; init; } = BeadShape.Stadium;
+
+    /// <summary>Walls around each region.</summary>
+    public int WallCount { get; init => field = SettingsKeys.WallCount.Check(value); } = 2;
+
+    /// <summary>Part of the inside that is filled, %; not used where <see cref="InfillSpacing"/> is given.</summary>
+    public double InfillPercent { get; init => field = SettingsKeys.InfillPercent.Check(value); } = 20;
+
+    /// <summary>Distance between the lines of the infill, mm (the "density" of Caterpillar 2019); 0 to take it from <see cref="InfillPercent"/>.</summary>
+    public double InfillSpacing { get; init => field = SettingsKeys.InfillSpacing.Check(value); }
+
+    /// <summary>Direction of the infill in the first layer, degrees from +X.</summary>
+    public double InfillAngle { get; init => field = SettingsKeys.InfillAngle.Check(value); } = 45;
+
+    /// <summary>How far the infill reaches into the innermost wall, % of the line width.</summary>
+    public double InfillOverlapPercent { get; init => field = SettingsKeys.InfillOverlapPercent.Check(value); } = 15;
+
+    /// <summary>Largest deviation of contours that may be simplified away, mm.</summary>
+    public double SimplifyTolerance { get; init => field = SettingsKeys.SimplifyTolerance.Check(value); } = 0.0125;
+
+    /// <summary>Length of the pieces of subdivided curves, mm.</summary>
+    public double SubdivisionDistance { get; init => field = SettingsKeys.SubdivisionDistance.Check(value); } = 1;
+
+    /// <summary>mm/s.</summary>
+    public double PrintSpeed { get; init => field = SettingsKeys.PrintSpeed.Check(value); } = 60;
+
+    /// <summary>Speed of outer walls, mm/s; 0 for <see cref="PrintSpeed"/>.</summary>
+    public double OuterWallSpeed { get; init => field = SettingsKeys.OuterWallSpeed.Check(value); } = 40;
+
+    /// <summary>Speed of infill, mm/s; 0 for <see cref="PrintSpeed"/>.</summary>
+    public double InfillSpeed { get; init => field = SettingsKeys.InfillSpeed.Check(value); }
+
+    /// <summary>Highest printing speed in the first layer, mm/s; 0 for no such limit.</summary>
+    public double FirstLayerSpeed { get; init => field = SettingsKeys.FirstLayerSpeed.Check(value); } = 25;
+
+    /// <summary>mm/s.</summary>
+    public double TravelSpeed { get; init => field = SettingsKeys.TravelSpeed.Check(value); } = 150;
+
+    public TravelLift TravelLift { get; init; } = TravelLift.PrintedTop;
+
+    /// <summary>Travels up to this length are made without a lift, mm.</summary>
+    public double LiftMinTravel { get; init => field = SettingsKeys.LiftMinTravel.Check(value); } = 2;
+
+    /// <summary>Travels go around what was printed where that is shorter than over it.</summary>
+    public bool Detour { get; init; }
+
+    /// <summary>Travels up to this length are made without a retraction, mm.</summary>
+    public double RetractionMinTravel { get; init => field = SettingsKeys.RetractionMinTravel.Check(value); } = 1.5;
+
+    /// <summary>Way back along the path during which filament is pulled back, mm; 0 for none.</summary>
+    public double WipeDistance { get; init => field = SettingsKeys.WipeDistance.Check(value); }
+
+    /// <summary>Retracted filament is pushed forward while the head comes down to a path, not after.</summary>
+    public bool RestoreDuringDescent { get; init; }
+
+    /// <summary>Length of bead that is pushed out in place before a path begins, for materials that answer late, mm.</summary>
+    public double StartDistance { get; init => field = SettingsKeys.StartDistance.Check(value); }
+
+    /// <summary>The extruder stops this far before the end of a path, mm.</summary>
+    public double StopDistance { get; init => field = SettingsKeys.StopDistance.Check(value); }
+
+    /// <summary>Sliced paths are sorted inside their groups, for short travels.</summary>
+    public bool SortPaths { get; init; } = true;
+
+    /// <summary>Loops around the first layer; 0 for none.</summary>
+    public int SkirtLoops { get; init => field = SettingsKeys.SkirtLoops.Check(value); }
+
+    /// <summary>Distance of the skirt from the part, mm.</summary>
+    public double SkirtDistance { get; init => field = SettingsKeys.SkirtDistance.Check(value); } = 5;
+
+    /// <summary>Speed in mm/s of paths that state none.</summary>
+    public double SpeedOf(Role role, bool firstLayer = false)
+    {
+        var own = role switch
+        {
+            Role.OuterWall or Role.TopSkin => OuterWallSpeed,
+            Role.Infill or Role.SolidInfill => InfillSpeed,
+            _ => 0,
+        };
+        var speed = own > 0 ? own : PrintSpeed;
+        return firstLayer && FirstLayerSpeed > 0 && FirstLayerSpeed < speed ? FirstLayerSpeed : speed;
+    }
+
+    public override string ToString() => Title;
+}

@@ -1,0 +1,156 @@
+using System;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Machines;
+
+/// <summary>
+/// A machine: its space, its limits, how it wants its G-code. Lengths in mm, speeds in mm/s, accelerations in mm/s². The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its
+/// key's room throws an <see cref="ArgumentOutOfRangeException"/>. Immutable.
+/// </summary>
+public sealed record Printer
+{
+    /// <summary>Name of the profile.</summary>
+    public string Name { get; init; } = "generic";
+
+    /// <summary>Name for people.</summary>
+    public string Title { get; init => field = PrinterKeys.Title.Check(value); } = "Generic printer";
+
+    /// <summary>The firmware's reading of G-code.</summary>
+    public DialectRules Dialect { get; init => field = value ?? throw new ArgumentNullException(nameof(value)); } = DialectTable.Marlin2;
+
+    /// <summary>Extent of the space that the nozzle can reach, mm.</summary>
+    public Vec3 BuildVolume { get; init => field = PrinterKeys.BuildVolume.Check(value); } = new(220, 220, 250);
+
+    public BedOrigin Origin { get; init; } = BedOrigin.Corner;
+
+    public BedShape BedShape { get; init; } = BedShape.Rectangle;
+
+    /// <summary>mm.</summary>
+    public double NozzleDiameter { get; init => field = PrinterKeys.NozzleDiameter.Check(value); } = 0.4;
+
+    /// <summary>Material that is taken where none is named.</summary>
+    public string DefaultMaterial { get; init => field = PrinterKeys.DefaultMaterial.Check(value); } = "pla";
+
+    /// <summary>Settings that are taken where none are named.</summary>
+    public string DefaultSettings { get; init => field = PrinterKeys.DefaultSettings.Check(value); } = "standard";
+
+    public ExtrusionMode ExtrusionMode { get; init; } = ExtrusionMode.Relative;
+
+    public ExtrusionUnit ExtrusionUnit { get; init; } = ExtrusionUnit.Mm;
+
+    /// <summary>Decimals of X, Y and Z.</summary>
+    public int DecimalsXyz { get; init => field = PrinterKeys.DecimalsXyz.Check(value); } = 3;
+
+    /// <summary>Decimals of E.</summary>
+    public int DecimalsE { get; init => field = PrinterKeys.DecimalsE.Check(value); } = 5;
+
+    /// <summary>Decimals of F (mm/min).</summary>
+    public int DecimalsF { get; init => field = PrinterKeys.DecimalsF.Check(value); }
+
+    /// <summary>Filament pulled back before a travel, mm; 0 for none.</summary>
+    public double RetractionDistance { get; init => field = PrinterKeys.RetractionDistance.Check(value); } = 0.8;
+
+    /// <summary>mm/s of filament.</summary>
+    public double RetractionSpeed { get; init => field = PrinterKeys.RetractionSpeed.Check(value); } = 35;
+
+    /// <summary>mm/s of filament when it is pushed forward again; 0 for <see cref="RetractionSpeed"/>.</summary>
+    public double RestoreSpeed { get; init => field = PrinterKeys.RestoreSpeed.Check(value); }
+
+    /// <summary>Filament pushed out beyond what was pulled back, mm.</summary>
+    public double RestoreExtra { get; init => field = PrinterKeys.RestoreExtra.Check(value); }
+
+    /// <summary>The firmware retracts (G10, G11), by its own distance and speed.</summary>
+    public bool FirmwareRetraction { get; init; }
+
+    /// <summary>Clearance of travels above what was printed, mm.</summary>
+    public double LiftClearance { get; init => field = PrinterKeys.LiftClearance.Check(value); } = 0.4;
+
+    /// <summary>Speed of moves straight up and down, mm/s.</summary>
+    public double LiftSpeed { get; init => field = PrinterKeys.LiftSpeed.Check(value); } = 10;
+
+    /// <summary>Highest speed of each axis, mm/s.</summary>
+    public AxisValues MaxSpeed { get; init => field = PrinterKeys.MaxSpeed.Check(value); } = new(300, 300, 12, 60);
+
+    /// <summary>Highest acceleration of each axis, mm/s².</summary>
+    public AxisValues MaxAcceleration { get; init => field = PrinterKeys.MaxAcceleration.Check(value); } = new(1000, 1000, 100, 5000);
+
+    /// <summary>Acceleration of printing moves, mm/s².</summary>
+    public double PrintAcceleration { get; init => field = PrinterKeys.PrintAcceleration.Check(value); } = 800;
+
+    /// <summary>Acceleration of travels, mm/s².</summary>
+    public double TravelAcceleration { get; init => field = PrinterKeys.TravelAcceleration.Check(value); } = 1000;
+
+    /// <summary>Acceleration of moves of the extruder alone, mm/s².</summary>
+    public double RetractionAcceleration { get; init => field = PrinterKeys.RetractionAcceleration.Check(value); } = 1000;
+
+    public CornerRule CornerRule { get; init; } = CornerRule.JunctionDeviation;
+
+    /// <summary>For <see cref="CornerRule.Jerk"/>: jump of the speed of each axis without braking, mm/s.</summary>
+    public AxisValues Jerk { get; init => field = PrinterKeys.Jerk.Check(value); } = new(8, 8, 0.4, 5);
+
+    /// <summary>For <see cref="CornerRule.JunctionDeviation"/>, mm.</summary>
+    public double JunctionDeviation { get; init => field = PrinterKeys.JunctionDeviation.Check(value); } = 0.013;
+
+    /// <summary>For <see cref="CornerRule.SquareCornerVelocity"/>, mm/s.</summary>
+    public double SquareCornerVelocity { get; init => field = PrinterKeys.SquareCornerVelocity.Check(value); } = 5;
+
+    /// <summary>Klipper's minimum_cruise_ratio, 0 to 1.</summary>
+    public double MinimumCruiseRatio { get; init => field = PrinterKeys.MinimumCruiseRatio.Check(value); }
+
+    /// <summary>Moves that the firmware plans ahead; 0 for all.</summary>
+    public int PlannerQueue { get; init => field = PrinterKeys.PlannerQueue.Check(value); } = 16;
+
+    /// <summary>Offsets of the tools against the first, mm; as many as there are tools.</summary>
+    public ValueList<Vec3> ToolOffsets { get; init => field = PrinterKeys.ToolOffsets.Check(value); } = new(Vec3.Zero);
+
+    /// <summary>Outline of nozzle and head around their axis, from the tip outwards; radius and height ascend.</summary>
+    public ValueList<HeadPoint> HeadOutline { get; init => field = PrinterKeys.HeadOutline.Check(value); } = new(new HeadPoint(0.5, 0), new(4, 6), new(20, 12));
+
+    /// <summary>Parts of the head or the gantry that are not round, as boxes relative to the tip of the nozzle, mm.</summary>
+    public ValueList<Bounds> HeadBoxes { get; init => field = PrinterKeys.HeadBoxes.Check(value); } = ValueList<Bounds>.Empty;
+
+    /// <summary>Material that the hot end or pump can push, mm³/s; 0 where it is not known.</summary>
+    public double MaxFlow { get; init => field = PrinterKeys.MaxFlow.Check(value); } = 12;
+
+    /// <summary>Below this nozzle temperature nothing may be extruded, °C; 0 for materials that are not heated.</summary>
+    public double MinExtrusionTemperature { get; init => field = PrinterKeys.MinExtrusionTemperature.Check(value); } = 170;
+
+    /// <summary>Lines before the print.</summary>
+    public ValueList<string> StartTemplate { get; init => field = PrinterKeys.StartTemplate.Check(value); } = ValueList<string>.Empty;
+
+    /// <summary>Lines behind the print.</summary>
+    public ValueList<string> EndTemplate { get; init => field = PrinterKeys.EndTemplate.Check(value); } = ValueList<string>.Empty;
+
+    /// <summary>Lines before each layer but the first.</summary>
+    public ValueList<string> LayerTemplate { get; init => field = PrinterKeys.LayerTemplate.Check(value); } = ValueList<string>.Empty;
+
+    /// <summary>Lines for a change of the tool; without them the writer states the tool's number alone.</summary>
+    public ValueList<string> ToolChangeTemplate { get; init => field = PrinterKeys.ToolChangeTemplate.Check(value); } = ValueList<string>.Empty;
+
+    /// <summary>Number of tools.</summary>
+    public int ToolCount => ToolOffsets.Count;
+
+    /// <summary>The box that the nozzle can reach, in the machine's coordinates.</summary>
+    public Bounds BuildBounds
+    {
+        get
+        {
+            var min = Origin == BedOrigin.Corner ? Vec3.Zero : new Vec3(-BuildVolume.X / 2, -BuildVolume.Y / 2, 0);
+            return new Bounds(min, min + BuildVolume);
+        }
+    }
+
+    /// <summary>True where the nozzle can go, within <paramref name="tolerance"/> mm.</summary>
+    public bool CanReach(Vec3 point, double tolerance = 0)
+    {
+        var bounds = BuildBounds;
+        if (!bounds.Contains(point, tolerance)) return false;
+        if (BedShape == BedShape.Rectangle) return true;
+        var center = bounds.Center;
+        var x = (point.X - center.X) / (BuildVolume.X / 2 + tolerance);
+        var y = (point.Y - center.Y) / (BuildVolume.Y / 2 + tolerance);
+        return x * x + y * y <= 1;
+    }
+
+    public override string ToString() => Title;
+}

@@ -1,0 +1,126 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Machines;
+
+/// <summary>What kind of value a key of a profile has.</summary>
+public enum KeyKind : byte
+{
+    Number,
+    Whole,
+    Flag,
+    Text,
+    Choice,
+
+    /// <summary>A list of numbers of one length.</summary>
+    Numbers,
+
+    /// <summary>A list of such lists.</summary>
+    Rows,
+
+    /// <summary>A list of lines of text.</summary>
+    Lines,
+}
+
+/// <summary>A key of a profile: its name with the unit, its room and what it means. Reader, writer, schema, templates and manual all read the keys from <see cref="ProfileKeys"/>.</summary>
+public abstract class ProfileKey
+{
+    private protected ProfileKey(string name, string summary)
+    {
+        Name = name;
+        Summary = summary;
+    }
+
+    /// <summary>For example <c>layer_height_mm</c>.</summary>
+    public string Name { get; }
+
+    /// <summary>One sentence for people.</summary>
+    public string Summary { get; }
+
+    public abstract KeyKind Kind { get; }
+
+    /// <summary>The room of the value in words: <c>0.01 to 100</c>, <c>corner or center</c>.</summary>
+    public abstract string Room { get; }
+
+    internal abstract KeyFormat Format { get; }
+
+    public override string ToString() => Name;
+}
+
+/// <summary>A key of one kind of profile.</summary>
+internal abstract class ProfileKey<TProfile>(string name, string summary) : ProfileKey(name, summary)
+{
+    /// <summary>The value as JSON has it: text, double, bool or a list of these.</summary>
+    public abstract object Get(TProfile profile);
+
+    /// <summary>The profile with another value, or null and what is wrong with it.</summary>
+    public abstract TProfile? Set(TProfile profile, object raw, out string? problem);
+}
+
+/// <summary>A key with its typed value.</summary>
+internal sealed class ProfileKey<TProfile, TValue>(
+    string name, KeyFormat<TValue> format, Func<TProfile, TValue> get, Func<TProfile, TValue, TProfile> set, string summary)
+    : ProfileKey<TProfile>(name, summary)
+    where TProfile : class
+{
+    public override KeyKind Kind => format.Kind;
+
+    public override string Room => format.Room;
+
+    internal override KeyFormat Format => format;
+
+    /// <summary>The value itself when it lies in the key's room.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It does not.</exception>
+    public TValue Check(TValue value)
+    {
+        if (value is null) throw new ArgumentNullException(nameof(value), Name);
+        return format.Problem(value) is { } problem ? throw new ArgumentOutOfRangeException(nameof(value), value, Name + ": " + problem) : value;
+    }
+
+    public override object Get(TProfile profile) => format.Write(get(profile));
+
+    public override TProfile? Set(TProfile profile, object raw, out string? problem)
+    {
+        problem = null;
+        if (!format.TryRead(raw, out var value)) problem = "needs " + format.Wanted + ", not " + KeyFormat.Describe(raw);
+        else problem = format.Problem(value!);
+        return problem is null ? set(profile, value!) : null;
+    }
+}
+
+/// <summary>How the value of a key is read, written and limited.</summary>
+internal abstract class KeyFormat
+{
+    public abstract KeyKind Kind { get; }
+
+    /// <summary>What is wanted, for messages: <c>a number</c>.</summary>
+    public abstract string Wanted { get; }
+
+    public abstract string Room { get; }
+
+    /// <summary>Constraints as a JSON schema: keys and raw values in order.</summary>
+    public abstract IReadOnlyList<KeyValuePair<string, object>> Schema { get; }
+
+    /// <summary>Reads text as it stands behind <c>key=</c>; null where it is of another kind.</summary>
+    public abstract object? Parse(string text);
+
+    public static string Describe(object raw) => raw switch
+    {
+        string text => "the text \"" + (text.Length > 40 ? text.Substring(0, 40) + "…" : text) + "\"",
+        bool flag => flag ? "true" : "false",
+        double number => RawValues.Number(number),
+        IReadOnlyList<object> list => list.Count == 1 ? "a list of 1 value" : "a list of " + RawValues.Number(list.Count) + " values",
+        _ => "an object",
+    };
+}
+
+/// <inheritdoc/>
+internal abstract class KeyFormat<TValue> : KeyFormat
+{
+    public abstract bool TryRead(object raw, out TValue? value);
+
+    public abstract object Write(TValue value);
+
+    /// <summary>What is wrong with a value, or null.</summary>
+    public abstract string? Problem(TValue value);
+}

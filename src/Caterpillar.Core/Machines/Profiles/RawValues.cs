@@ -1,0 +1,52 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Machines;
+
+/// <summary>Values as JSON has them: text, double, bool, and lists of these.</summary>
+internal static class RawValues
+{
+    /// <summary>The shortest decimal text, up to 15 digits, that reads back as the same number.</summary>
+    public static string Number(double value)
+    {
+        for (var decimals = 0; decimals < NumberFormatter.MaxDecimals; decimals++)
+        {
+            var text = NumberFormatter.Format(value, decimals);
+            if (NumberReader.TryParse(text, out var back) && back == value) return text;
+        }
+        return NumberFormatter.Format(value, NumberFormatter.MaxDecimals);
+    }
+
+    public static string Range(double min, double max)
+        => double.IsInfinity(max) ? Number(min) + " or more" : Number(min) + " to " + Number(max);
+
+    public static double[]? Numbers(object raw, int count)
+        => raw is IReadOnlyList<object> list && list.Count == count && list.All(i => i is double) ? list.Cast<double>().ToArray() : null;
+
+    public static object List(params double[] values) => values.Cast<object>().ToArray();
+
+    public static object List(Vec3 v) => List(v.X, v.Y, v.Z);
+
+    /// <summary>Numbers between commas, blanks or x; null where one is no number.</summary>
+    public static object? ParseNumbers(string text)
+    {
+        var parts = text.Split([',', ' ', 'x', '×'], StringSplitOptions.RemoveEmptyEntries);
+        var numbers = new object[parts.Length];
+        for (var i = 0; i < parts.Length; i++)
+        {
+            if (!NumberReader.TryParse(parts[i], out var number)) return null;
+            numbers[i] = number;
+        }
+        return numbers;
+    }
+
+    /// <summary>The same rows between semicolons.</summary>
+    public static object? ParseRows(string text)
+    {
+        var rows = text.Split([';'], StringSplitOptions.RemoveEmptyEntries).Select(ParseNumbers).ToArray();
+        return rows.Any(r => r is null) ? null : rows.Select(r => r!).ToArray();
+    }
+}
