@@ -82,7 +82,7 @@ public sealed class Formula
     {
         public IEnumerable<string> Names => names;
 
-        public FormulaNode? Variable(string name)
+        public FormulaNode? Variable(string name, Token at)
         {
             var slot = Array.IndexOf(names, name);
             return slot < 0 ? null : new FormulaNode(c => c.Values[slot]);

@@ -94,7 +94,7 @@ internal interface IFormulaScope
     IEnumerable<string> Names { get; }
 
     /// <summary>The variable of that name, or null.</summary>
-    FormulaNode? Variable(string name);
+    FormulaNode? Variable(string name, Token at);
 
     bool IsArray(string name);
 

@@ -177,7 +177,7 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
             return Checked(scope.Element(name.Text, index, name)!, name);
         }
         // A variable hides a function or constant of its name.
-        if (scope.Variable(name.Text) is { } variable)
+        if (scope.Variable(name.Text, name) is { } variable)
         {
             if (Next.Is("(") && !Next.BlankBefore) throw new FormulaException("formula.unknown", $"'{name.Text}' is a variable, not a function.", name.Line, name.Column);
             return variable;

@@ -156,7 +156,7 @@ internal sealed partial class ScriptCompiler
 
     private FormulaException Unknown(Token token)
     {
-        if (_scope.Variable(token.Text) is not null) return Error("turtle.syntax", $"'{token.Text}' is a variable; a command or '{token.Text} = …' was expected.", token);
+        if (_scope.Variable(token.Text, token) is not null) return Error("turtle.syntax", $"'{token.Text}' is a variable; a command or '{token.Text} = …' was expected.", token);
         var names = _procedures.Keys.Concat(TurtleCommands.Names).Concat(Keywords.Where(k => k is not ("to" or "step" or "else" or "keep" or "and" or "or" or "not")));
         return Error("turtle.unknown", $"There is no command '{token.Text}'.{Spelling.Hint(token.Text, names)}", token);
     }
@@ -227,7 +227,7 @@ internal sealed partial class ScriptCompiler
     {
         TokenKind.Number => true,
         TokenKind.Symbol => t.Text is "(" or "-" or "+" or "!",
-        TokenKind.Name => t.Text is "keep" or "not" or "pi" or "tau" || _scope.Variable(t.Text) is not null || _scope.IsArray(t.Text) || (FormulaFunctions.Knows(t.Text) && !BeginsStatement(t)),
+        TokenKind.Name => t.Text is "keep" or "not" or "pi" or "tau" || _scope.Variable(t.Text, t) is not null || _scope.IsArray(t.Text) || (FormulaFunctions.Knows(t.Text) && !BeginsStatement(t)),
         _ => false,
     };
 

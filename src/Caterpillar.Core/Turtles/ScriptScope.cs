@@ -95,10 +95,25 @@ internal sealed class ScriptScope : IFormulaScope
 
     public int ArraySlot(string name) => _arrays.TryGetValue(name, out var slot) ? slot : -1;
 
-    public FormulaNode? Variable(string name)
+    public FormulaNode? Variable(string name, Token at)
     {
-        if (_locals is not null && _locals.TryGetValue(name, out var local)) return new FormulaNode(c => c.Values[c.Base + local]);
-        if (_globals.TryGetValue(name, out var global)) return new FormulaNode(c => c.Values[global]);
+        var (line, column) = (at.Line, at.Column);
+        if (_locals is not null && _locals.TryGetValue(name, out var local))
+        {
+            return new FormulaNode(c =>
+            {
+                var value = c.Values[c.Base + local];
+                return double.IsNaN(value) ? throw NoValue(name, line, column) : value;
+            });
+        }
+        if (_globals.TryGetValue(name, out var global))
+        {
+            return new FormulaNode(c =>
+            {
+                var value = c.Values[global];
+                return double.IsNaN(value) ? throw NoValue(name, line, column) : value;
+            });
+        }
         return State.TryGetValue(name, out var read) ? new FormulaNode(c => read((Turtle)c.Host!)) : null;
     }
 
@@ -119,6 +134,10 @@ internal sealed class ScriptScope : IFormulaScope
             },
             index.Depth + 1);
     }
+
+    // Only finite numbers are ever assigned: NaN marks what has not been.
+    private static FormulaException NoValue(string name, int line, int column)
+        => new("turtle.no_value", $"The variable '{name}' has no value yet.", line, column);
 
     public static int Index(double index, int length, string name, int line, int column)
     {

@@ -1,0 +1,131 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+using Caterpillar.Turtles;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Turtles;
+
+internal sealed class LSystemTests
+{
+    private static LSystem System(string axiom, params string[] rules)
+    {
+        var result = LSystem.Parse(axiom, rules);
+        Assert.That(result.Diagnostics, Is.Empty);
+        return result.Value!;
+    }
+
+    private static string Word(int generations, string axiom, params string[] rules) => System(axiom, rules).Grow(generations).Value!.ToString();
+
+    [Test]
+    public void Algae_grow_as_in_the_book()
+    {
+        string[] rules = ["A -> AB", "B -> A"];
+        Assert.That(Word(0, "A", rules), Is.EqualTo("A"));
+        Assert.That(Word(5, "A", rules), Is.EqualTo("ABAABABAABAAB"));
+        // Lengths are Fibonacci numbers.
+        Assert.That(Enumerable.Range(0, 12).Select(g => System("A", rules).Grow(g).Value!.Count), Is.EqualTo(new[] { 1, 2, 3, 5, 8, 13, 21, 34, 55, 89, 144, 233 }));
+    }
+
+    [Test]
+    public void Growing_agrees_with_replacing_text()
+    {
+        var random = new Random(4);
+        for (var i = 0; i < 50; i++)
+        {
+            string Random(int n) => new(Enumerable.Range(0, n).Select(_ => "FGX+-[]"[random.Next(7)]).ToArray());
+            var (f, x) = (Random(random.Next(4)), Random(random.Next(5)));
+            var text = Random(6);
+            var grown = Word(4, text, "F -> " + f, "X=" + x);
+            for (var g = 0; g < 4; g++) text = string.Concat(text.Select(c => c == 'F' ? f : c == 'X' ? x : c.ToString()));
+            Assert.That(grown, Is.EqualTo(text));
+        }
+    }
+
+    [Test]
+    public void Values_are_computed_and_conditions_choose()
+    {
+        string[] rules = ["A(x, y) : y <= 3 -> A(x * 2, x + y)", "A(x, y) : y > 3 -> B(x) A(x / y, 0)", "B(x) : x < 1 -> C", "B(x) : x >= 1 -> B(x - 1)"];
+        // Prusinkiewicz and Lindenmayer 1990, section 1.10.1 (figure 1.38).
+        Assert.That(Word(0, "B(2) A(4, 4)", rules), Is.EqualTo("B(2)A(4,4)"));
+        Assert.That(Word(1, "B(2) A(4, 4)", rules), Is.EqualTo("B(1)B(4)A(1,0)"));
+        Assert.That(Word(2, "B(2) A(4, 4)", rules), Is.EqualTo("B(0)B(3)A(2,1)"));
+        Assert.That(Word(3, "B(2) A(4, 4)", rules), Is.EqualTo("CB(2)A(4,3)"));
+        Assert.That(Word(4, "B(2) A(4, 4)", rules), Is.EqualTo("CB(1)A(8,7)"));
+        Assert.That(Word(1, "A", "A(x) -> B"), Is.EqualTo("A"), "another number of values is another letter");
+    }
+
+    [Test]
+    public void Weights_share_out_the_choices_and_the_seed_repeats_them()
+    {
+        var system = System(new string('F', 10_000), "0.2 F -> A", "0.5 F -> B", "0.3 F -> C");
+        var word = system.Grow(1, seed: 7).Value!.ToString();
+        Assert.That(system.Grow(1, seed: 7).Value!.ToString(), Is.EqualTo(word));
+        Assert.That(system.Grow(1, seed: 8).Value!.ToString(), Is.Not.EqualTo(word));
+        Assert.That(word.Count(c => c == 'A'), Is.EqualTo(2000).Within(150));
+        Assert.That(word.Count(c => c == 'B'), Is.EqualTo(5000).Within(200));
+        Assert.That(Word(1, "1", "1 -> 11"), Is.EqualTo("11"), "a digit may be a letter");
+    }
+
+    [Test]
+    public void Growth_beyond_the_bound_is_an_error()
+    {
+        var result = System("F", "F -> FF").Grow(40, maxSymbols: 1000);
+        Assert.That(result.Value, Is.Null);
+        Assert.That(result.Diagnostics.Single().Code, Is.EqualTo("lsystem.too_large"));
+        Assert.That(result.Diagnostics.Single().Message, Does.Contain("Generation 10"));
+
+    }
+
+    [TestCase("F", "F + F", 1, 1, "lsystem.rule")]
+    [TestCase("F", "-> F", 1, 1, "lsystem.rule")]
+    [TestCase("F", "FG -> F", 1, 2, "lsystem.rule")]
+    [TestCase("F", "F(x -> F", 1, 2, "lsystem.bracket")]
+    [TestCase("F", "F(x) -> F(x +)", 1, 14, "formula.syntax")]
+    [TestCase("F", "F(x) : y > 1 -> F", 1, 8, "formula.unknown")]
+    [TestCase("F(", "F -> F", 0, 2, "lsystem.bracket")]
+    [TestCase("F)", "F -> F", 0, 2, "lsystem.bracket")]
+    public void Errors_say_where(string axiom, string rule, int line, int column, string code)
+    {
+        var error = LSystem.Parse(axiom, [rule]).Diagnostics.Single();
+        Assert.That((error.Source!.Line, error.Source.Column, error.Code), Is.EqualTo(((int?)line, (int?)column, code)), error.Message);
+    }
+
+    [Test]
+    public void Values_that_are_not_finite_are_reported()
+        => Assert.That(System("A(0)", "A(x) -> A(1 / x)").Grow(2).Diagnostics.Single().Code, Is.EqualTo("lsystem.value"));
+
+    [Test]
+    public void Letters_move_the_turtle()
+    {
+        var turtle = new Turtle();
+        Assert.That(Draw("F+F[-F]f", turtle, 10, 90), Is.Empty);
+        Assert.That(turtle.Position.DistanceTo(new Vec3(10, 20)), Is.LessThan(1e-12));
+        var steps = turtle.ToSteps();
+        Assert.That(steps.Select(s => s is TravelStep t ? t.Intent.ToString() : "Path"), Is.EqualTo(new[] { "Path", "Return", "AsDrawn" }));
+        var other = new Turtle();
+        Draw("F(3)+(45)F(2)|F(2)", other, 10, 90);
+        Assert.That(other.Position.DistanceTo(new Vec3(3, 0)), Is.LessThan(1e-12));
+        Assert.That(Draw("F]", new Turtle(), 1, 90).Single().Code, Is.EqualTo("lsystem.bracket"));
+        Assert.That(Draw("[F", new Turtle(), 1, 90).Single().Message, Does.Contain("never closed"));
+        var own = LSystemInterpretation.Standard(1, 90).With('A', TurtleCommand.Of(TurtleAction.Forward, 7)).With('F');
+        var third = new Turtle();
+        System("FAF").Grow(0).Value!.Draw(third, own);
+        Assert.That(third.X, Is.EqualTo(7));
+    }
+
+    [Test]
+    public void Brackets_come_back_to_their_branch()
+    {
+        // A ternary tree of n levels has (3^n - 1) / 2 branches and ends where its trunk does.
+        var turtle = new Turtle();
+        Draw(Word(6, "A", "A -> F[+A][-A][A]"), turtle, 1, 25);
+        Assert.That(TurtleHistory.Of(turtle.ToSteps()).Count(m => m.Prints), Is.EqualTo((int)(Math.Pow(3, 6) - 1) / 2));
+        Assert.That(turtle.Position, Is.EqualTo(new Vec3(1, 0)));
+    }
+
+    private static global::System.Collections.Generic.IReadOnlyList<Diagnostic> Draw(string word, Turtle turtle, double step, double angle)
+        => System(word).Grow(0).Value!.Draw(turtle, LSystemInterpretation.Standard(step, angle));
+}
