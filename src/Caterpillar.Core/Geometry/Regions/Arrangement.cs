@@ -23,6 +23,9 @@ internal sealed class Arrangement
     public int Count;
     public int[] ContourStart = new int[16];
     public byte[] Operand = new byte[16];
+
+    /// <summary>Number of the call of <see cref="Add"/> that brought a contour.</summary>
+    public int[] Source = new int[16];
     public int Contours;
     public readonly BoxTree Tree = new();
 
@@ -32,10 +35,18 @@ internal sealed class Arrangement
     /// <summary>True when any segment was cut.</summary>
     public bool Cut;
 
+    /// <summary>
+    /// In half units: how far from a segment a vertex may be to be drawn in. 1 (the segment passes through the vertex's unit square) happens only where needed; more, from the
+    /// first round on: for contours whose vertices were on others' edges before they were rounded.
+    /// </summary>
+    public int Reach = 1;
+
     /// <summary>Rounds the last resolution took.</summary>
     public int Rounds;
 
+    private int _added;
     private bool _snapping;
+    private bool _drawing;
     private bool _conflict;
     private bool[] _fresh = new bool[256];
     private readonly SegmentSplitter _splitter = new();
@@ -43,6 +54,7 @@ internal sealed class Arrangement
 
     public void Clear()
     {
+        _added = 0;
         Count = 0;
         Contours = 0;
         ContourStart[0] = 0;
@@ -51,12 +63,14 @@ internal sealed class Arrangement
     /// <summary>Adds a closed contour; equal consecutive points are merged, fewer than two different points add nothing.</summary>
     public void Add(GridPoint[] points, int start, int count, byte operand)
     {
+        var source = _added++;
         if (count < 2) return;
         if (Segments.Length < Count + count) Array.Resize(ref Segments, Math.Max(Count + count, 2 * Segments.Length));
         if (ContourStart.Length < Contours + 2)
         {
             Array.Resize(ref ContourStart, 2 * ContourStart.Length);
             Array.Resize(ref Operand, 2 * Operand.Length);
+            Array.Resize(ref Source, 2 * Source.Length);
         }
         var n = Count;
         var a = points[start + count - 1];
@@ -69,6 +83,7 @@ internal sealed class Arrangement
         }
         if (n < Count + 2) return;
         Count = n;
+        Source[Contours] = source;
         Operand[Contours++] = operand;
         ContourStart[Contours] = n;
     }
@@ -76,13 +91,14 @@ internal sealed class Arrangement
     /// <summary>Cuts until no segments cross, touch from the side or overlap in part. Segments that are equal or opposite remain.</summary>
     public void Resolve()
     {
-        if (Contours > 8) _order.Apply(ref Segments, ref ContourStart, ref Operand, Contours);
+        if (Contours > 8) _order.Apply(ref Segments, ref ContourStart, ref Operand, ref Source, Contours);
         Touches = false;
         Cut = false;
         SetFresh();
         for (var round = 0; ; round++)
         {
-            _snapping = round >= ExactRounds;
+            _drawing = Reach > 1 && round < ExactRounds;
+            _snapping = _drawing || round >= ExactRounds;
             if (round >= LocalRounds) SetFresh();
             _conflict = false;
             Rounds = round;
@@ -92,7 +108,7 @@ internal sealed class Arrangement
             Self(Tree.Levels - 1, 0);
             if (!_conflict || round == MaxRounds) return;
             Cut = true;
-            if (_snapping) SnapToCuts();
+            if (round >= ExactRounds) SnapToCuts();
             Count = _splitter.Apply(ref Segments, ref _fresh, Count, ContourStart, Contours);
         }
     }
@@ -233,7 +249,8 @@ internal sealed class Arrangement
     // Cuts a segment that passes through the unit square around a point of the grid (a hot pixel) at that point.
     private void Snap(int i, in Segment s, int x, int y)
     {
-        if (Within(s, x, y) && 2 * Math.Abs(s.Side(x, y)) <= Math.Abs((long)s.Bx - s.Ax) + Math.Abs((long)s.By - s.Ay)) _splitter.Add(i, x, y, s);
+        var reach = Math.Abs((long)s.Bx - s.Ax) + Math.Abs((long)s.By - s.Ay);
+        if (Within(s, x, y) && 2 * Math.Abs(s.Side(x, y)) <= (_drawing ? Reach * reach : reach) && _splitter.Add(i, x, y, s) && _drawing) _conflict = true;
     }
 
     // Two segments from one point to u and v: they overlap when the directions are the same.

@@ -8,10 +8,11 @@ internal sealed class ContourOrder
     private Segment[] _segments = new Segment[256];
     private int[] _start = new int[16];
     private byte[] _operand = new byte[16];
+    private int[] _source = new int[16];
     private long[] _keys = new long[16];
     private int[] _order = new int[16];
 
-    public void Apply(ref Segment[] segments, ref int[] start, ref byte[] operand, int contours)
+    public void Apply(ref Segment[] segments, ref int[] start, ref byte[] operand, ref int[] source, int contours)
     {
         if (_keys.Length < contours)
         {
@@ -20,6 +21,7 @@ internal sealed class ContourOrder
         }
         if (_start.Length < start.Length) _start = new int[start.Length];
         if (_operand.Length < operand.Length) _operand = new byte[operand.Length];
+        if (_source.Length < source.Length) _source = new int[source.Length];
         if (_segments.Length < segments.Length) _segments = new Segment[segments.Length];
         for (var c = 0; c < contours; c++)
         {
@@ -41,16 +43,18 @@ internal sealed class ContourOrder
         _start[0] = 0;
         for (var c = 0; c < contours; c++)
         {
-            var source = _order[c];
-            var count = start[source + 1] - start[source];
-            Array.Copy(segments, start[source], _segments, n, count);
+            var from = _order[c];
+            var count = start[from + 1] - start[from];
+            Array.Copy(segments, start[from], _segments, n, count);
             n += count;
             _start[c + 1] = n;
-            _operand[c] = operand[source];
+            _operand[c] = operand[from];
+            _source[c] = source[from];
         }
         (segments, _segments) = (_segments, segments);
         (start, _start) = (_start, start);
         (operand, _operand) = (_operand, operand);
+        (source, _source) = (_source, source);
     }
 
     private static long Morton(in GridBox box)

@@ -22,7 +22,7 @@ public sealed partial class Region
     public static Region Empty { get; } = new(Array.Empty<GridPoint[]>());
 
     /// <summary>
-    /// The area inside contours, each taken as closed. Crossings, overlaps, spikes and repeated points are resolved by the rule; contours of fewer than three points or without area give nothing.
+    /// The area inside contours, each taken as closed. Crossings, overlaps, spikes and repeated points are resolved by the rule; vertices within some 15 nm of another edge are put on it; contours of fewer than three points or without area give nothing.
     /// </summary>
     /// <param name="contours">Contours in mm, in any order.</param>
     /// <param name="rule">Which winding numbers are inside.</param>
@@ -31,7 +31,8 @@ public sealed partial class Region
     public static Region From(IEnumerable<Polyline> contours, FillRule rule = FillRule.NonZero, bool closeHoles = false)
     {
         if (contours is null) throw new ArgumentNullException(nameof(contours));
-        var engine = new RegionEngine();
+        // Bodies that touch must not be parted by a slit that only the rounding of their vertices made.
+        var engine = new RegionEngine { Arrangement = { Reach = 3 } };
         foreach (var contour in contours)
         {
             if (contour is null) throw new ArgumentException("A contour is missing.", nameof(contours));

@@ -12,6 +12,7 @@ internal sealed class RegionEngine
     private readonly PlanarGraph _graph = new();
     private readonly RingTracer _tracer = new();
     private readonly List<GridPoint[]> _rings = new();
+    private List<(int Contour, bool Forward)>? _kept;
 
     public void Clear() => Arrangement.Clear();
 
@@ -39,6 +40,17 @@ internal sealed class RegionEngine
         return _rings.ToArray();
     }
 
+    /// <summary>
+    /// The same, but where nothing crosses or touches it gives the numbers of the contours that bound the inside (by their order of adding), each with whether its direction is kept, and no rings.
+    /// </summary>
+    public GridPoint[][] Run(InsideRule rule, List<(int Contour, bool Forward)> kept)
+    {
+        _kept = kept;
+        var rings = Run(rule);
+        _kept = null;
+        return rings;
+    }
+
     // A contour that touches nothing, not even itself.
     private void Whole(int c, InsideRule rule)
     {
@@ -57,7 +69,18 @@ internal sealed class RegionEngine
         var outside = rule.Holds(first, second);
         var inside = Arrangement.Operand[c] == 0 ? rule.Holds(first + step, second) : rule.Holds(first, second + step);
         if (inside == outside) return;
-        var forward = inside == step > 0;
+        Keep(c, forward: inside == step > 0);
+    }
+
+    private void Keep(int c, bool forward)
+    {
+        int start = Arrangement.ContourStart[c], end = Arrangement.ContourStart[c + 1];
+        var segments = Arrangement.Segments;
+        if (_kept is not null)
+        {
+            _kept.Add((Arrangement.Source[c], forward));
+            return;
+        }
         var count = 0;
         for (var i = start; i < end; i++)
         {
