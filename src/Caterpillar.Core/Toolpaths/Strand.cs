@@ -1,0 +1,138 @@
+using System;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// A straight piece of printed material seen from above: the way of the nozzle's tip, which is its top, and half its width. Its footprint is a stadium.
+/// </summary>
+internal struct Strand
+{
+    public double Ax, Ay, Az, Bx, By, Bz, Half;
+
+    // Bins that name it; 0 when it is free.
+    public int Users;
+
+    public readonly double Top => Math.Max(Az, Bz);
+
+    /// <summary>
+    /// Highest top of the part whose footprint comes within a distance of a segment seen from above; negative infinity where none does.
+    /// </summary>
+    public readonly double TopWithin(Vec3 a, Vec3 b, double distance)
+    {
+        var reach = distance + Half;
+        if (!StadiumClip.TryClip(Ax, Ay, Bx - Ax, By - Ay, a, b, reach, out var from, out var to)) return double.NegativeInfinity;
+        return Math.Max(Az + (Bz - Az) * from, to >= 1 ? Bz : Az + (Bz - Az) * to);
+    }
+
+    /// <summary>Top where it is nearest to a point seen from above, if that is within a distance of its footprint; else negative infinity.</summary>
+    public readonly double TopAt(Vec3 p, double distance)
+    {
+        double dx = Bx - Ax, dy = By - Ay;
+        var square = dx * dx + dy * dy;
+        var t = square > 0 ? Math.Min(1, Math.Max(0, ((p.X - Ax) * dx + (p.Y - Ay) * dy) / square)) : (Az >= Bz ? 0 : 1);
+        double ex = p.X - Ax - dx * t, ey = p.Y - Ay - dy * t;
+        var reach = distance + Half;
+        return ex * ex + ey * ey <= reach * reach ? t >= 1 ? Bz : Az + (Bz - Az) * t : double.NegativeInfinity;
+    }
+}
+
+/// <summary>The part of a segment that lies in the stadium around another, seen from above.</summary>
+internal static class StadiumClip
+{
+    /// <summary>
+    /// Parameters from 0 to 1 along the segment from (x, y) by (dx, dy) between which it is within <paramref name="reach"/> mm of the segment from a to b. A stadium is
+    /// convex, so the part is one piece: the union of the pieces in its rectangle and its two discs.
+    /// </summary>
+    public static bool TryClip(double x, double y, double dx, double dy, Vec3 a, Vec3 b, double reach, out double from, out double to)
+    {
+        from = double.PositiveInfinity;
+        to = double.NegativeInfinity;
+        Disc(x - a.X, y - a.Y, dx, dy, reach, ref from, ref to);
+        double ux = b.X - a.X, uy = b.Y - a.Y;
+        var length = Math.Sqrt(ux * ux + uy * uy);
+        if (length > 0)
+        {
+            Disc(x - b.X, y - b.Y, dx, dy, reach, ref from, ref to);
+            ux /= length;
+            uy /= length;
+            double px = x - a.X, py = y - a.Y;
+            double low = 0, high = 1;
+            if (Slab(px * ux + py * uy, dx * ux + dy * uy, 0, length, ref low, ref high)
+                && Slab(py * ux - px * uy, dy * ux - dx * uy, -reach, reach, ref low, ref high))
+            {
+                from = Math.Min(from, low);
+                to = Math.Max(to, high);
+            }
+        }
+        return from <= to;
+    }
+
+    private static void Disc(double px, double py, double dx, double dy, double radius, ref double from, ref double to)
+    {
+        var a = dx * dx + dy * dy;
+        var c = px * px + py * py - radius * radius;
+        if (!(a > 0))
+        {
+            if (c > 0) return;
+            from = 0;
+            to = 1;
+            return;
+        }
+        var b = px * dx + py * dy;
+        var root = b * b - a * c;
+        if (root < 0) return;
+        root = Math.Sqrt(root);
+        var low = Math.Max(0, (-b - root) / a);
+        var high = Math.Min(1, (-b + root) / a);
+        if (low > high) return;
+        from = Math.Min(from, low);
+        to = Math.Max(to, high);
+    }
+
+    // Keeps the parameters at which start + step * t lies from min to max.
+    private static bool Slab(double start, double step, double min, double max, ref double low, ref double high)
+    {
+        if (step == 0) return start >= min && start <= max;
+        var t0 = (min - start) / step;
+        var t1 = (max - start) / step;
+        low = Math.Max(low, Math.Min(t0, t1));
+        high = Math.Min(high, Math.Max(t0, t1));
+        return low <= high;
+    }
+}
+
+/// <summary>Strands by number, in chunks; numbers of strands that no bin names any more are used again.</summary>
+internal sealed class StrandStore
+{
+    private const int ChunkBits = 12;
+    private const int ChunkMask = (1 << ChunkBits) - 1;
+    private Strand[][] _chunks = [];
+    private int[] _free = new int[64];
+    private int _freeCount;
+    private int _next;
+
+    /// <summary>Number of strands that are kept.</summary>
+    public int Count => _next - _freeCount;
+
+    public ref Strand this[int index] => ref _chunks[index >> ChunkBits][index & ChunkMask];
+
+    public int Add(in Strand strand)
+    {
+        var index = _freeCount > 0 ? _free[--_freeCount] : _next++;
+        if (index >> ChunkBits >= _chunks.Length)
+        {
+            Array.Resize(ref _chunks, Math.Max(4, _chunks.Length * 2));
+        }
+        _chunks[index >> ChunkBits] ??= new Strand[1 << ChunkBits];
+        this[index] = strand;
+        return index;
+    }
+
+    public void Release(int index)
+    {
+        if (--this[index].Users > 0) return;
+        if (_freeCount == _free.Length) Array.Resize(ref _free, _freeCount * 2);
+        _free[_freeCount++] = index;
+    }
+}
