@@ -83,7 +83,7 @@ internal sealed class MoveEmitter
     /// <summary>A segment of a path: its volume in mm³ becomes E; what is retracted is filled up first.</summary>
     public void Print(Vec3 to, double volume, double speed, Role role, Arc? arc)
     {
-        var e = volume / ToolRules.VolumePerE;
+        var e = ToolRules.EOf(volume);
         var fill = Fill(e);
         if (fill > 0) PrintedRetracted = true;
         Add(to, e, e - fill, speed, e > 0 && fill == e ? MoveKind.MovingRestore : MoveKind.Print, role, arc);

@@ -1,3 +1,4 @@
+using System;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
@@ -8,9 +9,13 @@ namespace Caterpillar.Planning;
 /// </summary>
 internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
 {
-    private double? _temperature = rules.NozzleTemperature, _temperatureNow = rules.NozzleTemperature;
-    private double? _fan = rules.Fan, _fanNow = rules.Fan;
-    private double? _acceleration = rules.Acceleration, _accelerationNow = rules.Acceleration;
+    // Set by the design; until then the rules say what is usual. The start code heats for the first layer and leaves the fan off.
+    private double? _temperature, _temperatureNow = rules.FirstLayerNozzleTemperature ?? rules.NozzleTemperature;
+    private double? _fan, _fanNow = rules.FanOffLayers > 0 ? 0 : rules.Fan;
+    private double? _acceleration, _accelerationNow = rules.Acceleration;
+
+    private readonly bool _layered = !rules.AddsNothing && (rules.FanOffLayers > 0 || rules.FirstLayerNozzleTemperature is not null);
+    private bool _overridden;
 
     /// <summary>True when something stayed overridden because nobody said what it was before.</summary>
     public bool CouldNotRevert { get; private set; }
@@ -26,11 +31,27 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         }
     }
 
-    public void Apply(PathOverrides? wanted)
+    public void Apply(PrintPath path)
     {
-        if (Differs(wanted?.NozzleTemperature, _temperature, ref _temperatureNow) is { } celsius) emitter.Event(new NozzleTemperatureEvent(celsius));
-        if (Differs(wanted?.Fan, _fan, ref _fanNow) is { } fan) emitter.Event(new FanEvent(fan));
-        if (Differs(wanted?.Acceleration, _acceleration, ref _accelerationNow) is { } acceleration) emitter.Event(new AccelerationEvent(acceleration));
+        var wanted = path.Overrides;
+        if (wanted is null && !_layered && !_overridden) return;
+        _overridden = wanted is not null;
+        var layer = _layered ? LayerOf(path) : 0;
+        var usual = _temperature ?? (layer == 0 ? rules.FirstLayerNozzleTemperature : null) ?? rules.NozzleTemperature;
+        if (Differs(wanted?.NozzleTemperature, usual, ref _temperatureNow) is { } celsius) emitter.Event(new NozzleTemperatureEvent(celsius));
+        usual = _fan ?? (layer >= 0 && layer < rules.FanOffLayers ? 0 : rules.Fan);
+        if (Differs(wanted?.Fan, usual, ref _fanNow) is { } fan) emitter.Event(new FanEvent(fan));
+        usual = _acceleration ?? rules.Acceleration;
+        if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration) emitter.Event(new AccelerationEvent(acceleration));
+    }
+
+    // A path that names no layer counts by its highest point: a helix that begins on the bed is not of the first layer.
+    private int LayerOf(PrintPath path)
+    {
+        if (path.Layer is { } layer) return layer.Index;
+        var top = double.NegativeInfinity;
+        foreach (var p in path.RawPoints) top = Math.Max(top, p.Z);
+        return rules.LayerOf(path, top);
     }
 
     private double? Differs(double? wanted, double? usual, ref double? now)

@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>Turns the segments of a path into printing moves, with the lag of the pressure at its ends.</summary>
-internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanCounts counts)
+internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanCounts counts, Deposit? deposit)
 {
     /// <summary>Prints a path of some length in mm from its start, where the head is.</summary>
     public void Print(PrintPath path, double length)
@@ -17,9 +17,10 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanCoun
             counts.LaggedPaths++;
             if (rules.StopDistance > 0) stopAt = length - Math.Min(rules.StopDistance, length / 2);
             var start = Math.Min(rules.StartDistance, length / 2);
-            if (start > 0) emitter.Prime(start * path.BeadOf(0).Area / emitter.ToolRules.VolumePerE, emitter.ToolRules.RestoreSpeed);
+            if (start > 0) emitter.Prime(emitter.ToolRules.EOf(start * path.BeadOf(0).Area), emitter.ToolRules.RestoreSpeed);
         }
-        var usual = rules.PrintSpeed(path.Role, path.Layer is { Index: 0 });
+        var usual = rules.PrintSpeed(path.Role, false);
+        var first = rules.PrintSpeed(path.Role, true);
         var points = path.RawPoints;
         var done = 0.0;
         for (var i = 0; i < path.SegmentCount; i++)
@@ -34,7 +35,7 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanCoun
                 continue;
             }
             var bead = path.BeadOf(i);
-            var speed = bead.Speed > 0 ? bead.Speed : usual;
+            var speed = bead.Speed > 0 ? bead.Speed : rules.LayerOf(path, Math.Max(from.Z, to.Z)) == 0 ? first : usual;
             var printed = Math.Min(way, Math.Max(stopAt - done, 0));
             done += way;
             if (printed >= way)
@@ -48,6 +49,7 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanCoun
                 if (printed > 0) emitter.Print(stop, printed * bead.Area, speed, path.Role, Part(arc, t));
                 emitter.Coast(to, speed, path.Role, Part(arc, 1 - t));
             }
+            deposit?.Add(from, to, bead, arc, rules.Shape);
             emitter.Reached(Math.Max(from.Z, to.Z));
         }
     }

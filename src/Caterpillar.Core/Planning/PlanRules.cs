@@ -12,14 +12,17 @@ internal enum LiftRule : byte
 }
 
 /// <summary>A tool as planning needs it. Amounts of E are in its own unit.</summary>
-/// <param name="VolumePerE">mm³ for one unit of E.</param>
+/// <param name="VolumePerE">mm³ for one unit of E; null for a tool without E.</param>
 /// <param name="RetractE">E of a retraction; 0 for none.</param>
 /// <param name="RetractSpeed">mm/s of filament.</param>
 /// <param name="RestoreSpeed">mm/s of filament.</param>
 /// <param name="ExtraE">E pushed out beyond the balance after each restore.</param>
 /// <param name="LengthPerE">mm of filament for one unit of E.</param>
-internal sealed record ToolRules(double VolumePerE, double RetractE, double RetractSpeed, double RestoreSpeed, double ExtraE, double LengthPerE = 1)
+internal sealed record ToolRules(double? VolumePerE, double RetractE, double RetractSpeed, double RestoreSpeed, double ExtraE, double LengthPerE = 1)
 {
+    /// <summary>E for mm³ of material; 0 for a tool without E.</summary>
+    public double EOf(double volume) => VolumePerE is { } unit ? volume / unit : 0;
+
     /// <summary>mm of filament for an amount of E.</summary>
     public double FilamentLength(double e) => e * LengthPerE;
 }
@@ -47,8 +50,11 @@ internal sealed record PlanRules
     /// <summary>Travels up to this length are made without a lift.</summary>
     public double MinLiftTravel { get; init; }
 
-    /// <summary>Half the width that is kept free along a travel, for the corridor.</summary>
-    public double HeadRadius { get; init; }
+    /// <summary>The room that the head needs along a travel, for the corridor.</summary>
+    public HeadCorridor Head { get; init; } = new(0.5);
+
+    /// <summary>Side of the cells of what is printed so far.</summary>
+    public double Cell { get; init; } = 0.25;
 
     public bool Detour { get; init; }
 
@@ -70,11 +76,32 @@ internal sealed record PlanRules
     /// <summary>What is in force where no path overrides it; null where the settings do not say.</summary>
     public double? NozzleTemperature { get; init; }
 
+    /// <summary>The same in the first layer, where it differs.</summary>
+    public double? FirstLayerNozzleTemperature { get; init; }
+
     /// <inheritdoc cref="NozzleTemperature"/>
     public double? Fan { get; init; }
 
+    /// <summary>Layers from the bed on that are printed without the fan.</summary>
+    public int FanOffLayers { get; init; }
+
     /// <inheritdoc cref="NozzleTemperature"/>
     public double? Acceleration { get; init; }
+
+    /// <summary>Height of the first layer and of the others, for paths that name no layer.</summary>
+    public double FirstLayerHeight { get; init; }
+
+    /// <inheritdoc cref="FirstLayerHeight"/>
+    public double LayerHeight { get; init; } = 0.2;
+
+    /// <summary>Number of the layer of a path, or where it names none and the policy is the printer's, of a height above the bed; −1 where neither says.</summary>
+    public int LayerOf(PrintPath path, double z)
+    {
+        const double Rounding = 1e-6;
+        if (path.Layer is { } layer) return layer.Index;
+        if (AddsNothing) return -1;
+        return z <= FirstLayerHeight + Rounding ? 0 : (int)Math.Min(1e6, Math.Ceiling((z - FirstLayerHeight - Rounding) / LayerHeight));
+    }
 
     public bool AddsNothing => Policy == PlanPolicy.AsDrawn;
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
 using Caterpillar.Basics;
+using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
@@ -16,6 +17,8 @@ internal sealed class StepPlanner
     private readonly PathPrinter _printer;
     private readonly OverrideState _overrides;
     private readonly PlanCounts _counts;
+    private readonly Deposit? _deposit;
+    private readonly ReturnWay? _way;
 
     // A drawn travel has been prepared for, until something is printed.
     private bool _prepared;
@@ -27,8 +30,11 @@ internal sealed class StepPlanner
         _diagnostics = diagnostics;
         _counts = counts;
         _emitter = new MoveEmitter(rules, options.Start, counts);
-        _travel = new TravelPlanner(rules, _emitter, counts);
-        _printer = new PathPrinter(rules, _emitter, counts);
+        var returns = !rules.AddsNothing && Array.Exists(steps, s => s.Step is TravelStep { Intent: TravelIntent.Return });
+        if (returns) _way = new ReturnWay();
+        if (returns || (rules.Lift == LiftRule.Corridor && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);
+        _travel = new TravelPlanner(rules, _emitter, counts, _deposit);
+        _printer = new PathPrinter(rules, _emitter, counts, _deposit);
         _overrides = new OverrideState(rules, _emitter);
     }
 
@@ -71,9 +77,10 @@ internal sealed class StepPlanner
         if (path.Tool != _emitter.Tool) SwitchTool(path.Tool);
         _emitter.EnterLayer(path.Layer);
         _travel.To(path.Start, retract: !_prepared);
-        _overrides.Apply(path.Overrides);
+        _overrides.Apply(path);
         _travel.Restore();
         _printer.Print(path, length);
+        if (_way is not null) Remember(path);
         _travel.Printed(path);
         _prepared = false;
     }
@@ -83,7 +90,55 @@ internal sealed class StepPlanner
         _counts.DrawnTravels++;
         if (!_prepared && _emitter.IsPlaced && !_rules.AddsNothing) _travel.RetractFor(WayToNextPrint(index));
         _prepared = true;
-        foreach (var point in travel.Points) _emitter.Travel(point, travel.Speed > 0 ? travel.Speed : _rules.TravelSpeed);
+        if (travel.Intent == TravelIntent.Return && _way is not null && _emitter.IsPlaced)
+        {
+            Return(travel.Points[travel.Points.Count - 1]);
+            return;
+        }
+        foreach (var point in travel.Points)
+        {
+            _emitter.Travel(point, travel.Speed > 0 ? travel.Speed : _rules.TravelSpeed);
+            _way?.Visit(point);
+        }
+    }
+
+    // Over the top where the tip can come down on the goal from above; else back along the way that the head has come.
+    private void Return(Vec3 goal)
+    {
+        var back = _way!.BackTo(goal);
+        if (_emitter.Position.DistanceTo(goal) <= TravelPlanner.Touching) return;
+        if (ReturnWay.IsOpenFromAbove(_deposit!, goal))
+        {
+            _counts.ReturnsOver++;
+            _travel.Over(goal, safely: true);
+            return;
+        }
+        if (back is not null && ReturnWay.IsOpen(_deposit!, _emitter.Position, back))
+        {
+            _counts.ReturnsAlong++;
+            foreach (var point in back) _emitter.Travel(point, _rules.TravelSpeed);
+            return;
+        }
+        _counts.BlockedReturns++;
+        _diagnostics.Add(
+            Severity.Warning, "plan.blocked_return", "The head returns to a place that has been printed over, and the way back along the branch is not free either: it goes over the top.",
+            new SourceLocation(Step: _emitter.Source));
+        _travel.Over(goal, safely: true);
+    }
+
+    private void Remember(PrintPath path)
+    {
+        _way!.Visit(path.Start);
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            var from = path.Points[i];
+            if (path.ArcOf(i) is { } arc)
+            {
+                var chords = arc.ChordCount(from, WipeWay.Tolerance);
+                for (var k = 1; k < chords; k++) _way.Visit(arc.PointAt(from, path.EndOf(i), (double)k / chords));
+            }
+            _way.Visit(path.EndOf(i));
+        }
     }
 
     // The whole way without printing from here, mm; infinite where nothing is printed any more.
@@ -129,7 +184,7 @@ internal sealed class StepPlanner
     private void Extrude(ExtrudeEvent extrude)
     {
         var tool = _emitter.ToolRules;
-        var e = extrude.Volume / tool.VolumePerE;
+        var e = tool.EOf(extrude.Volume);
         if (e < 0) _emitter.Retract(-e, extrude.Speed > 0 ? extrude.Speed : tool.RetractSpeed);
         else if (e > 0) _emitter.Prime(e, extrude.Speed > 0 ? extrude.Speed : tool.RestoreSpeed);
     }

@@ -5,11 +5,14 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>Ways of the head between paths: retraction with balance, wipe, lift, and the way down.</summary>
-internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCounts counts)
+internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCounts counts, Deposit? deposit)
 {
+    private const double Flush = 1e-6;
+
     // Points nearer than this are one, mm: far below what any file or machine resolves.
     internal const double Touching = 1e-6;
     private readonly bool[] _hasPrinted = new bool[rules.Tools.Length];
+    private readonly DetourFinder? _detours = deposit is not null && rules.Detour ? new DetourFinder(deposit, rules.Head) : null;
     private PrintPath? _last;
 
     /// <summary>A path has been printed to its end.</summary>
@@ -74,27 +77,57 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
         emitter.Travel(to, rules.TravelSpeed);
     }
 
-    private void Over(Vec3 to)
+    /// <summary>Up, over and down again, or around.</summary>
+    /// <param name="to">Where the head goes, mm.</param>
+    /// <param name="safely">What is printed is kept clear of even where the settings want no lift.</param>
+    public void Over(Vec3 to, bool safely = false)
     {
         var from = emitter.Position;
-        var z = Math.Max(from.Z, to.Z);
         if ((to - from).LengthXY <= Touching)
         {
             Down(to);
             return;
         }
-        if (rules.Lift == LiftRule.Highest && from.DistanceTo(to) > rules.MinLiftTravel)
-        {
-            counts.Lifts++;
-            z = Math.Max(z, emitter.Highest) + rules.Clearance;
-        }
-        else
+        if (rules.Lift == LiftRule.None && !safely)
         {
             counts.SkippedLifts++;
+            emitter.Travel(to, rules.TravelSpeed);
+            return;
         }
+        var level = Math.Max(from.Z, to.Z);
+        var z = level;
+        if (rules.Lift == LiftRule.Highest)
+        {
+            if (safely || from.DistanceTo(to) > rules.MinLiftTravel) z = Math.Max(z, emitter.Highest) + rules.Clearance;
+        }
+        else if (deposit is not null)
+        {
+            var needed = rules.Head.Needed(deposit, from, to, level);
+            if (needed > level + Flush) z = needed + rules.Clearance;
+        }
+        if (z > level && TryDetour(from.WithZ(level), to.WithZ(level), z - level))
+        {
+            Down(to);
+            return;
+        }
+        if (z <= level) counts.SkippedLifts++;
+        else if (rules.Lift == LiftRule.Highest) counts.Lifts++;
+        else counts.CorridorLifts++;
         if (z > from.Z) emitter.Travel(from.WithZ(z), rules.LiftSpeed);
         emitter.Travel(to.WithZ(z), rules.TravelSpeed);
         Down(to);
+    }
+
+    // A way around is taken where it is quicker than going up and down again.
+    private bool TryDetour(Vec3 from, Vec3 to, double rise)
+    {
+        if (_detours is null) return false;
+        var longest = from.DistanceTo(to) + 2 * rise / rules.LiftSpeed * rules.TravelSpeed;
+        if (_detours.Find(from, to, longest) is not { } way) return false;
+        counts.Detours++;
+        emitter.Travel(from, rules.LiftSpeed);
+        foreach (var point in way) emitter.Travel(point, rules.TravelSpeed);
+        return true;
     }
 
     private void Down(Vec3 to)

@@ -19,7 +19,7 @@ public class PlanPropertyTests
             var plan = PlanningTests.Plan(steps, rules with { StartDistance = 0, StopDistance = 0, Tools = Array.ConvertAll(rules.Tools, t => t with { ExtraE = 0 }) });
             for (var tool = 0; tool < rules.Tools.Length; tool++)
             {
-                var expected = steps.OfType<PathStep>().Where(p => p.Path.Tool == tool).Sum(p => p.Path.Volume) / rules.Tools[tool].VolumePerE;
+                var expected = steps.OfType<PathStep>().Where(p => p.Path.Tool == tool).Sum(p => p.Path.Volume) / rules.Tools[tool].VolumePerE!.Value;
                 var deposited = plan.Toolpath.Moves().Where(m => m.Tool == tool).Sum(m => m.Deposited);
                 Assert.That(deposited, Is.EqualTo(expected).Within(1e-9 * (1 + expected)));
             }

@@ -24,6 +24,7 @@ public class PlanningTests
         Clearance = 0.5,
         MinLiftTravel = 2,
         MinRetractTravel = 2,
+        FirstLayerHeight = -1,
     };
 
     private static readonly PlanOptions From0 = new() { Start = Vec3.Zero };
@@ -71,12 +72,11 @@ public class PlanningTests
     }
 
     [Test]
-    public void Without_a_lift_the_head_goes_up_first_and_down_last()
+    public void Without_a_lift_travels_are_straight()
     {
-        Assert.That(Moves([Line(0, 0, 10, 0, 3), Line(20, 0, 30, 0, 1), Line(40, 0, 50, 0, 3)], Rules with { Lift = LiftRule.None, MinRetractTravel = 100 }), Is.EqualTo(new[]
+        Assert.That(Moves([Line(0, 0, 10, 0, 3), Line(20, 0, 30, 0, 1)], Rules with { Lift = LiftRule.None }), Is.EqualTo(new[]
         {
-            "Travel 0,0,3 0 10", "Print 10,0,3 2.5 50", "Travel 20,0,3 0 150", "Travel 20,0,1 0 10", "Print 30,0,1 2.5 50",
-            "Travel 30,0,3 0 10", "Travel 40,0,3 0 150", "Print 50,0,3 2.5 50",
+            "Travel 0,0,3 0 10", "Print 10,0,3 2.5 50", "Retract 10,0,3 -1 40", "Travel 20,0,1 0 150", "Restore 20,0,1 1 30", "Print 30,0,1 2.5 50",
         }));
     }
 

@@ -1,0 +1,129 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>
+/// Ways around what is printed, at one height: A* (Hart, Nilsson and Raphael 1968) on a lattice around the start, whose edges are tested only when they are taken; then every corner that can
+/// be cut is cut. The search stays within the ellipse of ways that are not longer than a bound, and within a number of nodes.
+/// </summary>
+internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
+{
+    private const int MaxNodes = 4000;
+    private const double Flush = 1e-6;
+    private readonly double _step = Math.Min(2, Math.Max(0.5, head.TipRadius));
+    private readonly Dictionary<(int X, int Y), Node> _nodes = [];
+    private readonly List<(double Cost, int Serial, int X, int Y)> _heap = [];
+    private int _serial;
+
+    private sealed class Node
+    {
+        public double Way;
+        public (int X, int Y) From;
+        public bool Done;
+    }
+
+    /// <summary>Points after the start, the last is the end; null where no free way within the bound was found. Both ends are at the height of the way.</summary>
+    public List<Vec3>? Find(Vec3 start, Vec3 end, double maxLength)
+    {
+        if (!IsFree(start, start) || !IsFree(end, end)) return null;
+        _nodes.Clear();
+        _heap.Clear();
+        _serial = 0;
+        _nodes[(0, 0)] = new Node();
+        Push(start.DistanceTo(end), 0, 0);
+        for (var visited = 0; _heap.Count > 0 && visited < MaxNodes;)
+        {
+            var (_, _, x, y) = Pop();
+            var node = _nodes[(x, y)];
+            if (node.Done) continue;
+            node.Done = true;
+            visited++;
+            var at = Place(start, x, y);
+            if ((x, y) != (0, 0) && !IsFree(Place(start, node.From.X, node.From.Y), at))
+            {
+                // Another neighbour may still reach it.
+                _nodes.Remove((x, y));
+                continue;
+            }
+            if (at.DistanceTo(end) <= 1.5 * _step && node.Way + at.DistanceTo(end) <= maxLength && IsFree(at, end)) return Points(start, end, (x, y));
+            for (var dx = -1; dx <= 1; dx++)
+            {
+                for (var dy = -1; dy <= 1; dy++)
+                {
+                    if (dx == 0 && dy == 0) continue;
+                    Reach(start, end, maxLength, (x, y), (x + dx, y + dy), node.Way + (dx != 0 && dy != 0 ? Math.Sqrt(2) : 1) * _step);
+                }
+            }
+        }
+        return null;
+    }
+
+    private void Reach(Vec3 start, Vec3 end, double maxLength, (int X, int Y) from, (int X, int Y) to, double way)
+    {
+        var cost = way + Place(start, to.X, to.Y).DistanceTo(end);
+        if (cost > maxLength) return;
+        if (_nodes.TryGetValue(to, out var known))
+        {
+            if (known.Done || known.Way <= way) return;
+            known.Way = way;
+            known.From = from;
+        }
+        else
+        {
+            _nodes[to] = new Node { Way = way, From = from };
+        }
+        Push(cost, to.X, to.Y);
+    }
+
+    private List<Vec3> Points(Vec3 start, Vec3 end, (int X, int Y) last)
+    {
+        var points = new List<Vec3> { end };
+        for (var at = last; at != (0, 0); at = _nodes[at].From) points.Add(Place(start, at.X, at.Y));
+        points.Add(start);
+        points.Reverse();
+        var way = new List<Vec3>();
+        for (var i = 0; i < points.Count - 1;)
+        {
+            var next = points.Count - 1;
+            while (next > i + 1 && !IsFree(points[i], points[next])) next--;
+            way.Add(points[next]);
+            i = next;
+        }
+        return way;
+    }
+
+    private Vec3 Place(Vec3 start, int x, int y) => new(start.X + x * _step, start.Y + y * _step, start.Z);
+
+    private bool IsFree(Vec3 a, Vec3 b) => head.Needed(deposit, a, b, a.Z) <= a.Z + Flush;
+
+    private void Push(double cost, int x, int y)
+    {
+        _heap.Add((cost, _serial++, x, y));
+        var i = _heap.Count - 1;
+        for (var up = (i - 1) / 2; i > 0 && Before(_heap[i], _heap[up]); i = up, up = (i - 1) / 2) (_heap[i], _heap[up]) = (_heap[up], _heap[i]);
+    }
+
+    private (double Cost, int Serial, int X, int Y) Pop()
+    {
+        var top = _heap[0];
+        _heap[0] = _heap[_heap.Count - 1];
+        _heap.RemoveAt(_heap.Count - 1);
+        for (var i = 0; ;)
+        {
+            var least = i;
+            for (var child = 2 * i + 1; child <= 2 * i + 2 && child < _heap.Count; child++)
+            {
+                if (Before(_heap[child], _heap[least])) least = child;
+            }
+            if (least == i) return top;
+            (_heap[i], _heap[least]) = (_heap[least], _heap[i]);
+            i = least;
+        }
+    }
+
+    private static bool Before((double Cost, int Serial, int X, int Y) a, (double Cost, int Serial, int X, int Y) b)
+        => a.Cost < b.Cost || (a.Cost == b.Cost && a.Serial < b.Serial);
+}

@@ -1,0 +1,51 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>
+/// The room that the head takes along a travel: rings around its axis, each with the least height of the head inside it above the tip. A print may be as high as the ring it
+/// comes under.
+/// </summary>
+internal sealed class HeadCorridor
+{
+    private readonly (double Radius, double Height)[] _rings;
+
+    /// <param name="rings">Outer radius and least height above the tip, mm; from the tip outwards, the first at height 0.</param>
+    public HeadCorridor(IEnumerable<(double Radius, double Height)> rings) => _rings = new List<(double, double)>(rings).ToArray();
+
+    /// <summary>A tip of some radius and nothing above it.</summary>
+    public HeadCorridor(double radius) => _rings = [(radius, 0)];
+
+    /// <summary>Radius of the tip, mm.</summary>
+    public double TipRadius => _rings[0].Radius;
+
+    /// <summary>
+    /// Least height of the tip, mm, at which the head passes from a to b with nothing of the print inside it; negative infinity where nothing is near. Answers below
+    /// <paramref name="level"/>, the height that the way has anyhow, are not refined.
+    /// </summary>
+    public double Needed(Deposit deposit, Vec3 a, Vec3 b, double level)
+    {
+        var needed = double.NegativeInfinity;
+        foreach (var (radius, height) in _rings)
+        {
+            if (deposit.Highest - height <= Math.Max(needed, level)) break;
+            needed = Math.Max(needed, deposit.TopAlong(a, b, radius) - height);
+        }
+        return needed;
+    }
+
+    /// <summary>Rings of an outline whose points are joined by cones: each cone in some steps, at the height of its inner edge.</summary>
+    public static IEnumerable<(double Radius, double Height)> Rings(IEnumerable<(double Radius, double Height)> outline, int steps = 4)
+    {
+        double radius = 0, height = 0;
+        foreach (var (r, h) in outline)
+        {
+            var pieces = height < h && radius > 0 ? steps : 1;
+            for (var i = 1; i <= pieces; i++) yield return (radius + (r - radius) * i / pieces, height + (h - height) * (i - 1) / pieces);
+            (radius, height) = (r, h);
+        }
+    }
+}

@@ -1,0 +1,82 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>
+/// Turns the steps of a design into what the machine does: sorts where the groups of the steps allow it, adds travels, lifts and retractions by the settings, and turns beads into E.
+/// The same input gives the same plan on every run.
+/// </summary>
+public static class Planner
+{
+    /// <summary>Plans steps. Without a value where a step wants a tool that the printer does not have.</summary>
+    /// <exception cref="ArgumentException">A step is null.</exception>
+    /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+    public static Result<Toolpath> Plan(
+        IReadOnlyList<Step> steps, PrintSetup setup, PlanOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        var result = PlanWithReport(steps, setup, options, progress, cancel);
+        return new Result<Toolpath>(result.Value?.Toolpath, result.Diagnostics);
+    }
+
+    /// <summary>The same, with a count for each rule of how often it had an effect.</summary>
+    /// <inheritdoc cref="Plan" path="/exception"/>
+    public static Result<Plan> PlanWithReport(
+        IReadOnlyList<Step> steps, PrintSetup setup, PlanOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (steps is null) throw new ArgumentNullException(nameof(steps));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        options ??= new PlanOptions();
+        if (!setup.Settings.SortPaths) options = options with { Sort = options.Sort with { Rule = SortRule.None } };
+        return PlanRun.Run(steps, Rules(setup, options.Policy), options, progress, cancel);
+    }
+
+    internal static PlanRules Rules(PrintSetup setup, PlanPolicy policy)
+    {
+        var (printer, material, settings, law) = (setup.Printer, setup.Material, setup.Settings, setup.Extrusion);
+        var tool = new ToolRules(
+            law.VolumePerE,
+            law.EOfFilament(printer.RetractionDistance),
+            printer.RetractionSpeed,
+            printer.RestoreSpeed > 0 ? printer.RestoreSpeed : printer.RetractionSpeed,
+            law.EOfFilament(printer.RestoreExtra),
+            law.FilamentPerE);
+        var heads = HeadCorridor.Rings(printer.HeadOutline.Select(p => (p.Radius, p.Height)))
+            .Concat(printer.HeadBoxes.Select(b => (
+                Math.Sqrt(Math.Pow(Math.Max(Math.Abs(b.Min.X), Math.Abs(b.Max.X)), 2) + Math.Pow(Math.Max(Math.Abs(b.Min.Y), Math.Abs(b.Max.Y)), 2)), b.Min.Z)))
+            .ToArray();
+        return new PlanRules
+        {
+            Policy = policy,
+            Tools = Enumerable.Repeat(tool, printer.ToolCount).ToArray(),
+            PrintSpeed = settings.SpeedOf,
+            TravelSpeed = settings.TravelSpeed,
+            LiftSpeed = printer.LiftSpeed,
+            Lift = settings.TravelLift switch { TravelLift.PrintedTop => LiftRule.Highest, TravelLift.Corridor => LiftRule.Corridor, _ => LiftRule.None },
+            Clearance = printer.LiftClearance,
+            MinLiftTravel = settings.LiftMinTravel,
+            Head = heads.Length > 0 ? new HeadCorridor(heads) : new HeadCorridor(printer.NozzleDiameter),
+            Cell = Math.Max(0.25, settings.LineWidth / 4),
+            Detour = settings.Detour,
+            MinRetractTravel = settings.RetractionMinTravel,
+            // The firmware's own retraction cannot be stretched over a way.
+            WipeDistance = printer.FirmwareRetraction ? 0 : settings.WipeDistance,
+            StartDistance = settings.StartDistance,
+            StopDistance = settings.StopDistance,
+            RestoreDuringDescent = settings.RestoreDuringDescent && !printer.FirmwareRetraction,
+            Shape = settings.BeadShape,
+            NozzleTemperature = material.NozzleTemperature > 0 ? material.NozzleTemperature : null,
+            FirstLayerNozzleTemperature = material.FirstLayerNozzleTemperature > 0 && material.NozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : null,
+            Fan = material.FanPercent / 100,
+            FanOffLayers = material.FanOffLayers,
+            Acceleration = printer.PrintAcceleration,
+            FirstLayerHeight = settings.FirstLayerHeight,
+            LayerHeight = settings.LayerHeight,
+        };
+    }
+}
