@@ -11,10 +11,10 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
 {
     // Set by the design; until then the rules say what is usual. The start code heats for the first layer and leaves the fan off.
     private double? _temperature, _temperatureNow = rules.FirstLayerNozzleTemperature ?? rules.NozzleTemperature;
-    private double? _fan, _fanNow = rules.FanOffLayers > 0 ? 0 : rules.Fan;
+    private double? _fan, _fanNow = rules.AddsNothing ? rules.Fan : 0;
     private double? _acceleration, _accelerationNow = rules.Acceleration;
 
-    private readonly bool _layered = !rules.AddsNothing && (rules.FanOffLayers > 0 || rules.FirstLayerNozzleTemperature is not null);
+    private readonly bool _layered = !rules.AddsNothing && (rules.Fan > 0 || rules.FirstLayerNozzleTemperature is not null);
     private bool _overridden;
 
     /// <summary>True when something stayed overridden because nobody said what it was before.</summary>

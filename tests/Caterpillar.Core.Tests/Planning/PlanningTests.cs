@@ -168,7 +168,7 @@ public class PlanningTests
         var toolpath = Plan(steps, Rules with { NozzleTemperature = 200, Fan = 1 }).Toolpath;
         Assert.That(toolpath.Events, Is.EqualTo(new MoveEvent[]
         {
-            new(1, new NozzleTemperatureEvent(230)), new(1, new FanEvent(0)), new(3, new NozzleTemperatureEvent(200)), new(3, new FanEvent(1)),
+            new(0, new FanEvent(1)), new(1, new NozzleTemperatureEvent(230)), new(1, new FanEvent(0)), new(3, new NozzleTemperatureEvent(200)), new(3, new FanEvent(1)),
             new(4, new FanEvent(0.5)), new(4, new NozzleTemperatureEvent(230)), new(4, new FanEvent(0)), new(5, new NozzleTemperatureEvent(200)), new(5, new FanEvent(0.5)),
         }));
     }

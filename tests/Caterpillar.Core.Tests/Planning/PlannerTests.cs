@@ -1,0 +1,110 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Planning;
+
+/// <summary>The settings of printer, material and print reach the plan.</summary>
+public class PlannerTests
+{
+    private static readonly PlanOptions From0 = new() { Start = Vec3.Zero };
+
+    private static readonly Printer Printer = new()
+    {
+        RetractionDistance = 2, RetractionSpeed = 35, RestoreSpeed = 25, RestoreExtra = 0.5, LiftClearance = 0.6, LiftSpeed = 8,
+    };
+
+    private static readonly PrintSettings Settings = new()
+    {
+        PrintSpeed = 50, OuterWallSpeed = 30, FirstLayerSpeed = 20, TravelSpeed = 140, LiftMinTravel = 1, RetractionMinTravel = 3,
+    };
+
+    [Test]
+    public void The_moves_follow_the_settings()
+    {
+        Step[] steps = [Line(0, 0, 0.2, 0), Line(10, 0, 0.2, 0), Line(22, 0, 0.4, 1)];
+        var plan = Planner.PlanWithReport(steps, new PrintSetup(Printer, new Material { FilamentDiameter = 2, FlowMultiplier = 2 }, Settings), From0).Value!;
+        // 0.5 mm² over a filament of π mm², twice; 8 mm of path.
+        var e = 8 * 0.5 * 2 / Math.PI;
+        Assert.That(PlanningTests.Text(plan.Toolpath), Is.EqualTo(new[]
+        {
+            "Travel 0,0,0.2 0 8", $"Print 8,0,0.2 {E(e)} 20",
+            "Travel 8,0,0.8 0 8", "Travel 10,0,0.8 0 140", "Travel 10,0,0.2 0 8", $"Print 18,0,0.2 {E(e)} 20",
+            "Retract 18,0,0.2 -2 35", "Travel 18,0,1 0 8", "Travel 22,0,1 0 140", "Travel 22,0,0.4 0 8", "Restore 22,0,0.4 2 25", "Prime 22,0,0.4 0.5 25",
+            $"Print 30,0,0.4 {E(e)} 30",
+        }));
+        Assert.That(plan.Toolpath.Tools.Single().VolumePerE, Is.EqualTo(Math.PI / 2).Within(1e-12));
+        Assert.That(plan.Toolpath.Events, Is.EqualTo(new[] { new MoveEvent(10, new FanEvent(1)) }));
+    }
+
+    [Test]
+    public void Volumetric_E_and_pens()
+    {
+        Step[] steps = [Line(0, 0, 0.2, 0), Line(20, 0, 0.2, 0)];
+        var volumetric = Planner.Plan(steps, new PrintSetup(Printer with { ExtrusionUnit = ExtrusionUnit.Mm3 }, new Material { FilamentDiameter = 2 }, Settings), From0).Value!;
+        Assert.That(volumetric.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.E), Is.All.EqualTo(4).Within(1e-12));
+        Assert.That(volumetric.Moves().Single(m => m.Kind == MoveKind.Retract).E, Is.EqualTo(-2 * Math.PI).Within(1e-12));
+        var pen = Planner.Plan(steps, new PrintSetup(Printer with { ExtrusionUnit = ExtrusionUnit.None }, new Material(), Settings), From0).Value!;
+        Assert.That(pen.Moves().Select(m => m.E), Is.All.Zero);
+        Assert.That(pen.Moves().Select(m => m.Kind).Distinct(), Is.EquivalentTo(new[] { MoveKind.Print, MoveKind.Travel }));
+        Assert.That(pen.Tools.Single().VolumePerE, Is.Null);
+    }
+
+    [Test]
+    public void Fan_and_temperature_change_behind_the_first_layers()
+    {
+        Step[] steps = [Line(0, 0, 0.2, 0), Line(0, 0, 0.4, 1), Line(0, 0, 0.6, 2), Line(0, 0, 0.8, 3)];
+        var material = new Material { FanPercent = 50, FanOffLayers = 2, NozzleTemperature = 200, FirstLayerNozzleTemperature = 215 };
+        var events = Planner.Plan(steps, new PrintSetup(Printer, material, Settings), From0).Value!.Events;
+        Assert.That(events.Select(e => e.Event), Is.EqualTo(new PrinterEvent[] { new NozzleTemperatureEvent(200), new FanEvent(0.5) }));
+        var drawn = Planner.Plan(steps, new PrintSetup(Printer, material, Settings), From0 with { Policy = PlanPolicy.AsDrawn }).Value!;
+        Assert.That(drawn.Events, Is.Empty);
+    }
+
+    [Test]
+    public void Paths_that_name_no_layer_count_by_their_height()
+    {
+        var helix = new PrintPath([new Vec3(0, 0, 0.1), new Vec3(10, 0, 0.2), new Vec3(10, 10, 0.3)], new Bead(0.1));
+        var toolpath = Planner.Plan([helix], new PrintSetup(Printer, new Material(), Settings), From0).Value!;
+        Assert.That(toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Speed), Is.EqualTo(new[] { 20, 50 }));
+        Assert.That(toolpath.Events.Single().Event, Is.EqualTo(new FanEvent(1)));
+    }
+
+    [Test]
+    public void Sorting_can_be_switched_off_in_the_settings()
+    {
+        Step[] steps = [Grouped(0), Grouped(50), Grouped(10)];
+        var setup = new PrintSetup(Printer, new Material(), Settings);
+        Assert.That(Order(setup), Is.EqualTo(new[] { 0, 2, 1 }));
+        Assert.That(Order(setup with { Settings = Settings with { SortPaths = false } }), Is.EqualTo(new[] { 0, 1, 2 }));
+
+        int[] Order(PrintSetup s) => Planner.Plan(steps, s, From0).Value!.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Source).ToArray();
+        static PathStep Grouped(double x) => new(Line(x, 0, 0.2, 0), new StepGroup(0));
+    }
+
+    [Test]
+    public void The_head_s_outline_becomes_rings_at_the_height_of_their_inner_edge()
+    {
+        Assert.That(HeadCorridor.Rings([(0.5, 0.0), (4.5, 8.0), (20, 8.0)]), Is.EqualTo(new[] { (0.5, 0.0), (1.5, 0.0), (2.5, 2.0), (3.5, 4.0), (4.5, 6.0), (20, 8.0) }));
+    }
+
+    [Test]
+    public void Misuse_throws()
+    {
+        Assert.That(() => Planner.Plan(null!, new PrintSetup()), Throws.ArgumentNullException);
+        Assert.That(() => Planner.Plan([], null!), Throws.ArgumentNullException);
+        Assert.That(() => Planner.Plan([null!], new PrintSetup()), Throws.ArgumentException);
+    }
+
+    private static string E(double e) => NumberFormatter.Format(e, 5);
+
+    private static PrintPath Line(double x, double y, double z, int layer) => new([new Vec3(x, y, z), new Vec3(x + 8, y, z)], new Bead(0.5))
+    {
+        Layer = new Layer(layer, z), Role = layer > 0 ? Role.OuterWall : Role.Infill,
+    };
+}
