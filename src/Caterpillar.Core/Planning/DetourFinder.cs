@@ -38,16 +38,16 @@ internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
         {
             var (_, _, x, y) = Pop();
             var node = _nodes[(x, y)];
-            if (node.Done) continue;
-            node.Done = true;
+            if (node.Done || double.IsInfinity(node.Way)) continue;
             visited++;
             var at = Place(start, x, y);
             if ((x, y) != (0, 0) && !IsFree(Place(start, node.From.X, node.From.Y), at))
             {
                 // Another neighbour may still reach it.
-                _nodes.Remove((x, y));
+                node.Way = double.PositiveInfinity;
                 continue;
             }
+            node.Done = true;
             if (at.DistanceTo(end) <= 1.5 * _step && node.Way + at.DistanceTo(end) <= maxLength && IsFree(at, end)) return Points(start, end, (x, y));
             for (var dx = -1; dx <= 1; dx++)
             {

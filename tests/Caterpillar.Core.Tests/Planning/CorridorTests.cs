@@ -1,0 +1,111 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Planning;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Planning;
+
+public class CorridorTests
+{
+    private static readonly PlanRules Rules = PlanningTests.Rules with { Lift = LiftRule.Corridor, Head = new HeadCorridor(0.4), MinRetractTravel = 1000 };
+
+    [Test]
+    public void What_is_not_under_the_way_does_not_lift_it()
+    {
+        // A tower at y = 50, a low wall at x = 12, and ways along y = 0.
+        Step[] steps = [Line(0, 50, 5, 50, 20), Line(12, -3, 12, 3, 1), Line(0, 0, 10, 0, 0.2), Line(14, 0, 20, 0, 0.2), Line(22, 0, 30, 0, 0.2)];
+        var plan = PlanningTests.Plan(steps, Rules, new PlanOptions { Start = new Vec3(0, 50, 20) });
+        Assert.That(PlanningTests.Text(plan.Toolpath), Is.EqualTo(new[]
+        {
+            "Print 5,50,20 1.25 50", "Travel 12,-3,20 0 150", "Travel 12,-3,1 0 10", "Print 12,3,1 1.5 50",
+            "Travel 0,0,1 0 150", "Travel 0,0,0.2 0 10", "Print 10,0,0.2 2.5 50",
+            "Travel 10,0,1.5 0 10", "Travel 14,0,1.5 0 150", "Travel 14,0,0.2 0 10", "Print 20,0,0.2 1.5 50",
+            "Travel 22,0,0.2 0 150", "Print 30,0,0.2 2 50",
+        }));
+        Assert.That((plan.Report.CorridorLifts, plan.Report.SkippedLifts, plan.Report.Lifts), Is.EqualTo((1, 3, 0)));
+    }
+
+    [Test]
+    public void The_width_of_the_head_counts_as_high_up_as_it_begins()
+    {
+        // A wall 3 mm beside the way, 1 mm and then 6 mm higher than it; the head is 5 mm wide from 4 mm above its tip.
+        var rules = Rules with { Head = new HeadCorridor([(0.4, 0), (5, 4)]) };
+        foreach (var (height, lift) in new[] { (1.0, 0.0), (4.0, 0.0), (6.0, 2.5) })
+        {
+            Step[] steps = [Line(10, 3, 20, 3, height), Line(0, 0, 5, 0, 0), Line(25, 0, 30, 0, 0)];
+            var moves = PlanningTests.Plan(steps, rules).Toolpath.Moves().ToList();
+            var way = moves.Single(m => m.Kind == MoveKind.Travel && m.End.X == 25 && m.Start.X == 5);
+            Assert.That(way.Start.Z, Is.EqualTo(lift).Within(1e-12));
+        }
+    }
+
+    [Test]
+    public void A_detour_is_taken_where_it_is_quicker_than_a_lift()
+    {
+        // A wall 4 mm long and 10 mm high stands in the way: over it takes 2 s up and down, around it next to nothing.
+        Step[] steps = [Line(15, -2, 15, 2, 10), Line(0, 0, 10, 0, 0.2), Line(20, 0, 30, 0, 0.2)];
+        var plan = PlanningTests.Plan(steps, Rules with { Detour = true });
+        Assert.That(plan.Report.Detours, Is.EqualTo(1));
+        var moves = plan.Toolpath.Moves().SkipWhile(m => m.End != new Vec3(10, 0, 0.2)).Skip(1).TakeWhile(m => m.Kind == MoveKind.Travel).ToList();
+        Assert.That(moves.Select(m => m.End.Z), Is.All.EqualTo(0.2));
+        Assert.That(moves[moves.Count - 1].End, Is.EqualTo(new Vec3(20, 0, 0.2)));
+        Assert.That(moves.Sum(m => m.Length), Is.LessThan(14));
+        AssertClear(plan.Toolpath, 0.4);
+        // A long low wall is passed over.
+        Step[] low = [Line(15, -80, 15, 80, 0.4), Line(0, 0, 10, 0, 0.2), Line(20, 0, 30, 0, 0.2)];
+        var over = PlanningTests.Plan(low, Rules with { Detour = true });
+        Assert.That((over.Report.Detours, over.Report.CorridorLifts), Is.EqualTo((0, 1)));
+    }
+
+    [Test]
+    public void No_travel_passes_through_a_printed_strand()
+    {
+        var random = new Random(53);
+        int lifts = 0, detours = 0, skipped = 0;
+        for (var round = 0; round < 40; round++)
+        {
+            var steps = new List<Step>();
+            for (var i = random.Next(5, 40); i > 0; i--)
+            {
+                var a = new Vec3(random.NextDouble() * 30, random.NextDouble() * 30, random.Next(1, 15) * 0.3);
+                var b = a + new Vec3(random.NextDouble() * 20 - 10, random.NextDouble() * 20 - 10, random.Next(3) == 0 ? random.NextDouble() * 4 : 0);
+                steps.Add(new PrintPath([a, b], new Bead(0.04 + random.NextDouble() * 0.2, 0.3)));
+            }
+            var plan = PlanningTests.Plan(steps, Rules with { Detour = round % 2 == 0, Head = new HeadCorridor(0.1 + random.NextDouble()) }, new PlanOptions { Start = new Vec3(0, 0, 50) });
+            AssertClear(plan.Toolpath, 0);
+            lifts += plan.Report.CorridorLifts;
+            detours += plan.Report.Detours;
+            skipped += plan.Report.SkippedLifts;
+        }
+        Assert.That(lifts, Is.GreaterThan(100));
+        Assert.That(skipped, Is.GreaterThan(50));
+        Assert.That(detours, Is.GreaterThan(10));
+    }
+
+    // Samples every travel that is not straight up or down, and looks at every strand printed before: an independent test of what Deposit answers.
+    private static void AssertClear(Toolpath toolpath, double radius)
+    {
+        var strands = new List<(Vec3 A, Vec3 B)>();
+        foreach (var move in toolpath.Moves())
+        {
+            if (move.Kind == MoveKind.Print) strands.Add((move.Start, move.End));
+            if (move.Kind != MoveKind.Travel || (move.End - move.Start).LengthXY < 1e-9) continue;
+            for (var i = 0; i <= 100; i++)
+            {
+                var p = Vec3.Lerp(move.Start, move.End, i / 100.0);
+                foreach (var (a, b) in strands)
+                {
+                    var d = (b - a).WithZ(0);
+                    var t = Math.Min(1, Math.Max(0, Vec3.Dot((p - a).WithZ(0), d) / d.LengthSquared));
+                    var q = Vec3.Lerp(a, b, t);
+                    if ((p - q).LengthXY <= radius + 0.05) Assert.That(p.Z, Is.GreaterThanOrEqualTo(q.Z - 1e-5), $"{move}");
+                }
+            }
+        }
+    }
+
+    private static PrintPath Line(double x0, double y0, double x1, double y1, double z) => PlanningTests.Line(x0, y0, x1, y1, z);
+}

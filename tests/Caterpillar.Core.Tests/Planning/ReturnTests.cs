@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Planning;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Planning;
+
+public class ReturnTests
+{
+    private static readonly PlanRules Rules = PlanningTests.Rules with { Lift = LiftRule.Corridor, Head = new HeadCorridor(0.3) };
+
+    [Test]
+    public void A_return_goes_over_the_top_with_retraction()
+    {
+        Step[] steps = [Path(0, 0, 0, 10, 0, 5), Return(0, 0, 0), Path(0, 0, 0, 0, 10, 5)];
+        var plan = PlanningTests.Plan(steps, Rules);
+        Assert.That(PlanningTests.Text(plan.Toolpath).Skip(1).Take(4), Is.EqualTo(new[] { "Retract 10,0,5 -1 40", "Travel 0,0,5 0 150", "Travel 0,0,0 0 10", "Restore 0,0,0 1 30" }));
+        Assert.That((plan.Report.ReturnsOver, plan.Report.ReturnsAlong, plan.Report.BlockedReturns), Is.EqualTo((1, 0, 0)));
+    }
+
+    [Test]
+    public void Where_the_goal_is_roofed_over_the_head_goes_back_along_the_branch()
+    {
+        // The branch runs out and turns back above its own root, but the way out is open only along the branch below: here a roof covers the root alone.
+        Step[] steps = [Path(0, 0, 0, 10, 0, 0), Path(10, 0, 0, 12, 4, 0), new TravelStep([new Vec3(12, 4, 9), new Vec3(-5, 3, 9), new Vec3(-5, 3, 3)]), Path(-5, 3, 3, 5, -3, 3)];
+        var along = PlanningTests.Plan([.. steps, Return(10, 0, 0)], Rules);
+        Assert.That(along.Report.ReturnsOver, Is.EqualTo(1), "the goal itself is open");
+        var roofed = PlanRun.Run([.. steps, Return(0, 0, 0)], Rules, new PlanOptions { Start = Vec3.Zero }, null, default);
+        Assert.That(roofed.Value!.Report.BlockedReturns, Is.EqualTo(1), "the roof lies across the branch as well");
+        Assert.That(roofed.Diagnostics.Select(d => d.Code), Has.Member("plan.blocked_return"));
+    }
+
+    [Test]
+    public void Back_along_a_branch_that_was_left_under_a_roof()
+    {
+        // A roof is printed first; the head then dives under its edge and draws below it.
+        Step[] steps =
+        [
+            Path(-5, 0, 3, 5, 0, 3), new TravelStep([new Vec3(5, 20, 3), new Vec3(5, 20, 0), new Vec3(0, 0, 0)]), Path(0, 0, 0, 0, 8, 0), Return(0, 0, 0), Path(0, 0, 0, 0, -8, 0),
+        ];
+        var plan = PlanningTests.Plan(steps, Rules);
+        Assert.That(plan.Report.BlockedReturns, Is.EqualTo(1));
+        Assert.That(plan.Toolpath.Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(3));
+    }
+
+    [Test]
+    public void As_drawn_returns_are_straight()
+    {
+        Step[] steps = [Path(0, 0, 0, 10, 0, 5), Return(0, 0, 0)];
+        Assert.That(PlanningTests.Moves(steps, Rules with { Policy = PlanPolicy.AsDrawn }).Last(), Is.EqualTo("Travel 0,0,0 0 150"));
+    }
+
+    [Test]
+    public void The_way_back_is_the_way_that_the_head_came()
+    {
+        var way = new ReturnWay();
+        foreach (var x in new[] { 0, 1, 2, 3, 4 }) way.Visit(new Vec3(x, 0));
+        Assert.That(way.BackTo(new Vec3(2, 0)), Is.EqualTo(new[] { new Vec3(3, 0), new Vec3(2, 0) }));
+        way.Visit(new Vec3(2, 5));
+        Assert.That(way.BackTo(new Vec3(0, 0)), Is.EqualTo(new[] { new Vec3(2, 0), new Vec3(1, 0), new Vec3(0, 0) }));
+        Assert.That(way.BackTo(new Vec3(9, 9)), Is.Null);
+        way.Visit(new Vec3(9, 8));
+        Assert.That(way.BackTo(new Vec3(9, 9)), Is.EqualTo(new[] { new Vec3(9, 9) }));
+    }
+
+    [Test]
+    public void A_tree_is_drawn_without_a_travel_through_its_branches()
+    {
+        var steps = new List<Step>();
+        Grow(steps, new Vec3(0, 0, 0), new Vec3(0, 8, 3), 7);
+        var plan = PlanningTests.Plan(steps, Rules);
+        Assert.That(plan.Report.ReturnsOver, Is.GreaterThan(50));
+        Assert.That(plan.Report.BlockedReturns, Is.LessThan(plan.Report.ReturnsOver / 4));
+        Assert.That(plan.Report.Retractions, Is.GreaterThanOrEqualTo(plan.Report.Restores));
+    }
+
+    // Branches that fork left and right and climb.
+    private static void Grow(List<Step> steps, Vec3 at, Vec3 d, int depth)
+    {
+        if (depth == 0) return;
+        var end = at + d;
+        steps.Add(new PrintPath([at, end], new Bead(0.1)));
+        Grow(steps, end, new Vec3(d.X * 0.8 - d.Y * 0.45, d.X * 0.45 + d.Y * 0.8, d.Z) * 0.75, depth - 1);
+        Grow(steps, end, new Vec3(d.X * 0.8 + d.Y * 0.45, d.Y * 0.8 - d.X * 0.45, d.Z) * 0.75, depth - 1);
+        steps.Add(Return(at.X, at.Y, at.Z));
+    }
+
+    private static PrintPath Path(double x0, double y0, double z0, double x1, double y1, double z1) => new([new Vec3(x0, y0, z0), new Vec3(x1, y1, z1)], new Bead(0.5));
+
+    private static TravelStep Return(double x, double y, double z) => new(new Vec3(x, y, z), 0, TravelIntent.Return);
+}
