@@ -40,6 +40,9 @@ public sealed class DiagnosticList
         foreach (var diagnostic in diagnostics) Add(diagnostic);
     }
 
+    /// <summary>True when a finding of this kind was added, so that its message need not be made again.</summary>
+    public bool Contains(string code, Severity severity) => _index.ContainsKey((code, severity));
+
     /// <summary>What was collected so far, as an immutable copy.</summary>
     public IReadOnlyList<Diagnostic> ToList() => _items.ToArray();
 }

@@ -1,0 +1,165 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>
+/// Looks for moves that the printer cannot or must not make: outside the space it can reach, below the bed, more material than the hot end can push, extrusion while cold, faster than
+/// its axes. Problems of one kind are one diagnostic, with the first move and a count.
+/// </summary>
+public static class LimitCheck
+{
+    // mm; what is written has three decimals.
+    private const double Tolerance = 0.001;
+
+    /// <summary>Checks a toolpath against a printer, material and settings.</summary>
+    /// <returns>
+    /// Errors <c>bed.outside</c>, <c>bed.below</c>, <c>limit.flow</c>, <c>limit.cold_extrusion</c>, <c>limit.tool</c>; warnings <c>limit.speed</c>; the
+    /// source of each is the first such move and its step or line.
+    /// </returns>
+    public static IReadOnlyList<Diagnostic> Run(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        var findings = new Findings(toolpath);
+        CheckTemperature(toolpath, setup, findings);
+        var start = toolpath.Start ?? Vec3.Zero;
+        var known = toolpath.Start is not null;
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            progress?.Report((double)block / toolpath.Blocks.Count);
+            var columns = toolpath.Blocks[block].Columns;
+            var first = toolpath.FirstOf(block);
+            for (var i = 0; i < columns.Count; i++)
+            {
+                var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
+                CheckPlace(columns, i, first + i, start, end, setup.Printer, findings);
+                if (known) CheckRates(toolpath, columns, i, first + i, start, end, setup, findings);
+                known = true;
+                start = end;
+            }
+        }
+        progress?.Report(1);
+        return findings.ToList();
+    }
+
+    private static void CheckPlace(ToolpathColumns columns, int i, int move, Vec3 start, Vec3 end, Printer printer, Findings findings)
+    {
+        var reachable = printer.CanReach(end, Tolerance);
+        if (reachable && columns.TryGetArc(i, out var arc))
+            reachable = printer.BedShape == BedShape.Round ? ReachesAlong(arc, start, end, printer) : printer.BuildBounds.Contains(arc.Bounds(start, end), Tolerance);
+        if (!reachable) ReportPlace(move, end, printer, findings);
+    }
+
+    private static void ReportPlace(int move, Vec3 end, Printer printer, Findings findings)
+    {
+        if (end.Z < -Tolerance && printer.CanReach(end.WithZ(0), Tolerance))
+            findings.Add(Severity.Error, "bed.below", move, () => $"A move goes to Z {NumberFormatter.Format(end.Z, 3)} mm, below the bed.");
+        else
+            findings.Add(Severity.Error, "bed.outside", move, () => $"A move goes to {end}, outside the build volume of {printer.Title}: {printer.BuildBounds}{(printer.BedShape == BedShape.Round ? ", round" : "")}.");
+    }
+
+    private static bool ReachesAlong(Arc arc, Vec3 start, Vec3 end, Printer printer)
+    {
+        var chords = arc.ChordCount(start, 0.05);
+        for (var k = 1; k < chords; k++)
+        {
+            if (!printer.CanReach(arc.PointAt(start, end, (double)k / chords), 0.05)) return false;
+        }
+        return true;
+    }
+
+    private static void CheckRates(Toolpath toolpath, ToolpathColumns columns, int i, int move, Vec3 start, Vec3 end, PrintSetup setup, Findings findings)
+    {
+        var printer = setup.Printer;
+        if (columns.Tool[i] >= printer.ToolCount) ReportTool(columns.Tool[i], move, printer, findings);
+        var speed = columns.Speed[i];
+        var way = end - start;
+        var length = columns.TryGetArc(i, out var arc) ? arc.Length(start, end) : way.Length;
+        if (length <= 0 || speed <= 0) return;
+        var most = MostSpeed(way, length, printer.MaxSpeed);
+        if (speed > most * (1 + 1e-9)) ReportSpeed(speed, most, move, printer, findings);
+        var limit = Least(printer.MaxFlow, setup.Material.MaxFlow);
+        if (limit <= 0 || columns.Kind[i] != MoveKind.Print || toolpath.VolumePerE(columns.Tool[i]) is not { } volume) return;
+        var flow = columns.Deposited[i] * volume / length * Math.Min(speed, most);
+        if (flow > limit * 1.001) ReportFlow(flow, limit, move, findings);
+    }
+
+    private static void ReportTool(int tool, int move, Printer printer, Findings findings)
+        => findings.Add(Severity.Error, "limit.tool", move,
+            () => $"A move is for tool {NumberFormatter.Format(tool)}; {printer.Title} has {NumberFormatter.Format(printer.ToolCount)}, counted from 0.");
+
+    private static void ReportSpeed(double speed, double most, int move, Printer printer, Findings findings)
+        => findings.Add(Severity.Warning, "limit.speed", move,
+            () => $"A move asks for {NumberFormatter.Format(speed, 1)} mm/s; {printer.Title} moves there at {NumberFormatter.Format(most, 1)} mm/s and will slow down.");
+
+    private static void ReportFlow(double flow, double limit, int move, Findings findings)
+        => findings.Add(Severity.Error, "limit.flow", move,
+            () => $"A move asks for {NumberFormatter.Format(flow, 2)} mm³/s of material; the limit is {NumberFormatter.Format(limit, 2)} mm³/s.");
+
+    // What the axes allow in a direction; an arc is taken by its chord in Z and by the slower of X and Y.
+    private static double MostSpeed(Vec3 way, double length, AxisValues axes)
+    {
+        var most = double.MaxValue;
+        if (way.X != 0) most = Math.Min(most, axes.X * length / Math.Abs(way.X));
+        if (way.Y != 0) most = Math.Min(most, axes.Y * length / Math.Abs(way.Y));
+        if (way.Z != 0) most = Math.Min(most, axes.Z * length / Math.Abs(way.Z));
+        return most == double.MaxValue ? Math.Min(axes.X, axes.Y) : most;
+    }
+
+    private static void CheckTemperature(Toolpath toolpath, PrintSetup setup, Findings findings)
+    {
+        var least = setup.Printer.MinExtrusionTemperature;
+        if (least <= 0 || setup.Printer.ExtrusionUnit == ExtrusionUnit.None) return;
+        var temperature = setup.Material.NozzleTemperature;
+        var next = 0;
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        {
+            var columns = toolpath.Blocks[block].Columns;
+            var first = toolpath.FirstOf(block);
+            for (var i = 0; i < columns.Count; i++)
+            {
+                for (; next < toolpath.Events.Count && toolpath.Events[next].Move <= first + i; next++)
+                {
+                    if (toolpath.Events[next].Event is NozzleTemperatureEvent heat) temperature = heat.Celsius;
+                }
+                if (columns.E[i] <= 0 || temperature >= least) continue;
+                ReportCold(temperature, first + i, setup.Printer, findings);
+            }
+        }
+    }
+
+    private static void ReportCold(double celsius, int move, Printer printer, Findings findings)
+        => findings.Add(Severity.Error, "limit.cold_extrusion", move,
+            () => $"A move extrudes at {NumberFormatter.Format(celsius, 0)} °C; {printer.Title} needs {NumberFormatter.Format(printer.MinExtrusionTemperature, 0)} °C.");
+
+    private static double Least(double a, double b) => a <= 0 ? b : b <= 0 ? a : Math.Min(a, b);
+
+    // Messages are made for the first finding of a kind only.
+    private sealed class Findings(Toolpath toolpath)
+    {
+        private readonly DiagnosticList _list = new();
+
+        public void Add(Severity severity, string code, int move, Func<string> message)
+        {
+            if (!_list.Contains(code, severity)) _list.Add(severity, code, message(), Place(move));
+            else _list.Add(severity, code, "");
+        }
+
+        public IReadOnlyList<Diagnostic> ToList() => _list.ToList();
+
+        private SourceLocation Place(int move)
+        {
+            var source = toolpath[move].Source;
+            return toolpath.Source == MoveSource.Lines
+                ? new SourceLocation(Line: source > 0 ? source : null, Move: move)
+                : new SourceLocation(Step: source >= 0 ? source : null, Move: move);
+        }
+    }
+}
