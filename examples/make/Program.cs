@@ -3,11 +3,19 @@ using System.IO;
 
 namespace Caterpillar.Examples;
 
-/// <summary>Writes the example models: <c>dotnet run --project examples/make [FOLDER]</c>; without a folder into examples/models of the repository.</summary>
+/// <summary>
+/// Writes the example models: <c>dotnet run --project examples/make [FOLDER]</c>; without a folder into examples/models of the repository. With <c>--pictures FOLDER</c> it draws the
+/// trace examples instead.
+/// </summary>
 internal static class Program
 {
     private static int Main(string[] arguments)
     {
+        if (arguments.Length == 2 && arguments[0] == "--pictures")
+        {
+            TracePictures.Write(arguments[1]);
+            return 0;
+        }
         var folder = arguments.Length > 0 ? arguments[0] : ModelsFolder();
         if (folder is null)
         {
