@@ -85,8 +85,8 @@ public static class LimitCheck
         if (length <= 0 || speed <= 0) return;
         var most = MostSpeed(way, length, printer.MaxSpeed);
         if (speed > most * (1 + 1e-9)) ReportSpeed(speed, most, move, printer, findings);
-        var limit = Least(printer.MaxFlow, setup.Material.MaxFlow);
-        if (limit <= 0 || columns.Kind[i] != MoveKind.Print || toolpath.VolumePerE(columns.Tool[i]) is not { } volume) return;
+        var limit = setup.MaxFlow;
+        if (columns.Kind[i] != MoveKind.Print || toolpath.VolumePerE(columns.Tool[i]) is not { } volume) return;
         var flow = columns.Deposited[i] * volume / length * Math.Min(speed, most);
         if (flow > limit * 1.001) ReportFlow(flow, limit, move, findings);
     }
@@ -138,8 +138,6 @@ public static class LimitCheck
     private static void ReportCold(double celsius, int move, Printer printer, Findings findings)
         => findings.Add(Severity.Error, "limit.cold_extrusion", move,
             () => $"A move extrudes at {NumberFormatter.Format(celsius, 0)} °C; {printer.Title} needs {NumberFormatter.Format(printer.MinExtrusionTemperature, 0)} °C.");
-
-    private static double Least(double a, double b) => a <= 0 ? b : b <= 0 ? a : Math.Min(a, b);
 
     // Messages are made for the first finding of a kind only.
     private sealed class Findings(Toolpath toolpath)

@@ -7,11 +7,12 @@ namespace Caterpillar.Slicing;
 /// <summary>Walls and infill of one island of a layer.</summary>
 internal sealed class IslandSlicer(SliceRules rules, Layer layer, RegionEngine engine)
 {
+    private const double ArcTolerance = 0.005;
+
     /// <summary>Adds the paths of an island. Ranks: inner walls from the inside out, the outer wall, the infill.</summary>
     public void Slice(Region island, int layerNumber, int islandNumber, List<PathStep> steps)
     {
         var innermost = island;
-        var last = 0;
         for (var wall = 0; wall < rules.Walls; wall++)
         {
             // The first wall keeps half a width from the outline, each next one a pitch from the last.
@@ -24,8 +25,7 @@ internal sealed class IslandSlicer(SliceRules rules, Layer layer, RegionEngine e
                 break;
             }
             innermost = line;
-            last = wall + 1;
-            var rank = wall == 0 ? rules.Walls : rules.Walls - wall;
+            var rank = rules.Walls - wall;
             foreach (var contour in line.Contours)
             {
                 if (contour.Count < 3) continue;
@@ -34,15 +34,13 @@ internal sealed class IslandSlicer(SliceRules rules, Layer layer, RegionEngine e
                     new StepGroup(layerNumber, islandNumber, rank)));
             }
         }
-        if (rules.InfillSpacing > 0 && !innermost.IsEmpty) Fill(innermost, last, layerNumber, islandNumber, steps);
+        if (rules.InfillSpacing > 0 && !innermost.IsEmpty) Fill(innermost, layerNumber, islandNumber, steps);
     }
 
-    private const double ArcTolerance = 0.005;
-
     // The infill reaches the inner edge of the last wall and the overlap into it. Lines turn by a quarter from layer to layer.
-    private void Fill(Region innermost, int walls, int layerNumber, int islandNumber, List<PathStep> steps)
+    private void Fill(Region innermost, int layerNumber, int islandNumber, List<PathStep> steps)
     {
-        var inset = walls == 0 ? 0 : rules.Pitch / 2 - rules.InfillOverlap;
+        var inset = rules.Walls == 0 ? 0 : rules.Pitch / 2 - rules.InfillOverlap;
         var area = inset == 0 ? innermost : innermost.Offset(-inset, JoinStyle.Miter, 2, ArcTolerance, engine);
         var angle = rules.InfillAngle + (layer.Index % 2 == 0 ? 0 : 90);
         foreach (var line in area.HatchLines(angle, rules.InfillSpacing))

@@ -47,6 +47,7 @@ public static class PlanarSlicer
             return engine;
         }, _ => { });
         var kept = layers.Where(l => l.Steps.Count > 0).ToArray();
+        if (settings.SkirtLoops > 0 && kept.Length > 0) kept[0] = Skirt.Around(kept, settings);
         if (kept.Length == 0)
             problems.Add(Severity.Error, "slice.nothing", "Nothing to print: the models have no closed contour as wide as a line on any layer.");
         return new Result<SliceResult>(kept.Length > 0 ? new SliceResult(kept) : null, problems.ToList());
