@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// Turns curves into points. Linear parts (lines, collinear runs of polylines, straight spans of NURBS curves) keep their end points only, curved parts are divided as asked
+/// (Caterpillar 2019, section 4.2). Kinks and the seam of a closed curve always are points.
+/// </summary>
+public static class CurveSubdivider
+{
+    /// <summary>Divides a curve.</summary>
+    /// <exception cref="ArgumentException">The options are out of range, or ask for nothing.</exception>
+    public static Subdivision Subdivide(Curve curve, SubdivisionOptions options)
+    {
+        if (curve is null) throw new ArgumentNullException(nameof(curve));
+        if (options is null) throw new ArgumentNullException(nameof(options));
+        options.Check();
+        var work = new Work(options);
+        if (curve is PolylineCurve polyline) return work.Polyline(polyline);
+        var spans = curve.Spans();
+        if (spans.Count == 0) return new Subdivision([curve.Start, curve.End], false, [true], null);
+        work.Begin(spans[0].Start);
+        for (var i = 0; i < spans.Count;)
+        {
+            var end = i + 1;
+            if (spans[i].IsStraight(options.LinearTolerance))
+            {
+                while (end < spans.Count && spans[end].IsStraight(options.LinearTolerance)) end++;
+                work.Linear(spans, i, end);
+            }
+            else if (work.CanStayArc(spans[i]))
+            {
+                work.Arc(spans[i].Arc!);
+            }
+            else
+            {
+                while (end < spans.Count && !spans[end].IsStraight(options.LinearTolerance) && !work.CanStayArc(spans[end]) && !work.IsKink(spans[end - 1], spans[end])) end++;
+                work.Curved(spans.GetRange(i, end - i));
+            }
+            i = end;
+        }
+        return work.Finish(curve.IsClosed);
+    }
+
+    private sealed class Work(SubdivisionOptions options)
+    {
+        private readonly List<Vec3> _points = [];
+        private readonly List<bool> _linear = [];
+        private List<Arc?>? _arcs;
+
+        public void Begin(Vec3 start) => _points.Add(start);
+
+        public bool CanStayArc(CurveSpan span)
+            => options.KeepArcs && span.Arc is { } arc && Math.Abs(Vec3.Dot(arc.Frame.Z, Vec3.UnitZ)) >= 1 - 1e-14 && Math.Abs(arc.Start.Z - arc.End.Z) <= 1e-9;
+
+        public bool IsKink(CurveSpan before, CurveSpan behind) => CurveSpan.TurnDegrees(before.EndTangent, behind.StartTangent) > options.KinkAngle;
+
+        public Subdivision Polyline(PolylineCurve curve)
+        {
+            var source = curve.Polyline.Raw;
+            var count = curve.Polyline.SegmentCount + 1;
+            var points = new Vec3[count];
+            var used = 0;
+            for (var i = 0; i < count; i++)
+            {
+                var point = source[i == source.Length ? 0 : i];
+                if (used == 0 || point != points[used - 1]) points[used++] = point;
+            }
+            if (used == 1) return new Subdivision([points[0], points[0]], false, [true], null);
+            var kept = new List<int> { 0 };
+            LinearRuns.Keep(points, 0, used - 1, options.LinearTolerance, kept);
+            _points.Capacity = kept.Count;
+            foreach (var i in kept) _points.Add(points[i]);
+            for (var i = 1; i < kept.Count; i++) _linear.Add(true);
+            return Finish(curve.IsClosed);
+        }
+
+        public void Linear(List<CurveSpan> spans, int first, int end)
+        {
+            var corners = new List<Vec3> { _points[_points.Count - 1] };
+            for (var i = first; i < end; i++) corners.Add(spans[i].End);
+            var kept = new List<int>();
+            LinearRuns.Keep(corners, 0, corners.Count - 1, options.LinearTolerance, kept);
+            foreach (var i in kept) Add(corners[i], true);
+        }
+
+        public void Arc(ArcCurve arc)
+        {
+            var center = arc.Center;
+            var sweep = arc.Frame.Z.Z > 0 ? arc.Sweep : -arc.Sweep;
+            var parts = Math.Abs(sweep) > 359 ? 2 : 1;
+            for (var i = 1; i <= parts; i++) Add(arc.PointAt((double)i / parts), false, new Arc(center, sweep / parts));
+        }
+
+        public void Curved(List<CurveSpan> spans)
+        {
+            var run = new CurvedRun(spans, options);
+            foreach (var point in run.Divide()) Add(point, false);
+        }
+
+        public Subdivision Finish(bool closed)
+        {
+            var count = _points.Count;
+            // A closed curve of two straight segments is a way there and back, which stays open.
+            if (closed && count > (_arcs is null ? 3 : 2) && _points[0].DistanceTo(_points[count - 1]) <= Curve.JoinTolerance) _points.RemoveAt(count - 1);
+            else closed = false;
+            return new Subdivision(_points.ToArray(), closed, _linear.ToArray(), _arcs?.ToArray());
+        }
+
+        private void Add(Vec3 point, bool linear, Arc? arc = null)
+        {
+            if (arc is not null && _arcs is null)
+            {
+                _arcs = [];
+                foreach (var _ in _linear) _arcs.Add(null);
+            }
+            _points.Add(point);
+            _linear.Add(linear);
+            _arcs?.Add(arc);
+        }
+    }
+}

@@ -1,0 +1,233 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// Divides a smooth run of curved spans. The requests become a density of segments along the length (one by the distance, √(κ/8t) for a chord tolerance t at curvature κ,
+/// κ/α for a turn α); equal steps of its integral give the points. Every segment is then measured and halved where it fails.
+/// </summary>
+internal sealed class CurvedRun
+{
+    // Shares of the request that the density is computed for and that samples may measure: between samples the chord error can be 2 % more.
+    private const double Planned = 0.93;
+    private const double Measured = 0.97;
+    private const double LargestDensity = 1e4;
+    private const int MaxPoints = 10_000_000;
+
+    private readonly SubdivisionOptions _options;
+    private readonly ArcLength _length;
+    private readonly double _longest;
+    private readonly List<(double S, double Amount)> _table = [];
+    private readonly List<Vec3> _points = [];
+
+    public CurvedRun(List<CurveSpan> spans, SubdivisionOptions options)
+    {
+        _options = options;
+        _length = ArcLength.Of(spans);
+        _longest = options.Distance;
+        if (options.MaxLength > 0 && (_longest == 0 || options.MaxLength < _longest)) _longest = options.MaxLength;
+    }
+
+    private bool Adapts => _options.ChordTolerance > 0 || _options.Angle > 0;
+
+    /// <summary>The points behind the start of the run, with its end.</summary>
+    public List<Vec3> Divide()
+    {
+        var stations = Adapts ? ByDensity() : ByLength();
+        var spans = _length.Spans;
+        var last = new Station(0, 0, 0);
+        foreach (var s in stations)
+        {
+            if (s <= last.S || s >= _length.Total) continue;
+            var (span, u) = _length.Locate(s);
+            var next = new Station(s, span, u);
+            Add(last, next, 0);
+            last = next;
+        }
+        Add(last, new Station(_length.Total, spans.Count - 1, 1), 0);
+        return _points;
+    }
+
+    // Lengths along the run at which it is cut, without its ends.
+    private double[] ByLength()
+    {
+        var total = _length.Total;
+        var step = Math.Max(_longest, _options.MinLength);
+        if (!_options.EqualDivision)
+        {
+            var whole = (int)Math.Min(Math.Ceiling(total / step - 1e-9) - 1, MaxPoints);
+            // A stub below the minimum is left to the segment before it.
+            if (whole > 0 && total - whole * step < _options.MinLength * (1 - 1e-9)) whole--;
+            return Stations(Math.Max(whole, 0), k => k * step);
+        }
+        var count = Count(total / step);
+        if (_options.MinLength > 0) count = Math.Min(count, AtLeast(total / _options.MinLength));
+        count = AtLeastAround(count);
+        return Stations(count - 1, k => total * k / count);
+    }
+
+    private double[] ByDensity()
+    {
+        BuildTable();
+        var total = _table[_table.Count - 1].Amount;
+        if (!_options.EqualDivision)
+        {
+            var whole = (int)Math.Min(Math.Ceiling(total - 1e-9) - 1, MaxPoints);
+            return Stations(Math.Max(whole, 0), k => LengthOf(k));
+        }
+        var count = Count(total);
+        // With the density at its cap, rounding up would make segments shorter than the minimum.
+        if (_options.MinLength > 0 && count > 1 && _options.MinLength * count > _length.Total) count = AtLeast(_length.Total / _options.MinLength);
+        count = AtLeastAround(count);
+        return Stations(count - 1, k => LengthOf(total * k / count));
+    }
+
+    // A loop needs a triangle.
+    private int AtLeastAround(int count)
+    {
+        var spans = _length.Spans;
+        return spans[0].Start.DistanceTo(spans[spans.Count - 1].End) <= Curve.JoinTolerance ? Math.Max(count, 3) : count;
+    }
+
+    private static int Count(double amount) => (int)Math.Min(Math.Max(Math.Ceiling(amount - 1e-9), 1), MaxPoints);
+
+    private static int AtLeast(double amount) => (int)Math.Min(Math.Max(Math.Floor(amount + 1e-9), 1), MaxPoints);
+
+    private static double[] Stations(int count, Func<int, double> at)
+    {
+        var stations = new double[count];
+        for (var i = 0; i < count; i++) stations[i] = at(i + 1);
+        return stations;
+    }
+
+    private double Density(CurveSpan span, double u)
+    {
+        var density = _longest > 0 ? 1 / _longest : 0;
+        var curvature = Math.Min(span.Curvature(u), 1e12);
+        if (_options.ChordTolerance > 0) density = Math.Max(density, Math.Sqrt(curvature / (8 * Planned * _options.ChordTolerance)));
+        if (_options.Angle > 0) density = Math.Max(density, curvature / Basics.Angle.ToRadians(Measured * _options.Angle));
+        return Math.Min(density, _options.MinLength > 0 ? Math.Min(1 / _options.MinLength, LargestDensity) : LargestDensity);
+    }
+
+    // The integral of the density over the length, as a table that is linear between its entries.
+    private void BuildTable()
+    {
+        _table.Add((0, 0));
+        for (var i = 0; i < _length.LeafCount; i++)
+        {
+            var (number, from, to, start, length) = _length.LeafAt(i);
+            var span = _length.Spans[number];
+            if (span.Arc is not null)
+            {
+                Append(start + length, length * Density(span, 0.5));
+                continue;
+            }
+            const int Parts = 8;
+            for (var k = 0; k < Parts; k++)
+            {
+                var a = from + (to - from) * k / Parts;
+                var b = from + (to - from) * (k + 1) / Parts;
+                Integrate(span, a, b, Density(span, a), Density(span, b), SpeedAt(span, a), SpeedAt(span, b), 0);
+            }
+            // Lengths of the table follow the trapezoids; the leaf ends exactly.
+            _table[_table.Count - 1] = (start + length, _table[_table.Count - 1].Amount);
+        }
+    }
+
+    private void Integrate(CurveSpan span, double a, double b, double densityA, double densityB, double speedA, double speedB, int depth)
+    {
+        var middle = 0.5 * (a + b);
+        var density = Density(span, middle);
+        var speed = SpeedAt(span, middle);
+        var mean = 0.5 * (densityA + densityB);
+        if (depth < 10 && Math.Abs(density - mean) > 0.02 * (density + mean) && (b - a) * speed * density > 0.01)
+        {
+            Integrate(span, a, middle, densityA, density, speedA, speed, depth + 1);
+            Integrate(span, middle, b, density, densityB, speed, speedB, depth + 1);
+            return;
+        }
+        // Simpson's rule for the length and for the amount of each half.
+        var half = 0.5 * (b - a);
+        Append(Last + half * 0.5 * (speedA + speed), half * 0.5 * (speedA * densityA + speed * density));
+        Append(Last + half * 0.5 * (speed + speedB), half * 0.5 * (speed * density + speedB * densityB));
+    }
+
+    private double Last => _table[_table.Count - 1].S;
+
+    private static double SpeedAt(CurveSpan span, double u) => span.Derivatives(u).First.Length;
+
+    private void Append(double s, double amount) => _table.Add((s, _table[_table.Count - 1].Amount + amount));
+
+    private double LengthOf(double amount)
+    {
+        int low = 0, high = _table.Count - 1;
+        while (high - low > 1)
+        {
+            var middle = (low + high) / 2;
+            if (_table[middle].Amount <= amount) low = middle;
+            else high = middle;
+        }
+        var (s, reached) = _table[low];
+        var size = _table[high].Amount - reached;
+        return size > 0 ? s + (_table[high].S - s) * Math.Min(1, (amount - reached) / size) : s;
+    }
+
+    private void Add(Station from, Station to, int depth)
+    {
+        if (depth < 24 && _points.Count < MaxPoints && (to.S - from.S) * 0.5 >= Math.Max(_options.MinLength, 1e-6) && Fails(from, to))
+        {
+            var s = 0.5 * (from.S + to.S);
+            var (span, u) = _length.Locate(s);
+            var middle = new Station(s, span, u);
+            Add(from, middle, depth + 1);
+            Add(middle, to, depth + 1);
+            return;
+        }
+        _points.Add(PointOf(to));
+    }
+
+    private bool Fails(Station from, Station to)
+    {
+        if (_longest > 0 && to.S - from.S > _longest * (1 + 1e-9)) return true;
+        if (!Adapts) return false;
+        var spans = _length.Spans;
+        var start = PointOf(from);
+        var chord = PointOf(to) - start;
+        var squared = chord.LengthSquared;
+        var largest = Measured * _options.ChordTolerance;
+        var turn = 0.0;
+        var lastTangent = Tangent(spans[from.Span], from.U);
+        for (var number = from.Span; number <= to.Span; number++)
+        {
+            var a = number == from.Span ? from.U : 0;
+            var b = number == to.Span ? to.U : 1;
+            if (!(b > a)) continue;
+            const int Samples = 8;
+            for (var k = 1; k <= Samples; k++)
+            {
+                var u = a + (b - a) * k / Samples;
+                if (_options.ChordTolerance > 0)
+                {
+                    var d = spans[number].Point(u) - start;
+                    var along = squared > 0 ? Math.Min(Math.Max(Vec3.Dot(d, chord) / squared, 0), 1) : 0;
+                    if ((d - chord * along).LengthSquared > largest * largest) return true;
+                }
+                if (_options.Angle > 0)
+                {
+                    var tangent = Tangent(spans[number], u);
+                    turn += CurveSpan.TurnDegrees(lastTangent, tangent);
+                    lastTangent = tangent;
+                    if (turn > _options.Angle) return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private static Vec3 Tangent(CurveSpan span, double u) => u <= 0 ? span.StartTangent : u >= 1 ? span.EndTangent : span.Derivatives(u).First.Unit();
+
+    private Vec3 PointOf(Station station) => _length.Spans[station.Span].Point(station.U);
+
+    private readonly record struct Station(double S, int Span, double U);
+}

@@ -1,0 +1,42 @@
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>
+/// A curve as points in mm with straight segments or arcs between them. A closed one does not repeat its first point and has a segment back to it. Immutable.
+/// </summary>
+public sealed class Subdivision
+{
+    private readonly Vec3[] _points;
+    private readonly bool[] _linear;
+    private readonly Arc?[]? _arcs;
+
+    internal Subdivision(Vec3[] points, bool closed, bool[] linear, Arc?[]? arcs)
+    {
+        _points = points;
+        _linear = linear;
+        _arcs = arcs;
+        IsClosed = closed;
+    }
+
+    public IReadOnlyList<Vec3> Points => _points;
+
+    public bool IsClosed { get; }
+
+    public int SegmentCount => _linear.Length;
+
+    public bool HasArcs => _arcs is not null;
+
+    /// <summary>True where the segment is a linear part of the curve, false where it stands for a piece of a curved part.</summary>
+    public bool IsLinear(int segment) => _linear[segment];
+
+    /// <summary>The arc of a segment, or null where it is straight.</summary>
+    public Arc? ArcOf(int segment) => _arcs?[segment];
+
+    /// <summary>End point of a segment.</summary>
+    public Vec3 EndOf(int segment) => segment + 1 == _points.Length ? _points[0] : _points[segment + 1];
+
+    internal Vec3[] Raw => _points;
+
+    internal Arc?[]? RawArcs => _arcs;
+}

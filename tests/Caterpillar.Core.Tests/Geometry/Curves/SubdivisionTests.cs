@@ -1,0 +1,253 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Geometry.Curves;
+
+public class SubdivisionTests
+{
+    [Test]
+    public void Of_linear_parts_only_the_end_points_are_printed()
+    {
+        var curve = CurveMaker.LineArcLineNurbsLine();
+        var divided = CurveSubdivider.Subdivide(curve, SubdivisionOptions.ByDistance(1));
+        var linear = Enumerable.Range(0, divided.SegmentCount).Where(divided.IsLinear).Select(i => (divided.Points[i], divided.EndOf(i))).ToArray();
+        Assert.That(linear, Is.EqualTo(new[]
+        {
+            (new Vec3(0, 0), new Vec3(10, 0)),
+            (curve.PointAt(2), new Vec3(15, 15)),
+            (curve.PointAt(4), new Vec3(30, 0, 4)),
+        }));
+        // The arc of 7.854 mm has 8 equal parts, the NURBS curve as many as its length asks for.
+        var nurbs = curve.Pieces[3].Length;
+        Assert.That(divided.SegmentCount, Is.EqualTo(3 + 8 + Math.Ceiling(nurbs)));
+        Assert.That(divided.IsClosed, Is.False);
+        Assert.That(divided.Points[divided.Points.Count - 1], Is.EqualTo(curve.End));
+    }
+
+    [Test]
+    public void Kept_arcs_stay_one_segment()
+    {
+        var options = SubdivisionOptions.ByDistance(1) with { KeepArcs = true };
+        var divided = CurveSubdivider.Subdivide(CurveMaker.LineArcLineNurbsLine(), options);
+        Assert.That(divided.ArcOf(0), Is.Null);
+        var arc = divided.ArcOf(1)!.Value;
+        Assert.That(arc.Center, Is.EqualTo(new Vec3(10, 5)));
+        Assert.That(arc.Sweep, Is.EqualTo(90));
+        Assert.That(arc.Radius(divided.Points[1]), Is.EqualTo(5).Within(1e-12));
+
+        var circle = CurveSubdivider.Subdivide(ArcCurve.Circle(new Vec3(0, 0, 1), 2), options);
+        Assert.That(circle.IsClosed, Is.True);
+        Assert.That(circle.SegmentCount, Is.EqualTo(2));
+        Assert.That(circle.ArcOf(1)!.Value.Sweep, Is.EqualTo(180));
+
+        var below = new ArcCurve(Frame.World.Roll(180), 2, 90);
+        Assert.That(CurveSubdivider.Subdivide(below, options).ArcOf(0)!.Value.Sweep, Is.EqualTo(-90));
+        var upright = new ArcCurve(Frame.World.Roll(90), 2, 90);
+        Assert.That(CurveSubdivider.Subdivide(upright, options).HasArcs, Is.False);
+    }
+
+    [Test]
+    public void Collinear_runs_of_a_polyline_keep_their_ends()
+    {
+        var points = new List<Vec3>();
+        for (var i = 0; i <= 1000; i++) points.Add(new Vec3(i * 0.1, 0));
+        for (var i = 1; i <= 777; i++) points.Add(new Vec3(100, i * 0.3, i * 0.01));
+        var divided = CurveSubdivider.Subdivide(new PolylineCurve(points), SubdivisionOptions.ByDistance(1));
+        Assert.That(divided.Points, Is.EqualTo(new[] { points[0], points[1000], points[points.Count - 1] }));
+    }
+
+    [Test]
+    public void A_polyline_that_turns_back_keeps_the_turn()
+    {
+        var divided = CurveSubdivider.Subdivide(new PolylineCurve([new(0, 0), new(5, 0), new(5, 0), new(3, 0), new(8, 0)]), SubdivisionOptions.ByDistance(1));
+        Assert.That(divided.Points, Is.EqualTo(new Vec3[] { new(0, 0), new(5, 0), new(3, 0), new(8, 0) }));
+    }
+
+    [Test]
+    public void Long_straight_runs_are_found_whole_on_random_polylines()
+    {
+        var random = new Random(21);
+        for (var n = 0; n < 200; n++)
+        {
+            var corners = Enumerable.Range(0, random.Next(2, 8)).Select(_ => CurveMaker.Point(random)).ToArray();
+            var points = new List<Vec3> { corners[0] };
+            for (var i = 1; i < corners.Length; i++)
+            {
+                var parts = random.Next(1, 40);
+                for (var k = 1; k < parts; k++) points.Add(Vec3.Lerp(corners[i - 1], corners[i], (double)k / parts));
+                points.Add(corners[i]);
+            }
+            Assert.That(CurveSubdivider.Subdivide(new PolylineCurve(points), SubdivisionOptions.ByDistance(1)).Points, Is.EqualTo(corners));
+        }
+    }
+
+    [Test]
+    public void Straight_spans_of_a_nurbs_curve_are_linear()
+    {
+        // Degree 3 with five collinear control points at each end.
+        var curve = NurbsCurve.Clamped(3, [new(0, 0), new(2, 0), new(4, 0), new(6, 0), new(8, 0), new(10, 3), new(10, 6), new(10, 8), new(10, 10), new(10, 12)]);
+        var divided = CurveSubdivider.Subdivide(curve, SubdivisionOptions.ByDistance(0.5));
+        Assert.That(divided.IsLinear(0), Is.True);
+        Assert.That(divided.IsLinear(divided.SegmentCount - 1), Is.True);
+        Assert.That(Enumerable.Range(0, divided.SegmentCount).Count(divided.IsLinear), Is.EqualTo(2));
+        // The spans that only the first four, and the first five, control points shape.
+        Assert.That(divided.Points[1].DistanceTo(curve.PointAt(2)), Is.LessThan(1e-9));
+        var polyline = NurbsCurve.Clamped(1, [new(0, 0), new(1, 0), new(2, 0), new(2, 5)]);
+        Assert.That(CurveSubdivider.Subdivide(polyline, SubdivisionOptions.ByDistance(0.1)).Points, Is.EqualTo(new Vec3[] { new(0, 0), new(2, 0), new(2, 5) }));
+    }
+
+    [Test]
+    public void Spacing_and_chord_error_hold_on_a_thousand_random_curves()
+    {
+        var random = new Random(22);
+        for (var n = 0; n < 1000; n++)
+        {
+            var curve = CurveMaker.Nurbs(random);
+            var distance = CurveMaker.Next(random, 0.5, 5);
+            var tolerance = CurveMaker.Next(random, 0.01, 0.2);
+            var options = (n % 3) switch
+            {
+                0 => SubdivisionOptions.ByDistance(distance),
+                1 => SubdivisionOptions.ByTolerance(tolerance),
+                _ => SubdivisionOptions.ByTolerance(tolerance) with { MaxLength = distance },
+            };
+            if (random.Next(4) == 0) options = options with { EqualDivision = false };
+            var divided = CurveSubdivider.Subdivide(curve, options);
+            Check(curve, divided, options);
+        }
+    }
+
+    [Test]
+    public void Every_kink_is_a_point()
+    {
+        var random = new Random(23);
+        for (var n = 0; n < 300; n++)
+        {
+            var pieces = new List<Curve>();
+            var at = CurveMaker.Point(random);
+            for (var i = 0; i < 4; i++)
+            {
+                Curve piece = random.Next(2) == 0 ? CurveMaker.Nurbs(random) : ArcCurve.Circle(at, 3).SubCurve(0, 0.3);
+                piece = piece.Transformed(Affine.Move(at - piece.Start));
+                pieces.Add(piece);
+                at = piece.End;
+            }
+            var curve = new PolyCurve(pieces);
+            var divided = CurveSubdivider.Subdivide(curve, SubdivisionOptions.ByDistance(2.5));
+            foreach (var kink in curve.Kinks(1))
+            {
+                var point = curve.PointAt(kink);
+                Assert.That(divided.Points.Min(p => p.DistanceTo(point)), Is.LessThan(1e-8));
+            }
+        }
+    }
+
+    [Test]
+    public void Equal_division_leaves_no_stub_and_a_walk_does()
+    {
+        var arc = new ArcCurve(Frame.World, 10, 90);
+        var equal = CurveSubdivider.Subdivide(arc, SubdivisionOptions.ByDistance(2));
+        Assert.That(equal.SegmentCount, Is.EqualTo(8));
+        for (var i = 0; i < 8; i++) Assert.That(equal.Points[i].DistanceTo(equal.EndOf(i)), Is.EqualTo(equal.Points[0].DistanceTo(equal.Points[1])).Within(1e-9));
+        var walk = CurveSubdivider.Subdivide(arc, SubdivisionOptions.ByDistance(2) with { EqualDivision = false });
+        Assert.That(walk.SegmentCount, Is.EqualTo(8));
+        // Seven steps of 2 mm on 15.708 mm.
+        Assert.That(ArcLength.Of(arc).LengthAt(arc.ClosestPoint(walk.Points[7]).Parameter), Is.EqualTo(14).Within(1e-9));
+    }
+
+    [Test]
+    public void By_angle_every_segment_turns_as_much()
+    {
+        var divided = CurveSubdivider.Subdivide(new ArcCurve(Frame.World, 10, 90), SubdivisionOptions.ByAngle(10));
+        Assert.That(divided.SegmentCount, Is.EqualTo(10));
+        var ellipse = ArcCurve.Circle(Vec3.Zero, 10).Transformed(Affine.Scale(3, 1, 1));
+        var turned = CurveSubdivider.Subdivide(ellipse, SubdivisionOptions.ByAngle(5));
+        Assert.That(turned.IsClosed, Is.True);
+        Assert.That(turned.SegmentCount, Is.InRange(72, 80));
+    }
+
+    [Test]
+    public void No_segment_is_shorter_than_the_minimum()
+    {
+        var random = new Random(24);
+        for (var n = 0; n < 100; n++)
+        {
+            var curve = NurbsCurve.Periodic(3, [.. Enumerable.Range(0, 6).Select(_ => CurveMaker.Point(random))]);
+            var options = SubdivisionOptions.ByTolerance(0.001) with { MinLength = 0.8, EqualDivision = n % 2 == 0 };
+            var divided = CurveSubdivider.Subdivide(curve, options);
+            var length = ArcLength.Of(curve);
+            var places = divided.Points.Select(p => length.LengthAt(curve.ClosestPoint(p).Parameter)).ToList();
+            for (var i = 1; i < places.Count - 1; i++)
+            {
+                if (divided.Points[i].DistanceTo(divided.Points[i + 1]) < 0.3) Assert.That(places[i + 1] - places[i], Is.GreaterThan(0.79));
+            }
+        }
+    }
+
+    [Test]
+    public void A_closed_curve_keeps_its_seam_and_is_at_least_a_triangle()
+    {
+        var circle = ArcCurve.Circle(new Vec3(3, 3), 0.1);
+        var divided = CurveSubdivider.Subdivide(circle, SubdivisionOptions.ByDistance(5));
+        Assert.That(divided.IsClosed, Is.True);
+        Assert.That(divided.SegmentCount, Is.EqualTo(3));
+        Assert.That(divided.Points[0], Is.EqualTo(circle.Start));
+        // The seam in the middle of a side stays.
+        var square = new PolylineCurve([new(1, 0), new(2, 0), new(2, 2), new(0, 2), new(0, 0)], closed: true);
+        Assert.That(CurveSubdivider.Subdivide(square, SubdivisionOptions.ByDistance(1)).Points, Has.Count.EqualTo(5));
+    }
+
+    [Test]
+    public void Requests_out_of_range_are_refused()
+    {
+        var line = new LineCurve(Vec3.Zero, Vec3.UnitX);
+        Assert.That(() => CurveSubdivider.Subdivide(line, new SubdivisionOptions()), Throws.ArgumentException);
+        Assert.That(() => CurveSubdivider.Subdivide(line, SubdivisionOptions.ByDistance(-1)), Throws.ArgumentException);
+        Assert.That(() => CurveSubdivider.Subdivide(line, SubdivisionOptions.ByDistance(double.NaN)), Throws.ArgumentException);
+        Assert.That(() => CurveSubdivider.Subdivide(line, new SubdivisionOptions { MaxLength = 1, MinLength = 2 }), Throws.ArgumentException);
+    }
+
+    // Walks over the curve in small steps; the subdivision follows with its segments in order.
+    private static void Check(NurbsCurve curve, Subdivision divided, SubdivisionOptions options)
+    {
+        var length = ArcLength.Of(curve);
+        // The parameter of each point: the points come in order along the curve.
+        var at = 0.0;
+        for (var i = 0; i < divided.SegmentCount; i++)
+        {
+            var next = divided.EndOf(i);
+            var to = i + 1 == divided.SegmentCount ? length.Total : Ahead(curve, length, at, next);
+            if (!divided.IsLinear(i))
+            {
+                var limit = options.Distance > 0 ? options.Distance : options.MaxLength;
+                if (limit > 0) Assert.That(to - at, Is.LessThan(limit * (1 + 1e-6)));
+                for (var k = 1; k < 16 && options.ChordTolerance > 0; k++)
+                {
+                    var point = curve.PointAt(length.ParameterAt(at + (to - at) * k / 16));
+                    Assert.That(Distance(point, divided.Points[i], next), Is.LessThan(options.ChordTolerance));
+                }
+            }
+            at = to;
+        }
+    }
+
+    // The first length behind a place at which the curve goes through a point.
+    private static double Ahead(Curve curve, ArcLength length, double from, Vec3 point)
+    {
+        var start = length.ParameterAt(from);
+        var rest = start > curve.DomainStart ? curve.SubCurve(start, curve.DomainEnd) : curve;
+        var found = rest.ClosestPoint(point);
+        Assert.That(found.Distance, Is.LessThan(1e-7));
+        return length.LengthAt(found.Parameter);
+    }
+
+    private static double Distance(Vec3 p, Vec3 a, Vec3 b)
+    {
+        var d = b - a;
+        var t = Vec3.Dot(p - a, d) / d.LengthSquared;
+        return p.DistanceTo(a + d * Math.Min(Math.Max(t, 0), 1));
+    }
+}
