@@ -142,7 +142,7 @@ public class CurveTests
     public void The_closest_point_is_nearer_than_any_sample()
     {
         var random = new Random(15);
-        for (var n = 0; n < 120; n++)
+        for (var n = 0; n < 60; n++)
         {
             Curve curve = (n % 4) switch
             {
