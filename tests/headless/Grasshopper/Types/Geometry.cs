@@ -1,0 +1,262 @@
+using System;
+using GH_IO.Serialization;
+using GH_IO.Types;
+using Rhino.Geometry;
+
+namespace Grasshopper.Kernel.Types
+{
+    public class GH_Point : GH_GeometricGoo<Point3d>
+    {
+        public GH_Point()
+        {
+        }
+
+        public GH_Point(Point3d pt) : base(pt)
+        {
+        }
+
+        public override bool IsValid => m_value.IsValid;
+
+        public override string TypeName => "Point";
+
+        public override string TypeDescription => "A 3D point";
+
+        public override BoundingBox Boundingbox => new BoundingBox(m_value, m_value);
+
+        public override IGH_GeometricGoo DuplicateGeometry() => new GH_Point(m_value);
+
+        public override BoundingBox GetBoundingBox(Transform xform) => new BoundingBox(xform * m_value, xform * m_value);
+
+        public override IGH_GeometricGoo Transform(Transform xform) => new GH_Point(xform * m_value);
+
+        public override IGH_GeometricGoo Morph(SpaceMorph xmorph) => new GH_Point(xmorph.MorphPoint(m_value));
+
+        public override string ToString() => "{" + m_value + "}";
+
+        public override bool CastFrom(object source)
+        {
+            if (Casting.Bare(source) is Point3d point) m_value = point;
+            else if (Casting.Bare(source) is Vector3d vector) m_value = new Point3d(vector);
+            else if (Casting.Bare(source) is Plane plane) m_value = plane.Origin;
+            else return false;
+            return true;
+        }
+
+        public override bool CastTo<Q>(out Q target) => Casting.Give(m_value, out target);
+
+        public override bool Write(GH_IWriter writer)
+        {
+            writer.SetPoint3D("Coordinate", new GH_Point3D(m_value.X, m_value.Y, m_value.Z));
+            return true;
+        }
+
+        public override bool Read(GH_IReader reader)
+        {
+            var p = reader.GetPoint3D("Coordinate");
+            m_value = new Point3d(p.x, p.y, p.z);
+            return true;
+        }
+    }
+
+    public class GH_Plane : GH_GeometricGoo<Plane>
+    {
+        public GH_Plane()
+        {
+        }
+
+        public GH_Plane(Plane plane) : base(plane)
+        {
+        }
+
+        public override bool IsValid => m_value.IsValid;
+
+        public override string TypeName => "Plane";
+
+        public override string TypeDescription => "A plane";
+
+        public override BoundingBox Boundingbox => new BoundingBox(m_value.Origin, m_value.Origin);
+
+        public override IGH_GeometricGoo DuplicateGeometry() => new GH_Plane(m_value);
+
+        public override BoundingBox GetBoundingBox(Transform xform) => new BoundingBox(xform * m_value.Origin, xform * m_value.Origin);
+
+        public override IGH_GeometricGoo Transform(Transform xform)
+        {
+            var plane = m_value;
+            plane.Transform(xform);
+            return new GH_Plane(plane);
+        }
+
+        public override IGH_GeometricGoo Morph(SpaceMorph xmorph) => null;
+
+        public override string ToString() => m_value.ToString();
+
+        public override bool CastFrom(object source)
+        {
+            if (Casting.Bare(source) is Plane plane) m_value = plane;
+            else if (Casting.Bare(source) is Point3d point) m_value = new Plane(point, Vector3d.XAxis, Vector3d.YAxis);
+            else return false;
+            return true;
+        }
+
+        public override bool CastTo<Q>(out Q target) => Casting.Give(m_value, out target);
+
+        public override bool Write(GH_IWriter writer)
+        {
+            GH_Point3D P(Point3d p) => new GH_Point3D(p.X, p.Y, p.Z);
+            writer.SetPlane("plane", new GH_IO.Types.GH_Plane
+            {
+                Origin = P(m_value.Origin), XAxis = P(new Point3d(m_value.XAxis)), YAxis = P(new Point3d(m_value.YAxis)),
+            });
+            return true;
+        }
+
+        public override bool Read(GH_IReader reader)
+        {
+            var p = reader.GetPlane("plane");
+            m_value = new Plane(new Point3d(p.Origin.x, p.Origin.y, p.Origin.z), new Vector3d(p.XAxis.x, p.XAxis.y, p.XAxis.z),
+                new Vector3d(p.YAxis.x, p.YAxis.y, p.YAxis.z));
+            return true;
+        }
+    }
+
+    public class GH_Curve : GH_GeometricGoo<Curve>, IGH_PreviewData
+    {
+        public GH_Curve()
+        {
+        }
+
+        public GH_Curve(Curve curve) : base(curve)
+        {
+        }
+
+        public override bool IsValid => m_value != null && m_value.IsValid;
+
+        public override string TypeName => "Curve";
+
+        public override string TypeDescription => "A curve";
+
+        public override BoundingBox Boundingbox => m_value == null ? BoundingBox.Empty : m_value.GetBoundingBox(true);
+
+        public BoundingBox ClippingBox => Boundingbox;
+
+        public override IGH_GeometricGoo DuplicateGeometry() => new GH_Curve(m_value?.DuplicateCurve());
+
+        public override BoundingBox GetBoundingBox(Transform xform) => m_value == null ? BoundingBox.Empty : m_value.GetBoundingBox(xform);
+
+        public override IGH_GeometricGoo Transform(Transform xform)
+        {
+            m_value?.Transform(xform);
+            return this;
+        }
+
+        public override IGH_GeometricGoo Morph(SpaceMorph xmorph) => throw new NotSupportedException("Morphing a curve needs Rhino.");
+
+        public override string ToString() => m_value == null ? "Null Curve" : m_value.IsPolyline() ? "Polyline Curve" : "Curve";
+
+        public override bool CastFrom(object source)
+        {
+            switch (Casting.Bare(source))
+            {
+                case Curve curve: m_value = curve.DuplicateCurve(); return true;
+                case Line line: m_value = new LineCurve(line); return true;
+                case Polyline polyline: m_value = polyline.ToPolylineCurve(); return true;
+                case Circle circle: m_value = new ArcCurve(circle); return true;
+                case Arc arc: m_value = new ArcCurve(arc); return true;
+                default: return false;
+            }
+        }
+
+        public override bool CastTo<Q>(out Q target) => Casting.Give(m_value, out target);
+
+        public void DrawViewportWires(GH_PreviewWireArgs args) => args.Pipeline.DrawCurve(m_value, args.Color, args.Thickness);
+
+        public void DrawViewportMeshes(GH_PreviewMeshArgs args)
+        {
+        }
+    }
+
+    public class GH_Mesh : GH_GeometricGoo<Mesh>
+    {
+        public GH_Mesh()
+        {
+        }
+
+        public GH_Mesh(Mesh mesh) : base(mesh)
+        {
+        }
+
+        public override bool IsValid => m_value != null && m_value.IsValid;
+
+        public override string TypeName => "Mesh";
+
+        public override string TypeDescription => "A mesh";
+
+        public override BoundingBox Boundingbox => m_value == null ? BoundingBox.Empty : m_value.GetBoundingBox(true);
+
+        public override IGH_GeometricGoo DuplicateGeometry() => new GH_Mesh(m_value?.DuplicateMesh());
+
+        public override BoundingBox GetBoundingBox(Transform xform) => m_value == null ? BoundingBox.Empty : m_value.GetBoundingBox(xform);
+
+        public override IGH_GeometricGoo Transform(Transform xform)
+        {
+            m_value?.Transform(xform);
+            return this;
+        }
+
+        public override IGH_GeometricGoo Morph(SpaceMorph xmorph) => throw new NotSupportedException("Morphing a mesh needs Rhino.");
+
+        public override string ToString() => m_value == null ? "Null Mesh" : "Mesh (V:" + m_value.Vertices.Count + " F:" + m_value.Faces.Count + ")";
+
+        public override bool CastFrom(object source)
+        {
+            if (!(Casting.Bare(source) is Mesh mesh)) return false;
+            m_value = mesh.DuplicateMesh();
+            return true;
+        }
+
+        public override bool CastTo<Q>(out Q target) => Casting.Give(m_value, out target);
+    }
+
+    public class GH_Brep : GH_GeometricGoo<Brep>
+    {
+        public GH_Brep()
+        {
+        }
+
+        public GH_Brep(Brep brep) : base(brep)
+        {
+        }
+
+        public override bool IsValid => m_value != null && m_value.IsValid;
+
+        public override string TypeName => "Brep";
+
+        public override string TypeDescription => "A boundary representation";
+
+        public override BoundingBox Boundingbox => m_value == null ? BoundingBox.Empty : m_value.GetBoundingBox(true);
+
+        public override IGH_GeometricGoo DuplicateGeometry() => new GH_Brep(m_value?.DuplicateBrep());
+
+        public override BoundingBox GetBoundingBox(Transform xform) => m_value == null ? BoundingBox.Empty : m_value.GetBoundingBox(xform);
+
+        public override IGH_GeometricGoo Transform(Transform xform)
+        {
+            m_value?.Transform(xform);
+            return this;
+        }
+
+        public override IGH_GeometricGoo Morph(SpaceMorph xmorph) => throw new NotSupportedException("Morphing a Brep needs Rhino.");
+
+        public override string ToString() => "Brep";
+
+        public override bool CastFrom(object source)
+        {
+            if (!(Casting.Bare(source) is Brep brep)) return false;
+            m_value = brep.DuplicateBrep();
+            return true;
+        }
+
+        public override bool CastTo<Q>(out Q target) => Casting.Give(m_value, out target);
+    }
+}

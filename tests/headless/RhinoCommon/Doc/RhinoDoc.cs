@@ -1,0 +1,113 @@
+using System;
+using System.Collections.Generic;
+using System.Drawing;
+using System.Linq;
+using Rhino.DocObjects;
+using Rhino.DocObjects.Tables;
+using Rhino.Geometry;
+
+namespace Rhino
+{
+    /// <summary>A document that keeps what is added to it, and the undo records around that.</summary>
+    public sealed class RhinoDoc
+    {
+        internal readonly List<string> UndoRecords = new List<string>();
+        private uint _openRecord;
+
+        internal RhinoDoc()
+        {
+            Objects = new ObjectTable(this);
+            Layers = new LayerTable();
+        }
+
+        public static RhinoDoc ActiveDoc { get; set; }
+
+        public UnitSystem ModelUnitSystem { get; set; } = UnitSystem.Millimeters;
+
+        public double ModelAbsoluteTolerance { get; set; } = 0.01;
+
+        public uint RuntimeSerialNumber => 1;
+
+        public ObjectTable Objects { get; }
+
+        public LayerTable Layers { get; }
+
+        internal bool IsRecording => _openRecord != 0;
+
+        public uint BeginUndoRecord(string description)
+        {
+            if (_openRecord != 0) return 0;
+            UndoRecords.Add(description);
+            return _openRecord = (uint)UndoRecords.Count;
+        }
+
+        public bool EndUndoRecord(uint undoRecordSerialNumber)
+        {
+            if (undoRecordSerialNumber == 0 || undoRecordSerialNumber != _openRecord) return false;
+            _openRecord = 0;
+            return true;
+        }
+    }
+}
+
+namespace Rhino.DocObjects.Tables
+{
+    public sealed class ObjectTable
+    {
+        internal readonly List<RhinoObject> Items = new List<RhinoObject>();
+
+        // For each object, the undo record it was added in, or null.
+        internal readonly List<string> Records = new List<string>();
+        private readonly RhinoDoc _doc;
+
+        internal ObjectTable(RhinoDoc doc) => _doc = doc;
+
+        public int Count => Items.Count;
+
+        public Guid Add(GeometryBase geometry, ObjectAttributes attributes)
+        {
+            if (geometry == null || !geometry.IsValid) return Guid.Empty;
+            var item = new RhinoObject(geometry.Duplicate(), attributes?.Duplicate() ?? new ObjectAttributes());
+            item.Attributes.ObjectId = item.Id;
+            Items.Add(item);
+            Records.Add(_doc.IsRecording ? _doc.UndoRecords[_doc.UndoRecords.Count - 1] : null);
+            return item.Id;
+        }
+
+        public Guid AddCurve(Curve curve, ObjectAttributes attributes) => Add(curve, attributes);
+
+        public Guid AddMesh(Mesh mesh, ObjectAttributes attributes) => Add(mesh, attributes);
+
+        public Guid AddPolyline(IEnumerable<Point3d> points, ObjectAttributes attributes) => Add(new PolylineCurve(points), attributes);
+    }
+
+    public sealed class LayerTable
+    {
+        internal readonly List<Layer> Items = new List<Layer> { new Layer { Name = "Default", FullPath = "Default", Color = Color.Black } };
+
+        internal LayerTable()
+        {
+        }
+
+        public int Count => Items.Count;
+
+        public int CurrentLayerIndex => 0;
+
+        public int FindByFullPath(string layerPath, int notFoundReturnValue)
+        {
+            var at = Items.FindIndex(l => string.Equals(l.FullPath, layerPath, StringComparison.OrdinalIgnoreCase));
+            return at < 0 ? notFoundReturnValue : at;
+        }
+
+        public Layer FindIndex(int index) => index >= 0 && index < Items.Count ? Items[index] : null;
+
+        public int Add(Layer layer)
+        {
+            var parent = Items.FirstOrDefault(l => l.Id == layer.ParentLayerId && layer.ParentLayerId != Guid.Empty);
+            var path = parent == null ? layer.Name : parent.FullPath + "::" + layer.Name;
+            if (string.IsNullOrEmpty(layer.Name) || FindByFullPath(path, -1) >= 0) return -1;
+            Items.Add(new Layer { Name = layer.Name, Color = layer.Color, ParentLayerId = layer.ParentLayerId, FullPath = path });
+            return Items.Count - 1;
+        }
+    }
+}
