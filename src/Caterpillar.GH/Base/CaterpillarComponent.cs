@@ -1,0 +1,129 @@
+using System;
+using System.Collections.Generic;
+using System.Drawing;
+using System.Linq;
+using Caterpillar.GH.Plugin;
+using GH_IO.Serialization;
+using Grasshopper.Kernel;
+using Rhino;
+using Rhino.DocObjects;
+
+namespace Caterpillar.GH.Base;
+
+/// <summary>
+/// Base of all components: declares ports, runs one item after another so that a bad one does not stop the rest, reports problems with branch and item, keeps long work
+/// off the user's thread, and mends what Grasshopper's own base class does with previews and baking.
+/// </summary>
+public abstract class CaterpillarComponent : GH_Component
+{
+    private const string VersionKey = "CaterpillarVersion";
+    private readonly SolveCache _cache = new();
+    private Version? _newer;
+    private bool _cancelled;
+
+    protected CaterpillarComponent(string name, string nickname, string description, string panel, GH_Exposure exposure = GH_Exposure.primary)
+        : base(name, nickname, description, PluginInfo.Tab, panel)
+    {
+        Exposure = exposure;
+    }
+
+    public sealed override GH_Exposure Exposure { get; }
+
+    /// <summary>True when an output can be seen.</summary>
+    public sealed override bool IsPreviewCapable => Params.Output.OfType<IGH_PreviewObject>().Any(p => p.IsPreviewCapable) || DrawsItself;
+
+    /// <summary>Nothing while hidden; Grasshopper's own does not ask.</summary>
+    public override Rg.BoundingBox ClippingBox => Hidden ? Rg.BoundingBox.Empty : base.ClippingBox;
+
+    /// <summary>True when an output can be baked; Grasshopper's own asks the inputs.</summary>
+    public sealed override bool IsBakeCapable => Params.Output.OfType<IGH_BakeAwareObject>().Any(p => p.IsBakeCapable);
+
+    protected sealed override Bitmap? Icon => Icons.Load(GetType().Name);
+
+    /// <summary>True for the components that draw colours of their own.</summary>
+    private protected virtual bool DrawsItself => false;
+
+    /// <summary>Does nothing where nothing can be baked; the menu item does not ask.</summary>
+    public sealed override void BakeGeometry(RhinoDoc doc, ObjectAttributes att, List<Guid> obj_ids)
+    {
+        if (IsBakeCapable) base.BakeGeometry(doc, att, obj_ids);
+    }
+
+    public override void RemovedFromDocument(GH_Document document)
+    {
+        _cache.Clear();
+        base.RemovedFromDocument(document);
+    }
+
+    public override bool Write(GH_IWriter writer)
+    {
+        writer.SetString(VersionKey, PluginInfo.Current.ToString());
+        return base.Write(writer);
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        var text = "";
+        _newer = reader.TryGetString(VersionKey, ref text) && Version.TryParse(text, out var version) && version > PluginInfo.Current ? version : null;
+        return base.Read(reader);
+    }
+
+    private protected abstract void Inputs(InputPorts ports);
+
+    private protected abstract void Outputs(OutputPorts ports);
+
+    /// <summary>Solves one item. Throws <see cref="InputProblem"/> (or lets the library's argument exceptions through) where the item can't be used.</summary>
+    private protected abstract void Solve(Run run);
+
+    protected sealed override void RegisterInputParams(GH_InputParamManager pManager) => Inputs(new InputPorts(pManager));
+
+    protected sealed override void RegisterOutputParams(GH_OutputParamManager pManager) => Outputs(new OutputPorts(pManager));
+
+    protected sealed override void BeforeSolveInstance()
+    {
+        _cancelled = false;
+        Message = "";
+        _cache.Begin();
+        if (_newer is not null)
+        {
+            AddRuntimeMessage(GH_RuntimeMessageLevel.Warning,
+                $"This component was saved by version {_newer} of Caterpillar; this is {PluginInfo.Current}. Some of what it stored may be lost.");
+        }
+    }
+
+    protected sealed override void AfterSolveInstance() => _cache.End();
+
+    protected sealed override void SolveInstance(IGH_DataAccess DA)
+    {
+        if (_cancelled) return;
+        var run = new Run(this, DA, _cache);
+        try
+        {
+            Solve(run);
+        }
+        catch (OperationCanceledException)
+        {
+            _cancelled = true;
+            AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, "Cancelled.");
+            DA.AbortComponentSolution();
+            OnPingDocument()?.RequestAbortSolution();
+        }
+        catch (InputProblem problem)
+        {
+            run.Report(problem.IsMissing ? GH_RuntimeMessageLevel.Warning : GH_RuntimeMessageLevel.Error, problem.Message);
+            run.SetNulls();
+        }
+        catch (Exception e) when (e is not OutOfMemoryException)
+        {
+            run.Report(GH_RuntimeMessageLevel.Error, WithoutParameterName(e.Message));
+            run.SetNulls();
+        }
+    }
+
+    private static string WithoutParameterName(string message)
+    {
+        var at = message.IndexOf("(Parameter '", StringComparison.Ordinal);
+        if (at < 0) at = message.IndexOf("Parameter name:", StringComparison.Ordinal);
+        return at <= 0 ? message : message.Substring(0, at).TrimEnd();
+    }
+}

@@ -1,0 +1,63 @@
+using System;
+using Caterpillar.GH.Params;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
+
+namespace Caterpillar.GH.Base;
+
+/// <summary>Declares the inputs of a component. Descriptions are full sentences that name the unit.</summary>
+internal sealed class InputPorts(GH_Component.GH_InputParamManager manager)
+{
+    private const GH_ParamAccess Item = GH_ParamAccess.item;
+
+    public void Number(string name, string nick, string description, double? fallback = null, GH_ParamAccess access = Item)
+        => Add(Default(new Param_Number(), fallback), name, nick, description, access);
+
+    /// <summary>A number that may be left out; the component then falls back to something that is no number.</summary>
+    public void OptionalNumber(string name, string nick, string description) => Add(new Param_Number { Optional = true }, name, nick, description, Item);
+
+    public void Integer(string name, string nick, string description, int? fallback = null, GH_ParamAccess access = Item)
+        => Add(Default(new Param_Integer(), fallback), name, nick, description, access);
+
+    public void Boolean(string name, string nick, string description, bool fallback)
+        => Add(Default(new Param_Boolean(), fallback), name, nick, description, Item);
+
+    public void Text(string name, string nick, string description, string? fallback = null, GH_ParamAccess access = Item, bool optional = false)
+        => Add(Default(new Param_String { Optional = optional }, fallback), name, nick, description, access);
+
+    /// <summary>A file that expires the component when it changes on the disk.</summary>
+    public void File(string name, string nick, string description, string filter, bool optional = false)
+        => Add(new Param_FilePath { FileFilter = filter, ExpireOnFileEvent = true, Optional = optional }, name, nick, description, Item);
+
+    /// <summary>A choice among the values of an enum: a number, a name, or the menu of the port.</summary>
+    public void Choice<T>(string name, string nick, string description, T fallback)
+        where T : struct, Enum
+    {
+        var param = ChoiceParam.Of<T>();
+        Add(Default(param, Convert.ToInt32(fallback, System.Globalization.CultureInfo.InvariantCulture)), name, nick, description, Item);
+    }
+
+    public void Geometry(string name, string nick, string description, GH_ParamAccess access = Item, bool optional = false)
+        => Add(new Param_Geometry { Optional = optional }, name, nick, description, access);
+
+    /// <summary>A parameter of our own.</summary>
+    public void Add(IGH_Param param, string name, string nick, string description, GH_ParamAccess access = Item, bool optional = false)
+    {
+        if (optional) param.Optional = true;
+        manager.AddParameter(param, name, nick, description, access);
+    }
+
+    private static TParam Default<TParam>(TParam param, object? value)
+        where TParam : IGH_Param
+    {
+        if (value is null) return param;
+        switch (param)
+        {
+            case Param_Number number: number.SetPersistentData(new[] { value }); break;
+            case Param_Integer integer: integer.SetPersistentData(new[] { value }); break;
+            case Param_Boolean boolean: boolean.SetPersistentData(new[] { value }); break;
+            case Param_String text: text.SetPersistentData(new[] { value }); break;
+        }
+        return param;
+    }
+}

@@ -1,0 +1,24 @@
+using System;
+
+namespace Caterpillar.GH.Base;
+
+/// <summary>An input of one item that can't be used: the item gives null, the others go on.</summary>
+internal sealed class InputProblem : Exception
+{
+    public InputProblem()
+    {
+    }
+
+    public InputProblem(string message)
+        : base(message)
+    {
+    }
+
+    public InputProblem(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+
+    /// <summary>True where there is nothing rather than something wrong.</summary>
+    public bool IsMissing { get; init; }
+}

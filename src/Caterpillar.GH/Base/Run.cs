@@ -1,0 +1,163 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.GH.Conversion;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Data;
+
+namespace Caterpillar.GH.Base;
+
+/// <summary>One item of a solve: its inputs, its outputs and its messages.</summary>
+internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCache cache)
+{
+    private DocumentUnits? _units;
+
+    public GH_Document? Document => component.OnPingDocument();
+
+    /// <summary>Conversion between document units and mm. Says so once where they differ.</summary>
+    public DocumentUnits Units
+    {
+        get
+        {
+            if (_units is { } known) return known;
+            var units = DocumentUnits.Current;
+            if (!units.AreMillimetres)
+                component.AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, $"Geometry is scaled: the document is in {units.Name}, Caterpillar works in mm.");
+            _units = units;
+            return units;
+        }
+    }
+
+    /// <summary>A required item.</summary>
+    /// <exception cref="InputProblem">It is null or not there.</exception>
+    public T Get<T>(int input)
+    {
+        var value = default(T);
+        return access.GetData(input, ref value) && value is not null
+            ? value
+            : throw new InputProblem($"{component.Params.Input[input].Name} is missing.") { IsMissing = true };
+    }
+
+    /// <summary>An item that may be absent.</summary>
+    public T? Maybe<T>(int input)
+        where T : class
+    {
+        var value = default(T);
+        return access.GetData(input, ref value) ? value : null;
+    }
+
+    /// <inheritdoc cref="Maybe{T}(int)"/>
+    public T? MaybeValue<T>(int input)
+        where T : struct
+    {
+        var value = default(T);
+        return access.GetData(input, ref value) ? value : null;
+    }
+
+    /// <summary>A list without its nulls, which are reported.</summary>
+    public List<T> List<T>(int input)
+        where T : class
+    {
+        var all = new List<T?>();
+        access.GetDataList(input, all!);
+        var some = all.Where(item => item is not null).Select(item => item!).ToList();
+        if (some.Count < all.Count)
+        {
+            var lost = all.Count - some.Count;
+            Report(GH_RuntimeMessageLevel.Warning, $"{component.Params.Input[input].Name} has {lost} null {(lost == 1 ? "item, which is" : "items, which are")} left out.");
+        }
+        return some;
+    }
+
+    /// <summary>A number greater than zero.</summary>
+    /// <exception cref="InputProblem">It is missing, not finite, or not greater than zero.</exception>
+    public double Positive(int input)
+    {
+        var value = Finite(input);
+        return value > 0 ? value : throw new InputProblem($"{component.Params.Input[input].Name} must be greater than zero, not {NumberFormatter.Format(value, 6)}.");
+    }
+
+    /// <summary>A finite number.</summary>
+    public double Finite(int input)
+    {
+        var value = Get<double>(input);
+        return !double.IsNaN(value) && !double.IsInfinity(value)
+            ? value
+            : throw new InputProblem($"{component.Params.Input[input].Name} must be a finite number.");
+    }
+
+    /// <summary>The value of a choice port.</summary>
+    public T Choice<T>(int input)
+        where T : struct, Enum
+    {
+        var number = Get<int>(input);
+        foreach (T value in Enum.GetValues(typeof(T)))
+        {
+            if (Convert.ToInt32(value, System.Globalization.CultureInfo.InvariantCulture) == number) return value;
+        }
+        throw new InputProblem($"{component.Params.Input[input].Name} has no choice {NumberFormatter.Format(number)}; there are {string.Join(", ", Enum.GetNames(typeof(T)))}.");
+    }
+
+    public void Set(int output, object? value) => access.SetData(output, value);
+
+    public void SetList(int output, System.Collections.IEnumerable values) => access.SetDataList(output, values);
+
+    public void SetTree(int output, IGH_Structure tree) => access.SetDataTree(output, tree);
+
+    /// <summary>The path at which the data of this item begins in an output.</summary>
+    public GH_Path PathOf(int output) => access.ParameterTargetPath(output);
+
+    /// <summary>Null for every item output; lists and trees stay empty.</summary>
+    public void SetNulls()
+    {
+        for (var i = 0; i < component.Params.Output.Count; i++)
+        {
+            if (component.Params.Output[i].Access == GH_ParamAccess.item) access.SetData(i, null);
+        }
+    }
+
+    /// <summary>A value that is kept from the last solve when the parts of its key are the same.</summary>
+    public T Cached<T>(object?[] key, Func<T> make)
+        where T : class
+        => cache.Get(key, make);
+
+    /// <summary>Long work: on a worker, with Rhino's progress meter, until the user presses Escape.</summary>
+    /// <exception cref="OperationCanceledException">The user pressed Escape.</exception>
+    public T Work<T>(string label, Func<IProgress<double>, CancellationToken, T> work) => LongWork.Run(label, work);
+
+    /// <summary>Messages for diagnostics, and their texts for the output of that name.</summary>
+    public IReadOnlyList<string> Report(IEnumerable<Diagnostic> diagnostics)
+    {
+        var texts = new List<string>();
+        foreach (var diagnostic in diagnostics)
+        {
+            var text = diagnostic.ToString();
+            texts.Add(text);
+            Report(Level(diagnostic.Severity), text);
+        }
+        return texts;
+    }
+
+    /// <summary>A message that names the branch and the item.</summary>
+    public void Report(GH_RuntimeMessageLevel level, string message) => component.AddRuntimeMessage(level, $"{Place()}: {message}");
+
+    private static GH_RuntimeMessageLevel Level(Severity severity) => severity switch
+    {
+        Severity.Error => GH_RuntimeMessageLevel.Error,
+        Severity.Warning => GH_RuntimeMessageLevel.Warning,
+        _ => GH_RuntimeMessageLevel.Remark,
+    };
+
+    // The path of an item output is the branch of the inputs; a list output of an item has the number of the item behind it.
+    private string Place()
+    {
+        if (component.Params.Output.Count == 0) return "Item " + NumberFormatter.Format(access.Iteration);
+        var items = component.Params.Input.Any(p => p.Access == GH_ParamAccess.item);
+        var output = component.Params.Output.FindIndex(p => p.Access == GH_ParamAccess.item);
+        if (output >= 0) return $"{access.ParameterTargetPath(output)}[{NumberFormatter.Format(access.ParameterTargetIndex(output))}]";
+        var path = access.ParameterTargetPath(0);
+        return items && path.Length > 1 ? $"{path.CullElement()}[{NumberFormatter.Format(path.Indices[path.Length - 1])}]" : path.ToString();
+    }
+}

@@ -1,0 +1,26 @@
+using Rhino;
+
+namespace Caterpillar.GH.Conversion;
+
+/// <summary>The units of the Rhino document against mm, in which the library works.</summary>
+internal readonly struct DocumentUnits
+{
+    private DocumentUnits(UnitSystem system)
+    {
+        ToMillimetres = RhinoMath.UnitScale(system, UnitSystem.Millimeters);
+        Name = system.ToString().ToLowerInvariant();
+    }
+
+    /// <summary>Those of the active document; mm where there is none.</summary>
+    public static DocumentUnits Current => new(RhinoDoc.ActiveDoc is { } document ? document.ModelUnitSystem : UnitSystem.Millimeters);
+
+    /// <summary>mm per document unit.</summary>
+    public double ToMillimetres { get; }
+
+    /// <summary>Document units per mm.</summary>
+    public double FromMillimetres => 1 / ToMillimetres;
+
+    public string Name { get; }
+
+    public bool AreMillimetres => ToMillimetres == 1;
+}

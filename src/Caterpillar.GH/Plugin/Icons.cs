@@ -1,0 +1,28 @@
+using System;
+using System.Drawing;
+using System.IO;
+
+namespace Caterpillar.GH.Plugin;
+
+/// <summary>The icons embedded in the plug-in: 24 × 24 PNG, named after the class they stand for.</summary>
+internal static class Icons
+{
+    private const string Fallback = "Component";
+
+    /// <summary>The icon of a class, the general one where it has none of its own, or null where no bitmap can be made on this platform.</summary>
+    public static Bitmap? Load(string name)
+    {
+        try
+        {
+            using var stream = Open(name) ?? Open(Fallback);
+            return stream is null ? null : new Bitmap(stream);
+        }
+        catch (Exception e) when (e is TypeInitializationException or PlatformNotSupportedException or DllNotFoundException or ArgumentException or FileNotFoundException)
+        {
+            return null;
+        }
+    }
+
+    /// <summary>The PNG of a class, or null where it has none of its own.</summary>
+    internal static Stream? Open(string name) => typeof(Icons).Assembly.GetManifestResourceStream($"icons/{name}.png");
+}
