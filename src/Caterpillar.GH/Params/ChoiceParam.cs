@@ -14,7 +14,7 @@ public sealed class ChoiceParam : Param_Integer
 {
     private readonly Dictionary<string, int> _values = new(StringComparer.OrdinalIgnoreCase);
 
-    public override Guid ComponentGuid => new("0b9d4d6c-58c1-4a53-a0e8-0a2f6de4c1f7");
+    public override Guid ComponentGuid => new("0affb938-c607-4099-91df-066bc62dce25");
 
     public override GH_Exposure Exposure => GH_Exposure.hidden;
 

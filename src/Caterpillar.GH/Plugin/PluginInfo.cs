@@ -21,7 +21,7 @@ public sealed class PluginInfo : GH_AssemblyInfo
 
     public override Bitmap? Icon => Icons.Load("Plugin");
 
-    public override Guid Id => new("6f1d8c4e-2f0b-4c35-9a7c-51f0a3c2b9d4");
+    public override Guid Id => new("f3ff75ca-289b-45b6-9986-65dad16f12ef");
 
     public override string AuthorName => "The Caterpillar authors";
 

@@ -1,0 +1,40 @@
+using System;
+using System.Linq;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Params;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Components.Path;
+
+/// <summary>Takes a print path apart.</summary>
+public sealed class DeconstructPrintPath() : CaterpillarComponent(
+    "Deconstruct Print Path", "DePPath", "Takes a print path apart into its points, in mm² its cross-sections and in mm/s its speeds.", Panel.Path)
+{
+    public override Guid ComponentGuid => new("e6ce3d42-9733-467d-adc0-7f8b0c87d00c");
+
+    private protected override void Inputs(InputPorts ports)
+        => ports.Add(new PrintPathParam(), "Print Path", "P", "Path to take apart.");
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Point("Points", "Pt", "Points of the path, in document units; a closed path does not repeat its first one.", GH_ParamAccess.list);
+        ports.Number("Areas", "A", "Cross-section of each segment, in mm².", GH_ParamAccess.list);
+        ports.Number("Speeds", "V", "Speed of each segment, in mm/s; 0 is the speed of the print settings.", GH_ParamAccess.list);
+        ports.Text("Role", "R", "What the path is for, such as OuterWall or Infill.");
+        ports.Integer("Layer", "L", "Number of its layer, from 0; -1 where it has none.");
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var path = run.Get<PrintPath>(0);
+        var units = run.Units;
+        var segments = Enumerable.Range(0, path.SegmentCount);
+        run.SetList(0, path.Points.Select(p => RhinoGeometry.ToPoint(p, units)));
+        run.SetList(1, segments.Select(i => path.BeadOf(i).Area));
+        run.SetList(2, segments.Select(i => path.BeadOf(i).Speed));
+        run.Set(3, path.Role.ToString());
+        run.Set(4, path.Layer?.Index ?? -1);
+    }
+}

@@ -1,0 +1,78 @@
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GH.Conversion;
+
+/// <summary>Between the library's geometry in mm and Rhino's in document units.</summary>
+internal static class RhinoGeometry
+{
+    // Distance in mm that chords of arcs keep from them, on the screen and when baked.
+    private const double ChordTolerance = 0.01;
+
+    public static Vec3 ToVec(Rg.Point3d point, DocumentUnits units) => new Vec3(point.X, point.Y, point.Z) * units.ToMillimetres;
+
+    public static Rg.Point3d ToPoint(Vec3 point, DocumentUnits units)
+    {
+        var scale = units.FromMillimetres;
+        return new Rg.Point3d(point.X * scale, point.Y * scale, point.Z * scale);
+    }
+
+    public static Rg.BoundingBox ToBox(Bounds bounds, DocumentUnits units)
+        => bounds.IsEmpty ? Rg.BoundingBox.Empty : new Rg.BoundingBox(ToPoint(bounds.Min, units), ToPoint(bounds.Max, units));
+
+    public static Rg.Plane ToPlane(Frame frame, DocumentUnits units)
+        => new(ToPoint(frame.Origin, units), new Rg.Vector3d(frame.X.X, frame.X.Y, frame.X.Z), new Rg.Vector3d(frame.Y.X, frame.Y.Y, frame.Y.Z));
+
+    /// <summary>A map of document units as a map of mm; null where it is a perspective.</summary>
+    public static Affine? ToAffine(Rg.Transform t, DocumentUnits units)
+    {
+        if (t.M30 != 0 || t.M31 != 0 || t.M32 != 0 || !(t.M33 != 0)) return null;
+        var s = 1 / t.M33;
+        return new Affine(new Vec3(t.M00, t.M10, t.M20) * s, new Vec3(t.M01, t.M11, t.M21) * s, new Vec3(t.M02, t.M12, t.M22) * s,
+            new Vec3(t.M03, t.M13, t.M23) * (s * units.ToMillimetres));
+    }
+
+    /// <summary>A path as a polyline; a closed one ends where it begins.</summary>
+    public static Rg.PolylineCurve ToCurve(PrintPath path, DocumentUnits units)
+    {
+        var points = new List<Rg.Point3d> { ToPoint(path.Start, units) };
+        for (var i = 0; i < path.SegmentCount; i++) AddSegment(points, path.Points[i], path.EndOf(i), path.ArcOf(i), units);
+        return new Rg.PolylineCurve(points);
+    }
+
+    /// <summary>The printed runs of a toolpath as polylines, in order.</summary>
+    public static List<Rg.PolylineCurve> ToCurves(Toolpath toolpath, DocumentUnits units)
+    {
+        var curves = new List<Rg.PolylineCurve>();
+        var points = new List<Rg.Point3d>();
+        foreach (var move in toolpath.Moves())
+        {
+            if (move.Kind != MoveKind.Print || move.Length == 0)
+            {
+                if (move.Length > 0) Close();
+                continue;
+            }
+            if (points.Count == 0) points.Add(ToPoint(move.Start, units));
+            AddSegment(points, move.Start, move.End, move.Arc, units);
+        }
+        Close();
+        return curves;
+
+        void Close()
+        {
+            if (points.Count > 1) curves.Add(new Rg.PolylineCurve(points));
+            points.Clear();
+        }
+    }
+
+    private static void AddSegment(List<Rg.Point3d> points, Vec3 start, Vec3 end, Arc? arc, DocumentUnits units)
+    {
+        if (arc is { } turn)
+        {
+            var chords = turn.ChordCount(start, ChordTolerance);
+            for (var k = 1; k < chords; k++) points.Add(ToPoint(turn.PointAt(start, end, (double)k / chords), units));
+        }
+        points.Add(ToPoint(end, units));
+    }
+}

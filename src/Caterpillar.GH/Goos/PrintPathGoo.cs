@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.GH.Conversion;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Types;
+using Rhino;
+using Rhino.DocObjects;
+
+namespace Caterpillar.GH.Goos;
+
+/// <summary>A print path on a wire: moves, turns and scales like a curve, and is one for native components.</summary>
+public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, IGH_BakeAwareData
+{
+    private Rg.PolylineCurve? _curve;
+    private double _curveScale;
+
+    public PrintPathGoo()
+    {
+    }
+
+    public PrintPathGoo(PrintPath? path)
+    {
+        Value = path!;
+    }
+
+    public override bool IsValid => Value is not null;
+
+    public override string IsValidWhyNot => IsValid ? "" : "There is no print path.";
+
+    public override string TypeName => "Print Path";
+
+    public override string TypeDescription => "A path to deposit, with its beads in mm² and speeds in mm/s.";
+
+    public override Rg.BoundingBox Boundingbox => Value is null ? Rg.BoundingBox.Empty : RhinoGeometry.ToBox(Value.Bounds, DocumentUnits.Current);
+
+    public Rg.BoundingBox ClippingBox => Boundingbox;
+
+    public override IGH_GeometricGoo DuplicateGeometry() => new PrintPathGoo(Value);
+
+    public override object? ScriptVariable() => Value;
+
+    public override Rg.BoundingBox GetBoundingBox(Rg.Transform xform)
+    {
+        var box = Boundingbox;
+        box.Transform(xform);
+        return box;
+    }
+
+    public override IGH_GeometricGoo? Transform(Rg.Transform xform)
+        => Value is not null && RhinoGeometry.ToAffine(xform, DocumentUnits.Current) is { } map ? new PrintPathGoo(Value.Transformed(map)) : null;
+
+    public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)
+    {
+        if (Value is null) return null;
+        var units = DocumentUnits.Current;
+        // The image of an arc is no arc.
+        var straight = Value.WithoutArcs();
+        var points = new List<Vec3>(straight.Points.Count);
+        foreach (var point in straight.Points) points.Add(RhinoGeometry.ToVec(xmorph.MorphPoint(RhinoGeometry.ToPoint(point, units)), units));
+        var beads = new List<Bead>(straight.SegmentCount);
+        for (var i = 0; i < straight.SegmentCount; i++) beads.Add(straight.BeadOf(i));
+        return new PrintPathGoo(straight.WithGeometry(points, beads, straight.IsClosed));
+    }
+
+    public override bool CastFrom(object source)
+    {
+        if (source is PrintPathGoo goo) source = goo.Value;
+        if (source is not PrintPath path) return false;
+        Value = path;
+        return true;
+    }
+
+    public override bool CastTo<Q>(out Q target)
+    {
+        target = default!;
+        if (Value is null) return false;
+        object? made = typeof(Q).IsAssignableFrom(typeof(PrintPath)) ? Value
+            : typeof(Q).IsAssignableFrom(typeof(GH_Curve)) && typeof(Q) != typeof(IGH_Goo) ? new GH_Curve(RhinoGeometry.ToCurve(Value, DocumentUnits.Current))
+            : typeof(Q).IsAssignableFrom(typeof(Rg.PolylineCurve)) ? RhinoGeometry.ToCurve(Value, DocumentUnits.Current)
+            : null;
+        if (made is not Q result) return false;
+        target = result;
+        return true;
+    }
+
+    public void DrawViewportWires(GH_PreviewWireArgs args)
+    {
+        if (Value is null || Value.Points.Count > PreviewLimits.Points) return;
+        args.Pipeline.DrawCurve(Curve(), args.Color, 1);
+    }
+
+    public void DrawViewportMeshes(GH_PreviewMeshArgs args)
+    {
+    }
+
+    public bool BakeGeometry(RhinoDoc doc, ObjectAttributes att, out Guid obj_guid)
+    {
+        obj_guid = Value is null || doc is null ? Guid.Empty : doc.Objects.AddCurve(Curve(), att);
+        return obj_guid != Guid.Empty;
+    }
+
+    public override string ToString()
+    {
+        if (Value is null) return "No Print Path";
+        var role = Value.Role == Role.Unspecified ? "" : Value.Role + ", ";
+        return $"Print Path ({role}{NumberFormatter.Format(Value.Points.Count)} points, {NumberFormatter.Format(Value.Length, 2)} mm, "
+            + $"{NumberFormatter.Format(Value.Volume, 2)} mm³{(Value.IsClosed ? ", closed" : "")})";
+    }
+
+    private Rg.PolylineCurve Curve()
+    {
+        var units = DocumentUnits.Current;
+        if (_curve is null || _curveScale != units.ToMillimetres) _curve = RhinoGeometry.ToCurve(Value, units);
+        _curveScale = units.ToMillimetres;
+        return _curve;
+    }
+}

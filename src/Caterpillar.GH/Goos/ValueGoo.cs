@@ -1,0 +1,44 @@
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Goos;
+
+/// <summary>An immutable value of the library on a wire. Copies share the value.</summary>
+public abstract class ValueGoo<T> : GH_Goo<T>
+    where T : class
+{
+    protected ValueGoo()
+    {
+    }
+
+    protected ValueGoo(T? value)
+    {
+        Value = value!;
+    }
+
+    public override bool IsValid => Value is not null;
+
+    public override string IsValidWhyNot => IsValid ? "" : $"There is no {TypeName}.";
+
+    /// <summary>What a script component gets.</summary>
+    public override object? ScriptVariable() => Value;
+
+    public override bool CastFrom(object source)
+    {
+        if (source is not T && source is ValueGoo<T> goo) source = goo.Value;
+        if (source is not T value) return false;
+        Value = value;
+        return true;
+    }
+
+    public override bool CastTo<Q>(ref Q target)
+    {
+        if (Value is not Q value) return false;
+        target = value;
+        return true;
+    }
+
+    public override string ToString() => Value is null ? $"No {TypeName}" : Describe(Value);
+
+    /// <summary>A sentence about the value, for a Panel.</summary>
+    protected abstract string Describe(T value);
+}

@@ -1,0 +1,88 @@
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Toolpaths;
+
+public sealed class MappingTests
+{
+    private static readonly Bead Bead = new(0.08, 0.2, 40);
+
+    private static PrintPath HalfCircle() => new([new Vec3(10, 0, 1), new Vec3(-10, 0, 1), new Vec3(-20, 0, 1)], [Bead, Bead], false,
+        [new Arc(new Vec3(0, 0, 1), 180), null]);
+
+    [Test]
+    public void A_turned_and_scaled_path_keeps_its_arcs_and_its_beads()
+    {
+        var map = Affine.Rotate(Vec3.UnitZ, 90).Then(Affine.Scale(2)).Then(Affine.Move(new Vec3(1, 2, 3)));
+        var image = HalfCircle().With(layer: new Layer(4, 1, 0.2)).Transformed(map);
+        Assert.That(image.Points.Select(p => (p - new Vec3(1, 2, 5)).ToString()), Is.EqualTo(new[] { "(0, 20, 0)", "(0, -20, 0)", "(0, -40, 0)" }));
+        Assert.That(image.ArcOf(0)!.Value.Sweep, Is.EqualTo(180));
+        Assert.That(image.Length, Is.EqualTo(2 * HalfCircle().Length).Within(1e-9));
+        Assert.That(image.BeadOf(0), Is.EqualTo(Bead));
+        Assert.That(image.Layer!.Z, Is.EqualTo(5).Within(1e-12));
+        Assert.That(image.Layer.Thickness, Is.EqualTo(0.4).Within(1e-12));
+    }
+
+    [Test]
+    public void A_mirror_turns_arcs_the_other_way()
+        => Assert.That(HalfCircle().Transformed(Affine.Scale(1, -1, 1)).ArcOf(0)!.Value.Sweep, Is.EqualTo(-180));
+
+    [Test]
+    public void A_stretch_turns_arcs_into_chords_of_the_ellipse()
+    {
+        var image = HalfCircle().Transformed(Affine.Scale(1, 3, 1));
+        Assert.That(image.HasArcs, Is.False);
+        foreach (var p in image.Points.Take(image.Points.Count - 1))
+            Assert.That(p.X * p.X / 100 + p.Y * p.Y / 900, Is.EqualTo(1).Within(1e-9));
+    }
+
+    [Test]
+    public void A_closed_path_stays_closed()
+    {
+        var square = new PrintPath([new(0, 0), new(1, 0), new(1, 1)], Bead, closed: true);
+        var image = square.Transformed(Affine.Move(new Vec3(5, 0)));
+        Assert.That(image.IsClosed && image.Points.Count == 3 && image.Start == new Vec3(5, 0), Is.True);
+    }
+
+    [Test]
+    public void E_of_a_toolpath_follows_the_printed_length_and_events_stay_at_their_moves()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        var layer = builder.AddLayer(new Layer(0, 0.2, 0.2));
+        builder.Add(new Vec3(10, 0, 0.2), 0, 0, 100, MoveKind.Travel, Role.Unspecified, layer, 0, -1);
+        builder.Add(new Vec3(10, 0, 0.2), 0.8, 0, 30, MoveKind.Restore, Role.Unspecified, layer, 0, -1);
+        builder.AddEvent(new FanEvent(1));
+        builder.Add(new Vec3(20, 0, 0.2), 0.5, 0.5, 40, MoveKind.Print, Role.OuterWall, layer, 0, 7);
+        builder.Add(new Vec3(10, 0, 0.2), 0.7, 0.7, 40, MoveKind.Print, Role.OuterWall, layer, 0, 8, new Arc(new Vec3(15, 0, 0.2), 180));
+        builder.AddEvent(new CommentEvent("end"));
+        var image = builder.Build([new ToolpathTool(2.4)]).Transformed(Affine.Scale(2, 2, 1).Then(Affine.Move(new Vec3(0, 0, 1))));
+        Assert.That(image.Moves().Select(m => m.E), Is.EqualTo(new[] { 0, 0.8, 1, 1.4 }).Within(1e-12));
+        Assert.That(image[2].End, Is.EqualTo(new Vec3(40, 0, 1.2)));
+        Assert.That(image[3].Arc, Is.Not.Null);
+        Assert.That(image[3].Source, Is.EqualTo(8));
+        Assert.That(image.Events.Select(e => e.Move), Is.EqualTo(new[] { 2, 4 }));
+        Assert.That(image.Start, Is.EqualTo(new Vec3(0, 0, 1)));
+        Assert.That(image.Layers[0].Z, Is.EqualTo(1.2).Within(1e-12));
+    }
+
+    [Test]
+    public void Chords_of_an_arc_share_its_material_by_length()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 0));
+        builder.Add(new Vec3(-10, 0), 3, 3, 40, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 180));
+        var image = builder.Build([new ToolpathTool(1)]).Transformed(Affine.Scale(1, 2, 1));
+        var ratio = 3 / (System.Math.PI * 10);
+        foreach (var move in image.Moves()) Assert.That(move.Deposited, Is.EqualTo(ratio * move.Length).Within(1e-9));
+    }
+
+    [Test]
+    public void Arcs_become_chords_within_the_tolerance()
+    {
+        var chords = HalfCircle().WithoutArcs(0.001);
+        Assert.That(chords.HasArcs, Is.False);
+        Assert.That(chords.Length, Is.EqualTo(HalfCircle().Length).Within(0.01));
+        Assert.That(chords.Points.Take(chords.Points.Count - 1).Select(p => p.LengthXY), Has.All.EqualTo(10).Within(1e-9));
+    }
+}

@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Data;
+using Grasshopper.Kernel.Parameters;
+using Grasshopper.Kernel.Types;
+using Rhino;
+
+namespace Caterpillar.GH.Tests.Host;
+
+/// <summary>A definition with one component, whose inputs are fed through wires from floating parameters.</summary>
+internal sealed class Canvas<T>
+    where T : GH_Component, new()
+{
+    public Canvas()
+    {
+        Component = new T();
+        Document.AddObject(Component, false);
+    }
+
+    public GH_Document Document { get; } = new();
+
+    public T Component { get; }
+
+    /// <summary>An item or a list, in one branch. Null is a null on the wire.</summary>
+    public Canvas<T> Feed(string input, params object?[]? items) => FeedTree(input, items ?? [null]);
+
+    /// <summary>A tree with the branches {0}, {1} and so on.</summary>
+    public Canvas<T> FeedTree(string input, params object?[][] branches)
+    {
+        var source = new Param_GenericObject { NickName = input };
+        for (var i = 0; i < branches.Length; i++)
+        {
+            var path = new GH_Path(i);
+            source.PersistentData.EnsurePath(path);
+            foreach (var item in branches[i]) source.PersistentData.Append(Wrap(item)!, path);
+        }
+        Document.AddObject(source, false);
+        var target = Input(input);
+        target.RemoveAllSources();
+        target.AddSource(source);
+        Component.ExpireSolution(false);
+        return this;
+    }
+
+    public Canvas<T> Solve()
+    {
+        Document.NewSolution(false);
+        return this;
+    }
+
+    public IGH_Param Input(string name) => Component.Params.Input.Single(p => p.Name == name);
+
+    public IGH_Param Output(string name) => Component.Params.Output.Single(p => p.Name == name);
+
+    /// <summary>All items of an output, in order; null where the component gave none.</summary>
+    public List<object?> All(string output)
+    {
+        var data = Output(output).VolatileData;
+        var all = new List<object?>();
+        for (var i = 0; i < data.PathCount; i++)
+        {
+            foreach (IGH_Goo? goo in data.get_Branch(i)) all.Add(goo?.ScriptVariable());
+        }
+        return all;
+    }
+
+    /// <summary>The only item of an output.</summary>
+    public TValue One<TValue>(string output) => (TValue)All(output).Single()!;
+
+    public string[] Paths(string output) => Output(output).VolatileData.Paths.Select(p => p.ToString()).ToArray();
+
+    public IList<string> Errors => Component.RuntimeMessages(GH_RuntimeMessageLevel.Error);
+
+    public IList<string> Warnings => Component.RuntimeMessages(GH_RuntimeMessageLevel.Warning);
+
+    public IList<string> Remarks => Component.RuntimeMessages(GH_RuntimeMessageLevel.Remark);
+
+    private static IGH_Goo? Wrap(object? item) => item is null ? null : Casting.Wrap(item);
+}
+
+/// <summary>A Rhino document in other units for the length of a test.</summary>
+internal sealed class InDocument : IDisposable
+{
+    public InDocument(UnitSystem units = UnitSystem.Millimeters) => RhinoDoc.ActiveDoc = Document = new RhinoDoc { ModelUnitSystem = units };
+
+    public RhinoDoc Document { get; }
+
+    public void Dispose() => RhinoDoc.ActiveDoc = null;
+}
