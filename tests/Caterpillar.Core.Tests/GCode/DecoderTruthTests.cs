@@ -12,21 +12,11 @@ namespace Caterpillar.Tests.GCode;
 /// <summary>The decoder against the results of an independent one, for every file of the shared data.</summary>
 public class DecoderTruthTests
 {
-    private static readonly string[] FilesWithoutData = ["none"];
-
-    private static IEnumerable<string> Files()
-    {
-        var folder = Path.GetFullPath(Path.Combine(TestData.Repository, "..", "shared", "data", "gcode"));
-        return Directory.Exists(folder)
-            ? Directory.GetFiles(folder).Select(f => Path.GetFileName(f)!).Where(f => f.EndsWith(".gcode", StringComparison.Ordinal) || f.EndsWith(".gz", StringComparison.Ordinal)).OrderBy(f => f, StringComparer.Ordinal)
-            : FilesWithoutData;
-    }
-
-    [TestCaseSource(nameof(Files))]
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.All))]
     public void The_report_equals_the_truth(string file)
     {
         var truth = Truth(file);
-        var document = GCodeDocument.FromBytes(TestData.ReadBytes(TestData.Shared("gcode/" + file)), file);
+        var document = GCodeFiles.Document(file);
         foreach (var threads in new[] { 1, 3 })
         {
             var decoding = Decoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer, Rule = ExtrusionRule.Rising, Threads = threads }).Value!;
@@ -35,12 +25,12 @@ public class DecoderTruthTests
         }
     }
 
-    [TestCaseSource(nameof(Files))]
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.All))]
     public void With_the_balance_the_filament_used_equals_the_truth(string file)
     {
         var truth = Truth(file);
         var decoding = Decoder.Decode(
-            GCodeDocument.FromBytes(TestData.ReadBytes(TestData.Shared("gcode/" + file))), new DecodeOptions { Dialect = DialectTable.Slicer, Rule = ExtrusionRule.Balance }).Value!;
+            GCodeFiles.Document(file), new DecodeOptions { Dialect = DialectTable.Slicer, Rule = ExtrusionRule.Balance }).Value!;
         if (truth["e_used"]!.Type == JTokenType.Null) return;
         var used = (double)truth["e_used"]!;
         Assert.That(decoding.Report.EUsed, Is.EqualTo(used).Within(1e-5 + 1e-9 * used));

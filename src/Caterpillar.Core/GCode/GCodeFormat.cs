@@ -1,0 +1,52 @@
+using System.Collections.Generic;
+using Caterpillar.Machines;
+
+namespace Caterpillar.GCode;
+
+/// <summary>How G-code is written: everything that the moves themselves do not say.</summary>
+public sealed record GCodeFormat
+{
+    public DialectRules Dialect { get; init; } = DialectTable.Marlin2;
+
+    /// <summary>E as increments (M83) or as sums (M82).</summary>
+    public bool RelativeE { get; init; } = true;
+
+    /// <summary>Decimals of X, Y and Z; of E; of F (mm/min).</summary>
+    public int DecimalsXyz { get; init; } = 3;
+
+    public int DecimalsE { get; init; } = 5;
+
+    public int DecimalsF { get; init; }
+
+    /// <summary>Retractions and restores in place are G10 and G11 where the dialect has them.</summary>
+    public bool FirmwareRetraction { get; init; }
+
+    /// <summary>False for pens, brushes and bare hot tools: no E is written.</summary>
+    public bool HasE { get; init; } = true;
+
+    /// <summary>Arcs are G2 and G3 where the dialect has them; otherwise chords.</summary>
+    public bool Arcs { get; init; } = true;
+
+    /// <summary>Largest distance of a chord from its arc, mm.</summary>
+    public double ChordTolerance { get; init; } = 0.01;
+
+    /// <summary>Comments that say where layers, roles and objects begin; the decoder and slicers' viewers read them.</summary>
+    public bool Comments { get; init; } = true;
+
+    /// <summary>Every line gets a number and a checksum, for printing over a serial line.</summary>
+    public bool Numbered { get; init; }
+
+    /// <summary>Comments at the very beginning, without their <c>;</c>.</summary>
+    public IReadOnlyList<string> Header { get; init; } = [];
+
+    /// <summary>Lines before the moves (the start code) and behind them.</summary>
+    public IReadOnlyList<string> Start { get; init; } = [];
+
+    public IReadOnlyList<string> End { get; init; } = [];
+
+    /// <summary>The letter of extrusion, or 0 where nothing is extruded by words.</summary>
+    internal byte ExtruderLetter => HasE && Dialect.ExtruderLetters.Length > 0 ? (byte)Dialect.ExtruderLetters[0] : (byte)0;
+
+    /// <summary>True where E is written as increments: by M83, or where there is no such word (an axis like the others) as sums.</summary>
+    internal bool WritesRelative => RelativeE && Dialect.RelativeE != RelativeERule.OnlyG90G91;
+}

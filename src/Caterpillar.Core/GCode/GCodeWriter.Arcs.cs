@@ -1,0 +1,103 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Arcs: as G2 and G3, or as chords.</summary>
+public sealed partial class GCodeWriter
+{
+    private ArcPlane _plane;
+
+    private void ArcMove(ToolpathColumns c, int block, int i, Arc arc)
+    {
+        var start = i > 0 ? new Vec3(c.X[i - 1], c.Y[i - 1], c.Z[i - 1]) : _toolpath.StartOf(block);
+        var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
+        var allowed = _format.Arcs && _rules.Arcs && (arc.Plane == ArcPlane.XY || _rules.Planes);
+        if (allowed && _placed && Native(start, end, c.E[i], c.Speed[i], arc)) return;
+        Chords(start, end, c.E[i], c.Speed[i], arc, c.Kind[i] == MoveKind.Travel ? 0 : 1);
+    }
+
+    private bool Native(Vec3 start, Vec3 end, double e, double speed, Arc arc)
+    {
+        var turns = Math.Ceiling(Math.Abs(arc.Sweep) / 360 - 1e-9);
+        if (turns > 1 && (!_rules.ArcTurns || turns > 1e6)) return SplitTurns(start, end, e, speed, arc, turns);
+        var xyz = _format.DecimalsXyz;
+        var ux = NumberFormatter.ToUnits(end.X, xyz);
+        var uy = NumberFormatter.ToUnits(end.Y, xyz);
+        var uz = NumberFormatter.ToUnits(end.Z, xyz);
+        var closed = arc.Plane switch
+        {
+            ArcPlane.XY => ux == _x && uy == _y,
+            ArcPlane.ZX => ux == _x && uz == _z,
+            _ => uy == _y && uz == _z,
+        };
+        var rest = Math.Abs(arc.Sweep) - 360 * (turns - 1);
+        // Printed alike, a short arc would become a full circle, and a circle that does not close a short arc.
+        if (closed ? rest < 180 : rest > 359.999) return false;
+        var cu = NumberFormatter.ToUnits(arc.Center.X, xyz) - _x;
+        var cv = NumberFormatter.ToUnits(arc.Center.Y, xyz) - _y;
+        var cw = NumberFormatter.ToUnits(arc.Center.Z, xyz) - _z;
+        var (first, second) = arc.Plane switch { ArcPlane.XY => (cu, cv), ArcPlane.ZX => (cu, cw), _ => (cv, cw) };
+        if (first == 0 && second == 0) return false;
+        Plane(arc.Plane);
+        var ue = StepE(e, out var changed);
+        _out.Command((byte)'G', arc.Sweep < 0 ? 2 : 3);
+        if (ux != _x || (closed && arc.Plane != ArcPlane.YZ)) _out.Word((byte)'X', ux, xyz);
+        if (uy != _y || (closed && arc.Plane != ArcPlane.ZX)) _out.Word((byte)'Y', uy, xyz);
+        if (uz != _z || (closed && arc.Plane != ArcPlane.XY)) _out.Word((byte)'Z', uz, xyz);
+        _out.Word(arc.Plane == ArcPlane.YZ ? (byte)'J' : (byte)'I', first, xyz);
+        _out.Word(arc.Plane == ArcPlane.XY ? (byte)'J' : (byte)'K', second, xyz);
+        if (turns > 1) _out.Word((byte)'P', (long)turns, 0);
+        if (changed) _out.Word(_e, ue, _format.DecimalsE);
+        Feed(speed);
+        _out.EndLine();
+        _x = ux;
+        _y = uy;
+        _z = uz;
+        return true;
+    }
+
+    // Firmware that knows no turns gets full circles and a rest.
+    private bool SplitTurns(Vec3 start, Vec3 end, double e, double speed, Arc arc, double turns)
+    {
+        if (turns > 1000) return false;
+        var from = start;
+        var full = 360 / Math.Abs(arc.Sweep);
+        for (var k = 0; k < (int)turns - 1; k++)
+        {
+            var to = arc.PointAt(start, end, full * (k + 1));
+            var part = arc with { Sweep = Math.Sign(arc.Sweep) * 360 };
+            // The circle closes exactly; only its rise goes on.
+            to = arc.Plane switch { ArcPlane.XY => new Vec3(from.X, from.Y, to.Z), ArcPlane.ZX => new Vec3(from.X, to.Y, from.Z), _ => new Vec3(to.X, from.Y, from.Z) };
+            if (!Native(from, to, e * full, speed, part)) Chords(from, to, e * full, speed, part, 1);
+            from = to;
+        }
+        var rest = arc with { Sweep = arc.Sweep - Math.Sign(arc.Sweep) * 360 * (turns - 1) };
+        var last = e - e * full * (turns - 1);
+        if (!Native(from, end, last, speed, rest)) Chords(from, end, last, speed, rest, 1);
+        return true;
+    }
+
+    private void Chords(Vec3 start, Vec3 end, double e, double speed, Arc arc, int code)
+    {
+        var count = Math.Min(arc.ChordCount(start, _format.ChordTolerance), 100_000);
+        var done = 0.0;
+        for (var k = 1; k <= count; k++)
+        {
+            var p = arc.PointAt(start, end, (double)k / count);
+            var sum = k == count ? e : e * k / count;
+            Straight(p.X, p.Y, p.Z, sum - done, speed, code);
+            done = sum;
+        }
+    }
+
+    private void Plane(ArcPlane plane)
+    {
+        if (plane == _plane) return;
+        _plane = plane;
+        _out.Command((byte)'G', 17 + (int)plane);
+        _out.EndLine();
+    }
+}

@@ -1,0 +1,147 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Events, layers and tools.</summary>
+public sealed partial class GCodeWriter
+{
+    private void Events(int move)
+    {
+        var events = _toolpath.Events;
+        for (; _nextEvent < events.Count && events[_nextEvent].Move <= move; _nextEvent++) Event(events[_nextEvent].Event);
+    }
+
+    private void Event(PrinterEvent what)
+    {
+        switch (what)
+        {
+            case NozzleTemperatureEvent nozzle:
+                _out.Command((byte)'M', nozzle.Wait ? 109 : 104);
+                if (nozzle.Tool is { } of) _out.Word((byte)'T', of, 0);
+                _out.Word('S', nozzle.Celsius, 1);
+                _out.EndLine();
+                return;
+            case BedTemperatureEvent bed:
+                _out.Command((byte)'M', bed.Wait ? 190 : 140);
+                _out.Word('S', bed.Celsius, 1);
+                _out.EndLine();
+                return;
+            case FanEvent fan:
+                Fan(Math.Min(Math.Max(fan.Speed, 0), 1));
+                return;
+            case ToolEvent tool:
+                Tool(tool.Tool);
+                return;
+            case AccelerationEvent acceleration:
+                _out.Command((byte)'M', 204);
+                _out.Word('S', acceleration.Value, 0);
+                _out.EndLine();
+                return;
+            case DwellEvent dwell:
+                _out.Command((byte)'G', 4);
+                if (_rules.DwellP == 1) _out.Word('P', dwell.Seconds, 3);
+                else _out.Word('P', dwell.Seconds * 1000, 0);
+                _out.EndLine();
+                return;
+            case PauseEvent pause:
+                if (pause.Message.Length > 0) _out.Comment(" " + pause.Message);
+                _out.Line(_rules.Pauses.Count > 0 ? _rules.Pauses[0] : "M0");
+                return;
+            case HomeEvent home:
+                Home(home);
+                return;
+            case CommentEvent comment:
+                _out.Comment(comment.Text.Length > 0 ? " " + comment.Text : "");
+                return;
+            case RawEvent raw:
+                Raw(raw.Line);
+                return;
+        }
+    }
+
+    private void Fan(double speed)
+    {
+        if (_rules.Fan == FanScale.Byte && speed == 0)
+        {
+            _out.Command((byte)'M', 107);
+            _out.EndLine();
+            return;
+        }
+        _out.Command((byte)'M', 106);
+        if (_rules.Fan == FanScale.Byte) _out.Word('S', speed * 255, 0);
+        else _out.Word('S', speed, 3);
+        _out.EndLine();
+    }
+
+    private void Home(HomeEvent home)
+    {
+        _out.Command((byte)'G', 28);
+        if (!(home.X && home.Y && home.Z))
+        {
+            if (home.X) _out.Bare('X');
+            if (home.Y) _out.Bare('Y');
+            if (home.Z) _out.Bare('Z');
+        }
+        _out.EndLine();
+        _homed = home;
+        _placed = false;
+    }
+
+    // A line that we did not make may have moved the head or changed the speed: the next move says everything.
+    private void Raw(string line)
+    {
+        _out.Line(line);
+        _placed = false;
+        _f = long.MinValue;
+    }
+
+    private void Tool(int tool)
+    {
+        if (tool == _tool) return;
+        _tool = tool;
+        if (_rules.ToolByM6)
+        {
+            _out.Command((byte)'M', 6);
+            _out.Word((byte)'T', tool, 0);
+        }
+        else
+        {
+            _out.Command((byte)'T', tool);
+        }
+        _out.EndLine();
+        if (_rules.SharedE) return;
+        if (!_sums.TryGetValue(tool, out var sum)) _sums.Add(tool, sum = new ExtruderSum());
+        _sum = sum;
+    }
+
+    private void Layer(int number)
+    {
+        var before = _layer >= 0 ? _toolpath.Layers[_layer] : null;
+        _layer = number;
+        if (number < 0)
+        {
+            Object("");
+            return;
+        }
+        var layer = _toolpath.Layers[number];
+        if (before is null || layer.Index != before.Index || layer.Z != before.Z)
+        {
+            if (_e != 0 && !_relative && Math.Abs(_sum.Written) > _largestSum) ResetE();
+            _out.Comment("LAYER_CHANGE");
+            _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
+            if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
+        }
+        Object(layer.Object);
+    }
+
+    private void Object(string name)
+    {
+        if (name == _object) return;
+        if (_object.Length > 0) _out.Comment(" stop printing object " + _object);
+        _object = name;
+        if (name.Length > 0) _out.Comment(" printing object " + name);
+    }
+}

@@ -1,0 +1,108 @@
+using System;
+using System.IO;
+using System.Text;
+using Caterpillar.Basics;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Lines of G-code as bytes, in a buffer that grows.</summary>
+internal sealed class LineBuffer(bool numbered)
+{
+    private const int LongestWord = 40;
+    private static readonly char[] LineFeed = ['\n'];
+    private byte[] _bytes = new byte[64 * 1024];
+    private int _count;
+    private int _lineStart;
+    private int _number;
+
+    public int Count => _count;
+
+    public long Lines { get; private set; }
+
+    public void FlushTo(Stream stream)
+    {
+        stream.Write(_bytes, 0, _count);
+        _count = _lineStart = 0;
+    }
+
+    public byte[] ToArray()
+    {
+        var copy = new byte[_count];
+        Buffer.BlockCopy(_bytes, 0, copy, 0, _count);
+        return copy;
+    }
+
+    /// <summary>Begins a command: its letter and number.</summary>
+    public void Command(byte letter, int number)
+    {
+        Room();
+        if (numbered) Number();
+        _bytes[_count++] = letter;
+        _count = NumberFormatter.WriteUnits(_bytes, _count, number, 0);
+    }
+
+    /// <summary>Adds a word to the command: <paramref name="units"/> of the last decimal.</summary>
+    public void Word(byte letter, long units, int decimals)
+    {
+        Room();
+        _bytes[_count++] = (byte)' ';
+        _bytes[_count++] = letter;
+        _count = NumberFormatter.WriteUnits(_bytes, _count, units, decimals);
+    }
+
+    public void Word(char letter, double value, int decimals) => Word((byte)letter, NumberFormatter.ToUnits(value, decimals), decimals);
+
+    /// <summary>Adds a word that is a letter alone.</summary>
+    public void Bare(char letter)
+    {
+        Room();
+        _bytes[_count++] = (byte)' ';
+        _bytes[_count++] = (byte)letter;
+    }
+
+    public void EndLine()
+    {
+        Room();
+        if (numbered && _count > _lineStart && _bytes[_lineStart] == 'N')
+        {
+            var sum = 0;
+            for (var i = _lineStart; i < _count; i++) sum ^= _bytes[i];
+            _bytes[_count++] = (byte)'*';
+            _count = NumberFormatter.WriteUnits(_bytes, _count, sum, 0);
+        }
+        _bytes[_count++] = (byte)'\n';
+        _lineStart = _count;
+        Lines++;
+    }
+
+    /// <summary>A line as it is; line ends in it begin new lines.</summary>
+    public void Line(string text)
+    {
+        // CRLF is one line end, CR alone too.
+        var lines = text.IndexOfAny(LineFeed) >= 0 ? string.Concat(text.Split('\r')) : text.Replace('\r', '\n');
+        foreach (var line in lines.Split('\n'))
+        {
+            var bytes = TextEncoding.Encode(line);
+            Room(bytes.Length + LongestWord);
+            if (numbered && bytes.Length > 0 && bytes[0] != ';') Number();
+            Buffer.BlockCopy(bytes, 0, _bytes, _count, bytes.Length);
+            _count += bytes.Length;
+            EndLine();
+        }
+    }
+
+    /// <summary>A comment; line ends in it become blanks.</summary>
+    public void Comment(string text) => Line(";" + text.Replace('\r', ' ').Replace('\n', ' '));
+
+    private void Number()
+    {
+        _bytes[_count++] = (byte)'N';
+        _count = NumberFormatter.WriteUnits(_bytes, _count, ++_number, 0);
+        _bytes[_count++] = (byte)' ';
+    }
+
+    private void Room(int bytes = LongestWord)
+    {
+        if (_count + bytes + LongestWord > _bytes.Length) Array.Resize(ref _bytes, Math.Max(_bytes.Length * 2, _count + bytes + LongestWord));
+    }
+}

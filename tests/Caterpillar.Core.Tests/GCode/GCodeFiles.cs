@@ -1,0 +1,26 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Caterpillar.GCode;
+
+namespace Caterpillar.Tests.GCode;
+
+/// <summary>The G-code files of the shared data.</summary>
+internal static class GCodeFiles
+{
+    private static readonly string[] None = ["none"];
+
+    /// <summary>Names of all files; one name that does not exist where there is no data, so that the tests are skipped with a message.</summary>
+    public static IEnumerable<string> All()
+    {
+        var folder = Path.GetFullPath(Path.Combine(TestData.Repository, "..", "shared", "data", "gcode"));
+        return Directory.Exists(folder)
+            ? Directory.GetFiles(folder).Select(f => Path.GetFileName(f)!).Where(f => f.EndsWith(".gcode", StringComparison.Ordinal) || f.EndsWith(".gz", StringComparison.Ordinal)).OrderBy(f => f, StringComparer.Ordinal)
+            : None;
+    }
+
+    public static byte[] Bytes(string file) => TestData.ReadBytes(TestData.Shared("gcode/" + file));
+
+    public static GCodeDocument Document(string file) => GCodeDocument.FromBytes(Bytes(file), file);
+}
