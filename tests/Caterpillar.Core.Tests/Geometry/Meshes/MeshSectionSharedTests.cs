@@ -54,8 +54,8 @@ public class MeshSectionSharedTests
         Assert.That(loops.Sum(l => l.Length), Is.EqualTo((double)stack["length_all_sum"]!).Within(1e-4));
     }
 
-    private static JObject Truth(string name) => (JObject)JObject.Parse(File.ReadAllText(TestData.Shared("meshes/sections.json")))[name]!;
+    internal static JObject Truth(string name) => (JObject)JObject.Parse(File.ReadAllText(TestData.Shared("meshes/sections.json")))[name]!;
 
-    private static TriMesh Mesh(string name)
+    internal static TriMesh Mesh(string name)
         => name == "bumpy_sphere" ? MeshMaker.BumpySphere() : MeshReader.ReadMerged(TestData.Shared("meshes/" + name)).Value!;
 }

@@ -66,6 +66,34 @@ public class MeshSectionTests
     }
 
     [Test]
+    public void Spikes_go_wherever_the_contour_begins()
+    {
+        Vec3 a = new(0, 0), b = new(4, 0), c = new(4, 4), x = new(6, 0), y = new(8, 0);
+        Vec3[] spiky = [a, b, x, y, x, b, b, c, c];
+        for (var first = 0; first < spiky.Length; first++)
+        {
+            var points = spiky.Skip(first).Concat(spiky.Take(first)).ToArray();
+            var count = points.Length;
+            var start = PolylineCleaning.DropSpikes(points, ref count);
+            Assert.That(points.Skip(start).Take(count), Is.EquivalentTo(new[] { a, b, c }), $"from {first}");
+        }
+    }
+
+    [Test]
+    public void Cut_points_do_not_depend_on_the_direction_of_an_edge()
+    {
+        var mesh = MeshMaker.BumpySphere(60, 30).Rotated(new Vec3(1, 2, 3), 20);
+        double[] heights = [11.1, 22.2, 33.3, 44.4, 55.5];
+        var plain = MeshSections.At(mesh, heights).Value!;
+        var turned = MeshSections.At(MeshMaker.InsideOut(mesh), heights).Value!;
+        for (var i = 0; i < heights.Length; i++)
+        {
+            Assert.That(turned[i].Loops.Single().Points, Is.EquivalentTo(plain[i].Loops.Single().Points));
+            Assert.That(turned[i].Loops.Single().SignedAreaXY, Is.EqualTo(-plain[i].Loops.Single().SignedAreaXY).Within(1e-9));
+        }
+    }
+
+    [Test]
     public void Holes_run_clockwise()
     {
         var hollow = TriMesh.Merge([MeshMaker.Box(0, 0, 0, 10, 10, 10), MeshMaker.InsideOut(MeshMaker.Box(3, 3, 3, 5, 5, 5))]);
