@@ -1,0 +1,84 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+using System.Threading;
+using System.Threading.Tasks;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>Measures of one plane section: the solid by non-zero winding, so that bodies that run through each other count once.</summary>
+/// <param name="Z">Height of the plane, mm.</param>
+/// <param name="Length">Length of the boundary of the area, mm, with open lines added.</param>
+/// <param name="Area">Area in mm².</param>
+/// <param name="Outer">Number of contours around the area.</param>
+/// <param name="Holes">Number of contours around holes in it.</param>
+/// <param name="Open">Number of loose ends of contours that do not close.</param>
+public sealed record SectionMeasure(double Z, double Length, double Area, int Outer, int Holes, int Open);
+
+/// <summary>Measures of plane sections of one model. Immutable.</summary>
+public sealed class SectionReport
+{
+    private SectionReport(string model, IReadOnlyList<SectionMeasure> sections)
+    {
+        Model = model;
+        Sections = sections;
+    }
+
+    /// <summary>Name of the model, for example its file.</summary>
+    public string Model { get; }
+
+    /// <summary>One entry for each height, in the order in which they were asked.</summary>
+    public IReadOnlyList<SectionMeasure> Sections { get; }
+
+    /// <summary>Cuts a mesh at heights in mm and measures the sections.</summary>
+    /// <returns>The report, and what <see cref="MeshSections.At"/> noticed.</returns>
+    /// <exception cref="ArgumentException">A height is not finite.</exception>
+    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    public static Result<SectionReport> Of(
+        string model, TriMesh mesh, IReadOnlyList<double> heights, SectionOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (model is null) throw new ArgumentNullException(nameof(model));
+        options ??= new SectionOptions();
+        var cut = MeshSections.At(mesh, heights, options, progress.Part(0, 0.7), cancel);
+        var sections = cut.Value!;
+        var rows = new SectionMeasure[sections.Count];
+        var parallel = new ParallelOptions { MaxDegreeOfParallelism = options.Degree, CancellationToken = cancel };
+        Parallel.For(0, rows.Length, parallel, i => rows[i] = Measure(sections[i]));
+        progress?.Report(1);
+        return new Result<SectionReport>(new SectionReport(model, rows), cut.Diagnostics);
+    }
+
+    /// <summary>Measures one section.</summary>
+    public static SectionMeasure Measure(Section section)
+    {
+        if (section is null) throw new ArgumentNullException(nameof(section));
+        var (area, perimeter, outer, holes) = ContourMeasure.NonZero(section.Loops);
+        return new SectionMeasure(section.Z, perimeter + section.OpenLines.Sum(l => l.Length), area, outer, holes, section.OpenEnds);
+    }
+
+    /// <summary>
+    /// A JSON array with an object for each report: <c>{"model", "sections": [{"z", "length", "area", "outer", "holes", "open"}]}</c>, mm and mm² with at most nine decimals,
+    /// a section a line.
+    /// </summary>
+    public static string ToJson(IEnumerable<SectionReport> reports)
+    {
+        var text = new StringBuilder("[");
+        var first = true;
+        foreach (var report in reports ?? throw new ArgumentNullException(nameof(reports)))
+        {
+            text.Append(first ? "\n" : ",\n").Append(" {\"model\": ").Append(Newtonsoft.Json.JsonConvert.ToString(report.Model)).Append(", \"sections\": [");
+            for (var i = 0; i < report.Sections.Count; i++)
+            {
+                var s = report.Sections[i];
+                text.Append(i == 0 ? "\n" : ",\n").Append("  {\"z\": ").Append(NumberFormatter.Format(s.Z, 9)).Append(", \"length\": ").Append(NumberFormatter.Format(s.Length, 9))
+                    .Append(", \"area\": ").Append(NumberFormatter.Format(s.Area, 9)).Append(", \"outer\": ").Append(NumberFormatter.Format(s.Outer))
+                    .Append(", \"holes\": ").Append(NumberFormatter.Format(s.Holes)).Append(", \"open\": ").Append(NumberFormatter.Format(s.Open)).Append('}');
+            }
+            text.Append(report.Sections.Count > 0 ? "\n ]}" : "]}");
+            first = false;
+        }
+        return text.Append(first ? "]\n" : "\n]\n").ToString();
+    }
+}
