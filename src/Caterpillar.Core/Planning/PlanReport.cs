@@ -46,7 +46,7 @@ public sealed record PlanReport
 
     public int ToolChanges { get; init; }
 
-    /// <summary>Returns of a turtle over the top, back along the branch, and those for which no free way was found.</summary>
+    /// <summary>Returns of a turtle over the top, back along the branch, and those whose goal has been printed over.</summary>
     public int ReturnsOver { get; init; }
 
     /// <inheritdoc cref="ReturnsOver"/>

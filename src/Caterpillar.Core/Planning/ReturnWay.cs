@@ -11,6 +11,9 @@ namespace Caterpillar.Planning;
 internal sealed class ReturnWay
 {
     private const double Flush = 1e-6;
+
+    // A tip of half a millimetre then sinks by half a strand into the one uphill.
+    private const double MaxSlope = 0.25;
     private readonly List<Vec3> _points = [];
 
     public void Visit(Vec3 point) => _points.Add(point);
@@ -35,18 +38,35 @@ internal sealed class ReturnWay
         return null;
     }
 
-    /// <summary>True when the tip can come down on a point: nothing printed lies on top of it.</summary>
-    public static bool IsOpenFromAbove(Deposit deposit, Vec3 point) => deposit.TopUnder(point, double.PositiveInfinity) <= point.Z + Flush;
+    /// <summary>Length in mm of a way from a point.</summary>
+    public static double Length(Vec3 from, List<Vec3> way)
+    {
+        var sum = 0.0;
+        foreach (var to in way)
+        {
+            sum += from.DistanceTo(to);
+            from = to;
+        }
+        return sum;
+    }
 
-    /// <summary>True when nothing lies on top of the way anywhere. What was printed along it is flush with it.</summary>
+    /// <summary>True when the tip can come down on a point: nothing printed lies on top of it.</summary>
+    public static bool IsOpen(Deposit deposit, Vec3 point) => deposit.TopUnder(point, double.PositiveInfinity) <= point.Z + Flush;
+
+    /// <summary>
+    /// True when the tip can go back along a way: nothing lies on top of it (what was printed along it is flush with it), and it is not so steep that the tip would plough through the
+    /// strand uphill of it.
+    /// </summary>
     public static bool IsOpen(Deposit deposit, Vec3 from, List<Vec3> way)
     {
         foreach (var to in way)
         {
-            var pieces = (int)Math.Min(100_000, Math.Ceiling((to - from).LengthXY / (deposit.Cell / 2) + 1));
+            var flat = (to - from).LengthXY;
+            if (Math.Abs(to.Z - from.Z) > MaxSlope * flat) return false;
+            var pieces = (int)Math.Min(100_000, Math.Ceiling(flat / (deposit.Cell / 2) + 1));
             for (var i = 0; i <= pieces; i++)
             {
-                if (!IsOpenFromAbove(deposit, Vec3.Lerp(from, to, (double)i / pieces))) return false;
+                if (!IsOpen(deposit, Vec3.Lerp(from, to, (double)i / pieces))) return false;
             }
             from = to;
         }

@@ -102,27 +102,29 @@ internal sealed class StepPlanner
         }
     }
 
-    // Over the top where the tip can come down on the goal from above; else back along the way that the head has come.
+    // Back along the branch where that way is free and quicker than up, over and down; else over the top.
     private void Return(Vec3 goal)
     {
+        var from = _emitter.Position;
         var back = _way!.BackTo(goal);
-        if (_emitter.Position.DistanceTo(goal) <= TravelPlanner.Touching) return;
-        if (ReturnWay.IsOpenFromAbove(_deposit!, goal))
-        {
-            _counts.ReturnsOver++;
-            _travel.Over(goal, safely: true);
-            return;
-        }
-        if (back is not null && ReturnWay.IsOpen(_deposit!, _emitter.Position, back))
+        if (from.DistanceTo(goal) <= TravelPlanner.Touching) return;
+        if (back is not null && ReturnWay.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal) && ReturnWay.IsOpen(_deposit!, from, back))
         {
             _counts.ReturnsAlong++;
             foreach (var point in back) _emitter.Travel(point, _rules.TravelSpeed);
             return;
         }
-        _counts.BlockedReturns++;
-        _diagnostics.Add(
-            Severity.Warning, "plan.blocked_return", "The head returns to a place that has been printed over, and the way back along the branch is not free either: it goes over the top.",
-            new SourceLocation(Step: _emitter.Source));
+        if (ReturnWay.IsOpen(_deposit!, goal))
+        {
+            _counts.ReturnsOver++;
+        }
+        else
+        {
+            _counts.BlockedReturns++;
+            _diagnostics.Add(
+                Severity.Warning, "plan.blocked_return", "The head returns to a place that has been printed over: it comes down through what lies there.",
+                new SourceLocation(Step: _emitter.Source));
+        }
         _travel.Over(goal, safely: true);
     }
 

@@ -95,16 +95,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
             return;
         }
         var level = Math.Max(from.Z, to.Z);
-        var z = level;
-        if (rules.Lift == LiftRule.Highest)
-        {
-            if (safely || from.DistanceTo(to) > rules.MinLiftTravel) z = Math.Max(z, emitter.Highest) + rules.Clearance;
-        }
-        else if (deposit is not null)
-        {
-            var needed = rules.Head.Needed(deposit, from, to, level);
-            if (needed > level + Flush) z = needed + rules.Clearance;
-        }
+        var z = HeightOver(from, to, level, safely);
         if (z > level && TryDetour(from.WithZ(level), to.WithZ(level), z - level))
         {
             Down(to);
@@ -116,6 +107,23 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
         if (z > from.Z) emitter.Travel(from.WithZ(z), rules.LiftSpeed);
         emitter.Travel(to.WithZ(z), rules.TravelSpeed);
         Down(to);
+    }
+
+    /// <summary>How long it takes to go up, over and down, s, without regard to accelerations and detours.</summary>
+    public double TimeOver(Vec3 to)
+    {
+        var from = emitter.Position;
+        var z = HeightOver(from, to, Math.Max(from.Z, to.Z), true);
+        return (z - from.Z + z - to.Z) / rules.LiftSpeed + (to - from).LengthXY / rules.TravelSpeed;
+    }
+
+    private double HeightOver(Vec3 from, Vec3 to, double level, bool safely)
+    {
+        if (rules.Lift == LiftRule.Highest)
+            return safely || from.DistanceTo(to) > rules.MinLiftTravel ? Math.Max(level, emitter.Highest) + rules.Clearance : level;
+        if (deposit is null) return level;
+        var needed = rules.Head.Needed(deposit, from, to, level);
+        return needed > level + Flush ? needed + rules.Clearance : level;
     }
 
     // A way around is taken where it is quicker than going up and down again.

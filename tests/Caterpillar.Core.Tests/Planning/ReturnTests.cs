@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
@@ -22,28 +23,25 @@ public class ReturnTests
     }
 
     [Test]
-    public void Where_the_goal_is_roofed_over_the_head_goes_back_along_the_branch()
+    public void Around_a_tower_the_head_goes_back_along_the_branch()
     {
-        // The branch runs out and turns back above its own root, but the way out is open only along the branch below: here a roof covers the root alone.
-        Step[] steps = [Path(0, 0, 0, 10, 0, 0), Path(10, 0, 0, 12, 4, 0), new TravelStep([new Vec3(12, 4, 9), new Vec3(-5, 3, 9), new Vec3(-5, 3, 3)]), Path(-5, 3, 3, 5, -3, 3)];
-        var along = PlanningTests.Plan([.. steps, Return(10, 0, 0)], Rules);
-        Assert.That(along.Report.ReturnsOver, Is.EqualTo(1), "the goal itself is open");
-        var roofed = PlanRun.Run([.. steps, Return(0, 0, 0)], Rules, new PlanOptions { Start = Vec3.Zero }, null, default);
-        Assert.That(roofed.Value!.Report.BlockedReturns, Is.EqualTo(1), "the roof lies across the branch as well");
-        Assert.That(roofed.Diagnostics.Select(d => d.Code), Has.Member("plan.blocked_return"));
+        var branch = new PrintPath([new Vec3(0, 0), new Vec3(0, 6), new Vec3(8, 6), new Vec3(8, 0)], new Bead(0.5));
+        Step[] steps = [Path(4, -2, 30, 4, 2, 30), new TravelStep([new Vec3(0, 0, 30), new Vec3(0, 0, 0)]), branch, Return(0, 0, 0), Path(0, 0, 0, -5, 0, 0)];
+        var plan = PlanningTests.Plan(steps, Rules with { MinRetractTravel = 1000 }, new PlanOptions { Start = new Vec3(4, -2, 30) });
+        Assert.That((plan.Report.ReturnsOver, plan.Report.ReturnsAlong, plan.Report.BlockedReturns), Is.EqualTo((0, 1, 0)));
+        Assert.That(PlanningTests.Text(plan.Toolpath).Skip(6), Is.EqualTo(new[] { "Travel 8,6,0 0 150", "Travel 0,6,0 0 150", "Travel 0,0,0 0 150", "Print -5,0,0 1.25 50" }));
+        // A strand across the branch closes the way along.
+        steps = [.. steps.Take(1), Path(1, 6, 20, 1, 7, 20), .. steps.Skip(1)];
+        Assert.That(PlanningTests.Plan(steps, Rules).Report.ReturnsOver, Is.EqualTo(1));
     }
 
     [Test]
-    public void Back_along_a_branch_that_was_left_under_a_roof()
+    public void A_return_to_a_place_that_has_been_printed_over_is_said()
     {
-        // A roof is printed first; the head then dives under its edge and draws below it.
-        Step[] steps =
-        [
-            Path(-5, 0, 3, 5, 0, 3), new TravelStep([new Vec3(5, 20, 3), new Vec3(5, 20, 0), new Vec3(0, 0, 0)]), Path(0, 0, 0, 0, 8, 0), Return(0, 0, 0), Path(0, 0, 0, 0, -8, 0),
-        ];
-        var plan = PlanningTests.Plan(steps, Rules);
-        Assert.That(plan.Report.BlockedReturns, Is.EqualTo(1));
-        Assert.That(plan.Toolpath.Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(3));
+        Step[] steps = [Path(0, 0, 0, 10, 0, 0), new TravelStep(new Vec3(0, -5, 2)), Path(0, -5, 2, 0, 5, 2), Return(0, 0, 0)];
+        var result = PlanRun.Run(steps, Rules, new PlanOptions { Start = Vec3.Zero }, null, default);
+        Assert.That(result.Value!.Report.BlockedReturns, Is.EqualTo(1));
+        Assert.That(result.Diagnostics.Single(), Has.Property("Code").EqualTo("plan.blocked_return").And.Property("Source").EqualTo(new SourceLocation(Step: 3)));
     }
 
     [Test]
