@@ -20,6 +20,9 @@ internal sealed class TourImprover
     private readonly bool _reversible;
     private readonly int _reach;
 
+    // Paths whose surroundings have changed since they were last tried ("don't look" bits, Bentley 1992).
+    private readonly bool[] _fresh;
+
     private TourImprover(SortItem[] items, PathPlacement[] order, Vec3? start)
     {
         _items = items;
@@ -31,6 +34,8 @@ internal sealed class TourImprover
         // Long stretches cost time to turn and gain no more than short ones.
         _reach = order.Length <= 10_000 ? order.Length : 1_000;
         _near = NearPaths();
+        _fresh = new bool[order.Length];
+        for (var i = 0; i < _fresh.Length; i++) _fresh[i] = true;
     }
 
     public static PathPlacement[] Improve(SortItem[] items, PathPlacement[] order, Vec3? start, int passes, CancellationToken cancel)
@@ -65,6 +70,8 @@ internal sealed class TourImprover
         for (var path = 0; path < _order.Length; path++)
         {
             if ((path & 1023) == 0) cancel.ThrowIfCancellationRequested();
+            if (!_fresh[path]) continue;
+            _fresh[path] = false;
             for (var k = 0; k < Neighbours; k++)
             {
                 var other = _near[path * Neighbours + k];
@@ -88,7 +95,16 @@ internal sealed class TourImprover
         var gain = Gap(from) + Gap(to + 1) - FromBefore(from, Exit(to)) - ToAfter(to, Entry(from));
         if (gain <= LeastGain) return false;
         Reverse(from, to);
+        Touch(from - 1, from, to, to + 1);
         return true;
+    }
+
+    private void Touch(params int[] places)
+    {
+        foreach (var place in places)
+        {
+            if (place >= 0 && place < _order.Length) _fresh[_order[place].Index] = true;
+        }
     }
 
     // Moves one, two or three paths that begin or end at a place to behind or before another.
@@ -128,6 +144,7 @@ internal sealed class TourImprover
         var movedIsFirst = after < from;
         if (movedIsFirst ? straight <= turned : true) Reverse(left, middle - 1);
         if (movedIsFirst || straight <= turned) Reverse(middle, right);
+        Touch(left - 1, left, middle - 1, middle, right, right + 1);
         return true;
     }
 
