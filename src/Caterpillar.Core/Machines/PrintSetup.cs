@@ -1,4 +1,7 @@
 using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Machines;
 
@@ -36,5 +39,27 @@ public sealed record PrintSetup
             var material = Material.MaxFlow > 0 ? Material.MaxFlow : double.PositiveInfinity;
             return Math.Min(machine, material);
         }
+    }
+
+    /// <summary>
+    /// The setup with other values, each as <c>key=value</c> with any key of the three profiles: <c>layer_height_mm=0.3</c>, <c>build_volume_mm=300,300,400</c>. Unknown keys and bad values are
+    /// errors that name the key; there is no setup then.
+    /// </summary>
+    public Result<PrintSetup> With(params string[] values) => With((IEnumerable<string>)values);
+
+    /// <inheritdoc cref="With(string[])"/>
+    public Result<PrintSetup> With(IEnumerable<string> values) => SetupValues.Apply(this, values ?? throw new ArgumentNullException(nameof(values)));
+
+    /// <summary>What does not go together in this setup. Errors make it unusable.</summary>
+    public IReadOnlyList<Diagnostic> Check()
+    {
+        var diagnostics = new DiagnosticList();
+        if (Settings.BeadShape == BeadShape.Stadium && Settings.LineWidth < Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight))
+            diagnostics.Add(Severity.Error, "setup.narrow_bead", "line_width_mm is less than the height of a layer: such a strand has no bead_shape stadium; use rectangle or circle.", new SourceLocation(Key: "line_width_mm"));
+        if (Printer.ExtrusionUnit != ExtrusionUnit.None && Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight) > Printer.NozzleDiameter)
+            diagnostics.Add(Severity.Warning, "setup.high_layer", "A layer is higher than the nozzle is wide: strands will hardly stick to each other.", new SourceLocation(Key: "layer_height_mm"));
+        if (Printer.FirmwareRetraction && !Printer.Dialect.FirmwareRetraction)
+            diagnostics.Add(Severity.Error, "setup.no_firmware_retraction", $"{Printer.Dialect.Title} has no firmware retraction.", new SourceLocation(Key: "firmware_retraction"));
+        return diagnostics.ToList();
     }
 }

@@ -1,0 +1,67 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Caterpillar.Machines;
+
+/// <summary>What to say about a key that does not exist.</summary>
+internal static class KeyAdvice
+{
+    // Longest first: the unit of a key is the longest of these that it ends in.
+    private static readonly string[] Units = new[]
+    {
+        "mm3_s", "mm_s2", "mm_s3", "mm_min", "mm_sec", "mm_s", "mm2", "mm3", "mm", "cm3_s", "cm_s", "cm", "m_s2", "m_s", "m", "um", "micron", "microns", "inch", "inches", "in_s", "in_min", "in",
+        "g_cm3", "kg_m3", "g_ml", "g", "c", "celsius", "f", "fahrenheit", "k", "kelvin", "deg", "degrees", "degree", "rad", "radians", "percent", "pct", "ratio", "factor", "s", "sec", "seconds", "ms", "min",
+        "moves", "count", "per_kg", "per_g",
+    }.OrderByDescending(u => u.Length).ThenBy(u => u, StringComparer.Ordinal).ToArray();
+
+    /// <summary>The key that was probably meant by one with another unit (<c>layer_height_cm</c>) or none (<c>layer_height</c>), or null.</summary>
+    public static string? OtherUnit(string key, IEnumerable<string> known)
+    {
+        var stem = Stem(key);
+        return known.FirstOrDefault(k => k != key && Stem(k) == stem);
+    }
+
+    /// <summary>The unit at the end of a key, or an empty text.</summary>
+    public static string UnitOf(string key) => Units.FirstOrDefault(u => key.EndsWith("_" + u, StringComparison.Ordinal)) ?? "";
+
+    /// <summary>The known word nearest to another, or null where none is near.</summary>
+    public static string? Nearest(string word, IEnumerable<string> known)
+    {
+        string? best = null;
+        var bestDistance = Math.Max(2, word.Length / 3) + 1;
+        foreach (var candidate in known)
+        {
+            var distance = Distance(word, candidate);
+            if (distance >= bestDistance) continue;
+            best = candidate;
+            bestDistance = distance;
+        }
+        return best;
+    }
+
+    private static string Stem(string key)
+    {
+        var unit = UnitOf(key);
+        return unit.Length == 0 ? key : key.Substring(0, key.Length - unit.Length - 1);
+    }
+
+    // Levenshtein distance.
+    private static int Distance(string a, string b)
+    {
+        var row = new int[b.Length + 1];
+        for (var j = 0; j < row.Length; j++) row[j] = j;
+        for (var i = 1; i <= a.Length; i++)
+        {
+            var diagonal = row[0];
+            row[0] = i;
+            for (var j = 1; j < row.Length; j++)
+            {
+                var cost = Math.Min(Math.Min(row[j] + 1, row[j - 1] + 1), diagonal + (a[i - 1] == b[j - 1] ? 0 : 1));
+                diagonal = row[j];
+                row[j] = cost;
+            }
+        }
+        return row[b.Length];
+    }
+}

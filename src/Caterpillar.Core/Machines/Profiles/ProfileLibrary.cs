@@ -1,0 +1,134 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Machines;
+
+/// <summary>
+/// The profiles by name: those that come with Caterpillar, and over them those of a user's folder, which has printers as <c>*.json</c>, materials in <c>materials/</c> and settings in
+/// <c>settings/</c>. A user's profile replaces the one of the same name; it may also inherit it. Profiles are read when they are asked for, so a library sees changes of the folder.
+/// </summary>
+public sealed class ProfileLibrary
+{
+    private readonly string? _userFolder;
+
+    /// <param name="userFolder">Folder of the user's profiles, which need not exist; null for none.</param>
+    public ProfileLibrary(string? userFolder = null) => _userFolder = userFolder;
+
+    public IReadOnlyList<string> PrinterNames => Names(ProfileKinds.Printer);
+
+    public IReadOnlyList<string> MaterialNames => Names(ProfileKinds.Material);
+
+    public IReadOnlyList<string> SettingsNames => Names(ProfileKinds.Settings);
+
+    /// <summary>A printer by its name, or from a file (a name with a folder or with <c>.json</c>).</summary>
+    /// <exception cref="IOException">A file that is there cannot be read.</exception>
+    public Result<Printer> Printer(string nameOrFile) => Find(ProfileKinds.Printer, nameOrFile);
+
+    /// <summary>A material by its name, or from a file.</summary>
+    /// <inheritdoc cref="Printer" path="/exception"/>
+    public Result<Material> Material(string nameOrFile) => Find(ProfileKinds.Material, nameOrFile);
+
+    /// <summary>Print settings by their name, or from a file.</summary>
+    /// <inheritdoc cref="Printer" path="/exception"/>
+    public Result<PrintSettings> Settings(string nameOrFile) => Find(ProfileKinds.Settings, nameOrFile);
+
+    /// <summary>
+    /// A whole setup. Without a material or settings those that the printer names; <paramref name="values"/> are <c>key=value</c> for any key of the three, applied in their order.
+    /// </summary>
+    /// <inheritdoc cref="Printer" path="/exception"/>
+    public Result<PrintSetup> Setup(string printer = "generic", string? material = null, string? settings = null, IEnumerable<string>? values = null)
+    {
+        var machine = Printer(printer);
+        var stuff = Material(material ?? machine.Value?.DefaultMaterial ?? "pla");
+        var how = Settings(settings ?? machine.Value?.DefaultSettings ?? "standard");
+        var diagnostics = machine.Diagnostics.Concat(stuff.Diagnostics).Concat(how.Diagnostics).ToList();
+        if (machine.Value is null || stuff.Value is null || how.Value is null) return new Result<PrintSetup>(null, diagnostics);
+        var setup = new PrintSetup(machine.Value, stuff.Value, how.Value).With(values ?? []);
+        diagnostics.AddRange(setup.Diagnostics);
+        if (setup.Value is null) return new Result<PrintSetup>(null, diagnostics);
+        var findings = setup.Value.Check();
+        diagnostics.AddRange(findings);
+        return new Result<PrintSetup>(findings.Any(d => d.Severity == Severity.Error) ? null : setup.Value, diagnostics);
+    }
+
+    private Result<T> Find<T>(ProfileKind<T> kind, string nameOrFile)
+        where T : class
+    {
+        if (nameOrFile is null) throw new ArgumentNullException(nameof(nameOrFile));
+        if (!IsFile(nameOrFile)) return Named(kind, nameOrFile, []);
+        if (!File.Exists(nameOrFile))
+            return Failed<T>("profile.not_found", $"There is no file {nameOrFile}.", new SourceLocation(nameOrFile));
+        return Read(kind, new Source(nameOrFile, Path.GetFileNameWithoutExtension(nameOrFile), () => File.ReadAllText(nameOrFile)), []);
+    }
+
+    private Result<T> Named<T>(ProfileKind<T> kind, string name, IReadOnlyList<string> chain)
+        where T : class
+    {
+        foreach (var source in Sources(kind, name))
+        {
+            // A profile that inherits its own name means the one below it.
+            if (!chain.Contains(source.File)) return Read(kind, source, chain);
+        }
+        if (chain.Count > 0 && Sources(kind, name).Any()) return Failed<T>("profile.circle", $"The {kind.Noun} \"{name}\" inherits itself.", new SourceLocation(chain[0]));
+        var names = Names(kind);
+        var near = KeyAdvice.Nearest(name, names);
+        return Failed<T>(
+            "profile.not_found", $"There is no {kind.Noun} \"{name}\"; " + (near is not null ? $"did you mean {near}?" : "there are " + string.Join(", ", names) + "."), null);
+    }
+
+    private Result<T> Read<T>(ProfileKind<T> kind, Source source, IReadOnlyList<string> chain)
+        where T : class
+        => ProfileReader.Read(kind, source.Read(), source.File, source.Name, parent => Named(kind, parent, [.. chain, source.File]));
+
+    private IEnumerable<Source> Sources<T>(ProfileKind<T> kind, string name)
+        where T : class
+    {
+        if (name.IndexOfAny(['/', '\\', '.']) >= 0) yield break;
+        if (_userFolder is not null)
+        {
+            var file = Path.Combine(_userFolder, kind.Folder, name + ".json");
+            if (File.Exists(file)) yield return new Source(file, name, () => File.ReadAllText(file));
+        }
+        var resource = Resources().FirstOrDefault(r => r.Path == kind.Folder + name + ".json").Resource;
+        if (resource is not null) yield return new Source("printers/" + kind.Folder + name + ".json", name, () => ReadResource(resource));
+    }
+
+    private IReadOnlyList<string> Names<T>(ProfileKind<T> kind)
+        where T : class
+    {
+        var names = new SortedSet<string>(StringComparer.Ordinal);
+        foreach (var (path, _) in Resources())
+        {
+            if (!path.StartsWith(kind.Folder, StringComparison.Ordinal) || path.IndexOf('/', kind.Folder.Length) >= 0) continue;
+            names.Add(path.Substring(kind.Folder.Length, path.Length - kind.Folder.Length - ".json".Length));
+        }
+        var folder = _userFolder is null ? null : Path.Combine(_userFolder, kind.Folder);
+        if (folder is not null && Directory.Exists(folder)) names.UnionWith(Directory.GetFiles(folder, "*.json").Select(f => Path.GetFileNameWithoutExtension(f)));
+        return names.ToArray();
+    }
+
+    private static bool IsFile(string name) => name.IndexOfAny(['/', '\\']) >= 0 || name.EndsWith(".json", StringComparison.OrdinalIgnoreCase);
+
+    // Paths below printers/; resources made on Windows have backslashes.
+    private static IEnumerable<(string Path, string? Resource)> Resources()
+        => typeof(ProfileLibrary).Assembly.GetManifestResourceNames()
+            .Where(r => r.StartsWith("printers/", StringComparison.Ordinal))
+            .Select(r => (r.Substring("printers/".Length).Replace('\\', '/'), (string?)r));
+
+    private static string ReadResource(string name)
+    {
+        using var stream = typeof(ProfileLibrary).Assembly.GetManifestResourceStream(name)!;
+        using var reader = new StreamReader(stream, Encoding.UTF8);
+        return reader.ReadToEnd();
+    }
+
+    private static Result<T> Failed<T>(string code, string message, SourceLocation? place)
+        where T : class
+        => new(null, [new Diagnostic(Severity.Error, code, message, place)]);
+
+    private sealed record Source(string File, string Name, Func<string> Read);
+}
