@@ -1,6 +1,30 @@
+using System;
+using System.IO;
+using System.Text;
+using System.Threading;
+using Caterpillar.Machines;
+
 namespace Caterpillar.Cli;
 
 internal static class Program
 {
-    private static int Main() => 2;
+    private static int Main(string[] words)
+    {
+        using var stop = new CancellationTokenSource();
+        // The first Ctrl-C stops the work in good order, the second one at once.
+        Console.CancelKeyPress += (_, press) =>
+        {
+            if (stop.IsCancellationRequested) return;
+            press.Cancel = true;
+            stop.Cancel();
+        };
+        using var messages = new StreamWriter(Console.OpenStandardError(), new UTF8Encoding(false)) { AutoFlush = true, NewLine = Environment.NewLine };
+        var session = new Session(Console.OpenStandardInput, Console.OpenStandardOutput, messages)
+        {
+            Cancel = stop.Token,
+            IsTerminal = !Console.IsErrorRedirected,
+            Profiles = new ProfileLibrary(Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData), "Caterpillar", "printers")),
+        };
+        return App.Run(words, session);
+    }
 }

@@ -1,0 +1,58 @@
+using System;
+using System.CommandLine;
+using System.CommandLine.Help;
+using System.IO;
+using System.Linq;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Parses the words, runs the verb, and turns every outcome into an exit code.</summary>
+internal static class App
+{
+    public static int Run(string[] words, Session session)
+    {
+        var root = new Command("caterpillar", "Turns designs into 3D-printer motion, and G-code back into toolpaths.") { new HelpOption(), new VersionOption() };
+        foreach (var verb in Verbs.All()) root.Subcommands.Add(verb);
+        try
+        {
+            var parsed = root.Parse(words);
+            if (parsed.CommandResult.Command is Verb verb && parsed.Action is null && parsed.Errors.Count == 0) return verb.Run(parsed, session);
+            return Answer(parsed, session);
+        }
+        catch (CliException end)
+        {
+            if (end.Message.Length > 0) session.Messages.WriteLine(end.Message);
+            return end.Code;
+        }
+        catch (OperationCanceledException)
+        {
+            session.Messages.WriteLine("Interrupted; nothing was written.");
+            return ExitCode.Interrupted;
+        }
+        catch (Exception disk) when (disk is IOException or UnauthorizedAccessException)
+        {
+            session.Messages.WriteLine(disk.Message);
+            return ExitCode.BadInput;
+        }
+        catch (Exception bug)
+        {
+            session.Messages.WriteLine("This is a mistake of the program itself; please report it with the input that led here:");
+            session.Messages.WriteLine(bug.ToString());
+            return ExitCode.Bug;
+        }
+    }
+
+    // Help and version, or wrong usage.
+    private static int Answer(ParseResult parsed, Session session)
+    {
+        if (parsed.Errors.Count == 0 && parsed.Action is not null)
+        {
+            session.WriteText("-", text => parsed.Invoke(new InvocationConfiguration { Output = text, Error = session.Messages }));
+            return ExitCode.Done;
+        }
+        foreach (var error in parsed.Errors.Select(e => e.Message).Distinct()) session.Messages.WriteLine(error);
+        var verb = parsed.CommandResult.Command is Verb v ? " " + v.Name : "";
+        session.Messages.WriteLine($"See: caterpillar{verb} --help");
+        return ExitCode.Usage;
+    }
+}

@@ -1,0 +1,9 @@
+using System;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Ends the program with a message (none where everything was said already) and an exit code.</summary>
+internal sealed class CliException(int code, string? message = null) : Exception(message ?? "")
+{
+    public int Code { get; } = code;
+}

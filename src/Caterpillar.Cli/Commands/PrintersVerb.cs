@@ -1,0 +1,102 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Cli.Commands;
+
+/// <summary>Lists the profiles, or shows one as JSON with all its keys.</summary>
+internal sealed class PrintersVerb : Verb
+{
+    private readonly Argument<string?> _name = new("NAME")
+    {
+        Description = "A printer, material or settings to show as JSON; material/clay or settings/clay where a name is in both.",
+        Arity = ArgumentArity.ZeroOrOne,
+    };
+
+    private readonly Option<bool> _keys = new("--keys") { Description = "List the keys of profiles with their room and meaning." };
+
+    public PrintersVerb()
+        : base("printers", "Profiles of printers, materials and settings.")
+    {
+        Arguments.Add(_name);
+        Options.Add(_keys);
+    }
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var name = arguments.GetValue(_name);
+        if (arguments.GetValue(_keys)) session.WriteText("-", WriteKeys);
+        else if (name is not null) Show(name, session);
+        else session.WriteText("-", text => WriteList(text, session));
+        return ExitCode.Done;
+    }
+
+    private static void WriteList(TextWriter text, Session session)
+    {
+        var profiles = session.Profiles;
+        var rows = new List<string[]> { new[] { "PRINTER", "BUILD VOLUME", "NOZZLE", "DIALECT", "" } };
+        foreach (var name in profiles.PrinterNames)
+        {
+            if (Read(profiles.Printer(name), session) is not { } printer) continue;
+            var size = printer.BuildVolume;
+            rows.Add([name, $"{Number(size.X)} × {Number(size.Y)} × {Number(size.Z)} mm", Number(printer.NozzleDiameter) + " mm", printer.Dialect.Name, printer.Title]);
+        }
+        rows.Add([]);
+        rows.Add(["MATERIAL", "NOZZLE, BED", "FILAMENT", "", ""]);
+        foreach (var name in profiles.MaterialNames)
+        {
+            if (Read(profiles.Material(name), session) is not { } material) continue;
+            rows.Add([name, $"{Number(material.NozzleTemperature)}, {Number(material.BedTemperature)} °C", Number(material.FilamentDiameter) + " mm", "", material.Title]);
+        }
+        rows.Add([]);
+        rows.Add(["SETTINGS", "LAYER, LINE", "SPEED", "", ""]);
+        foreach (var name in profiles.SettingsNames)
+        {
+            if (Read(profiles.Settings(name), session) is not { } settings) continue;
+            rows.Add([name, $"{Number(settings.LayerHeight)}, {Number(settings.LineWidth)} mm", Number(settings.PrintSpeed) + " mm/s", "", settings.Title]);
+        }
+        TextTable.Write(text, rows);
+    }
+
+    private static void WriteKeys(TextWriter text)
+    {
+        var rows = new List<string[]>();
+        foreach (var (title, keys) in new[] { ("PRINTER", ProfileKeys.Printer), ("MATERIAL", ProfileKeys.Material), ("SETTINGS", ProfileKeys.Settings) })
+        {
+            if (rows.Count > 0) rows.Add([]);
+            rows.Add([title, ""]);
+            rows.AddRange(keys.Select(k => new[] { k.Name, k.Summary + " (" + k.Room + ")" }));
+        }
+        TextTable.Write(text, rows);
+    }
+
+    private static void Show(string name, Session session)
+    {
+        var profiles = session.Profiles;
+        if (name.StartsWith("material/", System.StringComparison.Ordinal)) Material(name["material/".Length..]);
+        else if (name.StartsWith("settings/", System.StringComparison.Ordinal)) Settings(name["settings/".Length..]);
+        else if (profiles.PrinterNames.Contains(name)) Printer(name);
+        else if (profiles.MaterialNames.Contains(name)) Material(name);
+        else if (profiles.SettingsNames.Contains(name)) Settings(name);
+        else Printer(name);
+
+        void Printer(string which) => Out(ProfileWriter.Write(session.Need(profiles.Printer(which), Code(which))));
+        void Material(string which) => Out(ProfileWriter.Write(session.Need(profiles.Material(which), Code(which))));
+        void Settings(string which) => Out(ProfileWriter.Write(session.Need(profiles.Settings(which), Code(which))));
+        void Out(string json) => session.WriteText("-", text => text.Write(json));
+        int Code(string which) => File.Exists(which) ? ExitCode.BadInput : ExitCode.Usage;
+    }
+
+    // A bad profile is reported; the others are listed all the same.
+    private static T? Read<T>(Result<T> result, Session session)
+        where T : class
+    {
+        session.Print(result.Diagnostics);
+        return result.Value;
+    }
+
+    private static string Number(double value) => NumberFormatter.Format(value, 3);
+}

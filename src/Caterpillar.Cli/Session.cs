@@ -1,0 +1,92 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+using Spectre.Console;
+
+namespace Caterpillar.Cli;
+
+/// <summary>What a verb works with: streams, profiles, the wish to stop, progress and messages.</summary>
+internal sealed class Session
+{
+    private readonly Func<Stream> _input;
+    private readonly Func<Stream> _output;
+
+    public Session(Func<Stream> input, Func<Stream> output, TextWriter messages)
+    {
+        _input = input;
+        _output = output;
+        Messages = messages;
+    }
+
+    /// <summary>Where messages for people go: standard error.</summary>
+    public TextWriter Messages { get; }
+
+    public CancellationToken Cancel { get; init; }
+
+    /// <summary>Standard error is a terminal, so progress may be drawn.</summary>
+    public bool IsTerminal { get; init; }
+
+    public ProfileLibrary Profiles { get; init; } = new();
+
+    /// <summary>The bytes of a file, or of standard input for <c>-</c>.</summary>
+    public byte[] ReadBytes(string file)
+    {
+        if (file != "-")
+        {
+            if (Directory.Exists(file)) throw new CliException(ExitCode.BadInput, $"{file}: is a folder, not a file.");
+            return File.ReadAllBytes(file);
+        }
+        using var input = _input();
+        using var memory = new MemoryStream();
+        input.CopyTo(memory);
+        return memory.ToArray();
+    }
+
+    /// <summary>The name of an input in messages.</summary>
+    public static string NameOf(string file) => file == "-" ? "standard input" : file;
+
+    /// <summary>Writes a file whole or not at all, or standard output for <c>-</c>.</summary>
+    public void Write(string file, Action<Stream> write) => WholeFile.Write(file, _output, write);
+
+    /// <summary>Writes text in UTF-8.</summary>
+    public void WriteText(string file, Action<TextWriter> write) => Write(file, stream =>
+    {
+        using var writer = new StreamWriter(stream, new UTF8Encoding(false), 1 << 16, leaveOpen: true) { NewLine = "\n" };
+        write(writer);
+    });
+
+    /// <summary>Prints what was noticed, a line each.</summary>
+    public void Print(IEnumerable<Diagnostic> diagnostics)
+    {
+        foreach (var diagnostic in diagnostics) Messages.WriteLine(diagnostic.ToString());
+    }
+
+    /// <summary>Prints what was noticed and gives the value.</summary>
+    /// <exception cref="CliException">There is none.</exception>
+    public T Need<T>(Result<T> result, int code = ExitCode.BadInput)
+        where T : class
+    {
+        Print(result.Diagnostics);
+        return result.Value ?? throw new CliException(code);
+    }
+
+    /// <summary>Runs long work, with a bar on a terminal.</summary>
+    public T Long<T>(string what, Func<IProgress<double>?, T> work)
+    {
+        if (!IsTerminal) return work(null);
+        var console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Messages) });
+        return console.Progress().AutoClear(true).HideCompleted(true)
+            .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn())
+            .Start(context => work(new Bar(context.AddTask(Markup.Escape(what)))));
+    }
+
+    private sealed class Bar(ProgressTask task) : IProgress<double>
+    {
+        public void Report(double value) => task.Value = Math.Clamp(value, 0, 1) * task.MaxValue;
+    }
+}

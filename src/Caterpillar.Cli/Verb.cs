@@ -1,0 +1,10 @@
+using System.CommandLine;
+
+namespace Caterpillar.Cli;
+
+/// <summary>A verb of the program. Its file in <c>Commands/</c> declares its arguments and options and does its work; <see cref="Verbs"/> lists it.</summary>
+internal abstract class Verb(string name, string description) : Command(name, description)
+{
+    /// <summary>Does the work and returns the exit code. Problems may also end in a <see cref="CliException"/>; the disk may throw as it likes.</summary>
+    public abstract int Run(ParseResult arguments, Session session);
+}

@@ -1,0 +1,13 @@
+using System.Collections.Generic;
+using Caterpillar.Cli.Commands;
+
+namespace Caterpillar.Cli;
+
+/// <summary>The verbs in the order of the help.</summary>
+internal static class Verbs
+{
+    public static IEnumerable<Verb> All() =>
+    [
+        new PrintersVerb(),
+    ];
+}

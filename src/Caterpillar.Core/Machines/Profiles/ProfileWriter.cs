@@ -1,0 +1,22 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Caterpillar.Machines;
+
+/// <summary>Writes profiles as JSON, with all their keys. Reading the text gives an equal profile.</summary>
+public static class ProfileWriter
+{
+    public static string Write(Printer printer) => Write(PrinterKeys.All, printer);
+
+    public static string Write(Material material) => Write(MaterialKeys.All, material);
+
+    public static string Write(PrintSettings settings) => Write(SettingsKeys.All, settings);
+
+    private static string Write<T>(IEnumerable<ProfileKey<T>> keys, T profile)
+        where T : class
+    {
+        if (profile is null) throw new ArgumentNullException(nameof(profile));
+        return JsonText.Object(keys.Select(k => new KeyValuePair<string, object>(k.Name, k.Get(profile))));
+    }
+}
