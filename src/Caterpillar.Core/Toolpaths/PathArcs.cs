@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Arcs in paths: fitted to straight segments, and taken apart into chords again.</summary>
+public static class PathArcs
+{
+    /// <summary>
+    /// Replaces runs of straight segments by arcs within a tolerance (see <see cref="ArcFitter"/>). An arc never crosses a change of the bead, nor the seam of a closed path; arcs of the path
+    /// stay. The bead stays as it is, so that the material per mm is constant within an arc.
+    /// </summary>
+    public static PrintPath Fit(PrintPath path, ArcFitOptions? options = null)
+    {
+        if (path is null) throw new ArgumentNullException(nameof(path));
+        var vertices = Vertices(path);
+        var fitter = new ArcFitter(vertices, options);
+        var points = new List<Vec3> { vertices[0] };
+        var beads = new List<Bead>();
+        var arcs = new List<Arc?>();
+        var found = false;
+        // Behind the last segment of the run of straight segments with one bead.
+        var runEnd = 0;
+        for (var i = 0; i < path.SegmentCount;)
+        {
+            var bead = path.BeadOf(i);
+            var end = i + 1;
+            var arc = path.ArcOf(i);
+            if (arc is null)
+            {
+                if (runEnd <= i)
+                {
+                    runEnd = i + 1;
+                    while (runEnd < path.SegmentCount && path.ArcOf(runEnd) is null && path.BeadOf(runEnd) == bead) runEnd++;
+                }
+                if (fitter.From(i, runEnd) is { } fit)
+                {
+                    (end, arc) = (fit.End, fit.Arc);
+                    found = true;
+                }
+            }
+            points.Add(vertices[end]);
+            beads.Add(bead);
+            arcs.Add(arc);
+            i = end;
+        }
+        return found ? Build(path, points, beads, arcs) : path;
+    }
+
+    /// <summary>Replaces every arc by equal chords that keep within <paramref name="tolerance"/> mm of it.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
+    public static PrintPath Expand(PrintPath path, double tolerance = 0.01)
+    {
+        if (path is null) throw new ArgumentNullException(nameof(path));
+        if (!(tolerance > 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance must be positive.");
+        if (!path.HasArcs) return path;
+        var points = new List<Vec3> { path.Start };
+        var beads = new List<Bead>();
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            var start = path.Points[i];
+            var end = path.EndOf(i);
+            var chords = 1;
+            if (path.ArcOf(i) is { } arc)
+            {
+                // A loop of two chords would have no inside.
+                chords = Math.Max(arc.ChordCount(start, tolerance), Math.Abs(arc.Sweep) > 180 ? 3 : path.IsClosed ? 2 : 1);
+                for (var k = 1; k < chords; k++) points.Add(arc.PointAt(start, end, (double)k / chords));
+            }
+            points.Add(end);
+            for (var k = 0; k < chords; k++) beads.Add(path.BeadOf(i));
+        }
+        return Build(path, points, beads, null);
+    }
+
+    private static Vec3[] Vertices(PrintPath path)
+    {
+        if (!path.IsClosed) return path.RawPoints;
+        var vertices = new Vec3[path.Points.Count + 1];
+        Array.Copy(path.RawPoints, vertices, path.Points.Count);
+        vertices[path.Points.Count] = path.Start;
+        return vertices;
+    }
+
+    private static PrintPath Build(PrintPath path, List<Vec3> points, List<Bead> beads, List<Arc?>? arcs)
+    {
+        if (path.IsClosed) points.RemoveAt(points.Count - 1);
+        return path.WithGeometry(points, beads, path.IsClosed, arcs);
+    }
+}

@@ -1,0 +1,79 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Joins paths whose ends touch into one, so that the machine does not stop between them.</summary>
+public static class PathMerging
+{
+    /// <summary>
+    /// Joins each open path to the one before it where the start of the one lies within <paramref name="tolerance"/> mm of the end of the other and role, layer, tool, name and overrides are equal.
+    /// The order is kept. With <paramref name="reverse"/> a path is also turned around to fit. The beads stay with their segments; the joint is the end of the first path. A chain that comes
+    /// back to its start becomes closed.
+    /// </summary>
+    /// <exception cref="ArgumentException">The tolerance is negative or not a number, or a path is null.</exception>
+    public static IReadOnlyList<PrintPath> Merge(IReadOnlyList<PrintPath> paths, double tolerance = 0.01, bool reverse = false)
+    {
+        if (paths is null) throw new ArgumentNullException(nameof(paths));
+        if (!(tolerance >= 0)) throw new ArgumentException("The tolerance must be 0 or more.", nameof(tolerance));
+        var merged = new List<PrintPath>();
+        var chain = new List<PrintPath>();
+        foreach (var each in paths)
+        {
+            var path = each ?? throw new ArgumentException("A path is null.", nameof(paths));
+            if (chain.Count > 0 && Fits(chain, path, tolerance, reverse) is { } fitting)
+            {
+                chain.Add(fitting);
+                continue;
+            }
+            if (chain.Count > 0) merged.Add(Join(chain, tolerance));
+            chain.Clear();
+            chain.Add(path);
+        }
+        if (chain.Count > 0) merged.Add(Join(chain, tolerance));
+        return merged;
+    }
+
+    private static PrintPath? Fits(List<PrintPath> chain, PrintPath path, double tolerance, bool reverse)
+    {
+        var last = chain[chain.Count - 1];
+        if (last.IsClosed || path.IsClosed || !Alike(last, path)) return null;
+        if (last.End.DistanceTo(path.Start) <= tolerance) return path;
+        if (!reverse) return null;
+        if (last.End.DistanceTo(path.End) <= tolerance) return path.Reversed();
+        // Only the first path of a chain can still be turned itself.
+        if (chain.Count > 1) return null;
+        if (last.Start.DistanceTo(path.Start) <= tolerance)
+        {
+            chain[0] = last.Reversed();
+            return path;
+        }
+        if (last.Start.DistanceTo(path.End) > tolerance) return null;
+        chain[0] = last.Reversed();
+        return path.Reversed();
+    }
+
+    private static bool Alike(PrintPath a, PrintPath b)
+        => a.Role == b.Role && a.Layer == b.Layer && a.Tool == b.Tool && a.Name == b.Name && a.Overrides == b.Overrides;
+
+    private static PrintPath Join(List<PrintPath> chain, double tolerance)
+    {
+        if (chain.Count == 1) return chain[0];
+        var points = new List<Vec3> { chain[0].Start };
+        var beads = new List<Bead>();
+        var arcs = new List<Arc?>();
+        foreach (var path in chain)
+        {
+            for (var i = 0; i < path.SegmentCount; i++)
+            {
+                points.Add(path.EndOf(i));
+                beads.Add(path.BeadOf(i));
+                arcs.Add(path.ArcOf(i));
+            }
+        }
+        var closed = points.Count > 3 && points[0].DistanceTo(points[points.Count - 1]) <= tolerance;
+        if (closed) points.RemoveAt(points.Count - 1);
+        return chain[0].WithGeometry(points, beads, closed, arcs);
+    }
+}
