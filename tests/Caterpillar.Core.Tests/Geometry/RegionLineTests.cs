@@ -32,6 +32,18 @@ public class RegionLineTests
     }
 
     [Test]
+    public void A_line_is_contained_when_all_of_it_is()
+    {
+        Assert.That(Ring.ContainsLine(new Vec3(1, 1), new Vec3(29, 1)));
+        Assert.That(Ring.ContainsLine(new Vec3(0, 0), new Vec3(30, 0)), "along the boundary");
+        Assert.That(Ring.ContainsLine(new Vec3(10, 0), new Vec3(10, 30)), "along a hole");
+        Assert.That(Ring.ContainsLine(new Vec3(1, 15), new Vec3(29, 15)), Is.False, "through the hole");
+        Assert.That(Ring.ContainsLine(new Vec3(12, 12), new Vec3(18, 18)), Is.False, "in the hole");
+        Assert.That(Ring.ContainsLine(new Vec3(-1, 5), new Vec3(5, 5)), Is.False, "from outside");
+        Assert.That(Ring.ContainsLine(new Vec3(5, 5), new Vec3(5, 5)) && !Region.Empty.ContainsLine(Vec3.Zero, Vec3.UnitX));
+    }
+
+    [Test]
     public void Closed_lines_stay_closed_or_are_joined_across_their_start()
     {
         var whole = new Polyline(new[] { new Vec3(1, 1), new Vec3(9, 1), new Vec3(9, 9), new Vec3(1, 9) }, closed: true);

@@ -116,6 +116,60 @@ public class RegionOffsetTests
     }
 
     [Test]
+    public void Results_have_the_same_bits_on_every_runtime()
+    {
+        var random = new Random(77);
+        var hash = 14695981039346656037UL;
+        for (var k = 0; k < 12; k++)
+        {
+            var region = Region.From(new[] { RegionReference.Star(random, 40, 0, 0, 3, 10), RegionReference.Random(random, 9, 12) }, FillRule.EvenOdd);
+            foreach (JoinStyle join in Enum.GetValues(typeof(JoinStyle)))
+            {
+                foreach (var path in region.Offset(0.3, join).Subtract(region.Offset(-0.4, join)).Simplified(0.01).Paths)
+                {
+                    foreach (var p in path) hash = unchecked(((hash ^ (uint)p.X) * 1099511628211UL ^ (uint)p.Y) * 1099511628211UL);
+                }
+            }
+            foreach (var line in region.HatchLines(33, 0.5))
+            {
+                hash = unchecked((hash ^ (ulong)BitConverter.DoubleToInt64Bits(line.From.X)) * 1099511628211UL);
+                hash = unchecked((hash ^ (ulong)BitConverter.DoubleToInt64Bits(line.To.Y)) * 1099511628211UL);
+            }
+        }
+        Assert.That(hash, Is.EqualTo(1969188489726670945UL));
+    }
+
+    [Test]
+    public void Strokes_cover_what_the_formula_says()
+    {
+        var line = new Polyline(new[] { new Vec3(0, 0), new Vec3(10, 0), new Vec3(10, 10) });
+        Assert.That(Region.Around(new[] { line }, 1, JoinStyle.Miter).Area, Is.EqualTo(24 + 20).Within(1e-6));
+        Assert.That(Region.Around(new[] { line }, 1, JoinStyle.Round, 2, 1e-4).Area, Is.EqualTo(20 + 20 - 1 + Math.PI + Math.PI / 4).Within(2e-3));
+        var loop = new Polyline(new[] { new Vec3(0, 0), new Vec3(10, 0), new Vec3(10, 10), new Vec3(0, 10) }, closed: true);
+        Assert.That(Region.Around(new[] { loop }, 1, JoinStyle.Miter).Area, Is.EqualTo(144 - 64).Within(1e-6));
+        Assert.That(Region.Around(new[] { loop, line }, 1, JoinStyle.Miter).Contours, Has.Count.EqualTo(2));
+        var dot = new Polyline(new[] { new Vec3(3, 3), new Vec3(3, 3) });
+        Assert.That(Region.Around(new[] { dot }, 1, JoinStyle.Round, 2, 1e-4).Area, Is.EqualTo(Math.PI).Within(1e-3));
+        Assert.That(Region.Around(new[] { new Polyline(Array.Empty<Vec3>()) }, 1).IsEmpty);
+        Assert.That(() => Region.Around(new[] { line }, 0), Throws.ArgumentException.With.Property("ParamName").EqualTo("distance"));
+    }
+
+    [Test]
+    public void Strokes_that_cross_themselves_agree_with_buffers_of_NetTopologySuite()
+    {
+        var random = new Random(31);
+        var factory = new NetTopologySuite.Geometries.GeometryFactory();
+        for (var k = 0; k < (Fast ? 200 : 15); k++)
+        {
+            var line = new Polyline(RegionReference.Random(random, 2 + k % 20, 12).Points);
+            var ours = Region.Around(new[] { line }, 0.37, JoinStyle.Round, 2, 0.0005);
+            RegionReference.AssertValid(ours);
+            var theirs = factory.CreateLineString(line.Points.Select(p => new NetTopologySuite.Geometries.Coordinate(p.X, p.Y)).ToArray()).Buffer(0.37, 64);
+            Assert.That(ours.Area, Is.EqualTo(theirs.Area).Within(0.002 * (1 + theirs.Length)));
+        }
+    }
+
+    [Test]
     public void Simplifying_keeps_within_the_tolerance()
     {
         var circle = Region.From(new Polyline(Enumerable.Range(0, 1000).Select(i =>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using NetTopologySuite.Operation.Overlay;
 using NetTopologySuite.Operation.OverlayNG;
@@ -97,6 +98,35 @@ public class RegionTests
         Assert.That(Region.From(Loop(1, 1, 1, 1, 1, 1, 1, 1)).IsEmpty);
         Assert.That(Region.Empty.Offset(1).IsEmpty && Region.Empty.Area == 0 && Region.Empty.Bounds.IsEmpty && Region.Empty.Islands.Count == 0);
         Assert.That(Region.Empty.Contains(0, 0), Is.False);
+    }
+
+    [Test]
+    public void Specks_are_dropped_and_regions_move()
+    {
+        var region = Square(0, 0, 30).Subtract(Square(5, 5, 20)).Union(Square(10, 10, 1)).Subtract(Square(1, 1, 0.5));
+        Assert.That(region.Contours, Has.Count.EqualTo(4));
+        Assert.That(region.WithoutSpecks(0).Contours, Has.Count.EqualTo(4));
+        Assert.That(region.WithoutSpecks(0.5).Area, Is.EqualTo(900 - 400 + 1));
+        Assert.That(region.WithoutSpecks(500).Area, Is.EqualTo(900));
+        Assert.That(region.Moved(100, -7).Bounds.Min, Is.EqualTo(new Vec3(100, -7)));
+        Assert.That(region.Moved(100, -7).Area, Is.EqualTo(region.Area));
+        Assert.That(() => region.Moved(5350, 0), Throws.ArgumentException.With.Property("ParamName").EqualTo("x"));
+        Assert.That(() => region.WithoutSpecks(-1), Throws.ArgumentException.With.Property("ParamName").EqualTo("area"));
+    }
+
+    [Test]
+    public void Touching_turned_boxes_leave_no_slit_between_them()
+    {
+        for (var k = 1; k < 60; k++)
+        {
+            var (sin, cos) = Angle.SinCos(k * 5.77);
+            Vec3 At(double x, double y) => new(x * cos - y * sin, x * sin + y * cos);
+            Polyline Box(double x0, double y0, double x1, double y1) => new(new[] { At(x0, y0), At(x1, y0), At(x1, y1), At(x0, y1) }, closed: true);
+            var region = Region.From(new[] { Box(0, 0, 30, 10), Box(3, 10, 7, 20), Box(11, 10, 29, 13), Box(30, 2, 35, 8) });
+            Assert.That(region.Contours, Has.Count.EqualTo(1), $"turn {k}");
+            Assert.That(region.Offset(-0.4).Islands, Has.Count.EqualTo(1));
+            RegionReference.AssertValid(region);
+        }
     }
 
     [TestCase(double.NaN)]

@@ -37,7 +37,7 @@ internal sealed class Arrangement
 
     /// <summary>
     /// In half units: how far from a segment a vertex may be to be drawn in. 1 (the segment passes through the vertex's unit square) happens only where needed; more, from the
-    /// first round on: for contours whose vertices were on others' edges before they were rounded.
+    /// first round on: for contours whose vertices were on others' edges before they were rounded. Set after <see cref="Clear"/>.
     /// </summary>
     public int Reach = 1;
 
@@ -55,6 +55,7 @@ internal sealed class Arrangement
     public void Clear()
     {
         _added = 0;
+        Reach = 1;
         Count = 0;
         Contours = 0;
         ContourStart[0] = 0;

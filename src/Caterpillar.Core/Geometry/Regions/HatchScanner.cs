@@ -27,18 +27,34 @@ internal static class HatchScanner
         var (low, high) = Project(paths, sin, cos, spacing, phase, along, across, row);
         if (high <= low) return Array.Empty<HatchLine>();
         var start = new int[high - low + 1];
-        Walk(paths, row, (a, b, k) => start[k - low + 1]++);
+        var first = 0;
+        foreach (var path in paths)
+        {
+            for (int b = first, a = first + path.Length - 1; b < first + path.Length; a = b++) Count(start, row[a] - low, row[b] - low);
+            first += path.Length;
+        }
         for (var k = 1; k < start.Length; k++) start[k] += start[k - 1];
         var crossings = new double[start[start.Length - 1]];
         var fill = new int[high - low];
         Array.Copy(start, fill, fill.Length);
-        Walk(paths, row, (a, b, k) =>
+        first = 0;
+        foreach (var path in paths)
         {
-            // From the lower end, so that an edge gives the same bits in both directions.
-            if (across[b] < across[a]) (a, b) = (b, a);
-            var t = (phase + k * spacing - across[a]) / (across[b] - across[a]);
-            crossings[fill[k - low]++] = along[a] + Math.Min(Math.Max(t, 0), 1) * (along[b] - along[a]);
-        });
+            for (int b = first, a = first + path.Length - 1; b < first + path.Length; a = b++)
+            {
+                if (row[a] == row[b]) continue;
+                // From the lower end, so that an edge gives the same bits in both directions.
+                var (from, to) = row[a] < row[b] ? (a, b) : (b, a);
+                var slope = (along[to] - along[from]) / (across[to] - across[from]);
+                double least = Math.Min(along[from], along[to]), most = Math.Max(along[from], along[to]);
+                for (var k = row[from]; k < row[to]; k++)
+                {
+                    var u = along[from] + (phase + k * spacing - across[from]) * slope;
+                    crossings[fill[k - low]++] = Math.Min(Math.Max(u, least), most);
+                }
+            }
+            first += path.Length;
+        }
         return Pair(crossings, start, low, sin, cos, spacing, phase);
     }
 
@@ -65,20 +81,10 @@ internal static class HatchScanner
         return (low, high);
     }
 
-    // Row k crosses an edge when one end lies below the row and the other on or above it.
-    private static void Walk(GridPoint[][] paths, int[] row, Action<int, int, int> visit)
+    // Row k crosses an edge when one end lies below the row and the other on or above it. Counts one place up, for the sums that follow.
+    private static void Count(int[] start, int a, int b)
     {
-        var first = 0;
-        foreach (var path in paths)
-        {
-            var a = first + path.Length - 1;
-            for (var b = first; b < first + path.Length; a = b++)
-            {
-                int from = Math.Min(row[a], row[b]), to = Math.Max(row[a], row[b]);
-                for (var k = from; k < to; k++) visit(a, b, k);
-            }
-            first += path.Length;
-        }
+        for (var k = Math.Min(a, b); k < Math.Max(a, b); k++) start[k + 1]++;
     }
 
     private static HatchLine[] Pair(double[] crossings, int[] start, int low, double sin, double cos, double spacing, double phase)

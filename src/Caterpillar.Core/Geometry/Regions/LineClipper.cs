@@ -36,6 +36,24 @@ internal sealed class LineClipper
         if (line.IsClosed && open && _pieces.Count > first + 1) JoinAround(line[0], first);
     }
 
+    /// <summary>True when no piece of the line is cut away.</summary>
+    public bool IsWhole(Vec3 a, Vec3 b)
+    {
+        _cuts.Clear();
+        Cuts(a.X * Grid.PerMm, a.Y * Grid.PerMm, b.X * Grid.PerMm, b.Y * Grid.PerMm);
+        _cuts.Sort();
+        _cuts.Add(1);
+        var from = 0.0;
+        foreach (var to in _cuts)
+        {
+            if (to <= from) continue;
+            var middle = Vec3.Lerp(a, b, (from + to) / 2);
+            if (_index.Contains(middle.X * Grid.PerMm, middle.Y * Grid.PerMm) == _outside) return false;
+            from = to;
+        }
+        return true;
+    }
+
     private void Segment(Vec3 a, Vec3 b, ref bool whole)
     {
         if (a.X == b.X && a.Y == b.Y)
@@ -119,6 +137,7 @@ internal sealed class LineClipper
     private void Cut(double ax, double ay, double bx, double by, in Segment s)
     {
         double dx = bx - ax, dy = by - ay, square = dx * dx + dy * dy;
+        if (square == 0) return;
         var c = dx * (s.Ay - ay) - dy * (s.Ax - ax);
         var d = dx * (s.By - ay) - dy * (s.Bx - ax);
         // Ends of edges within a grid unit of the line: where it may begin or cease to run along the boundary.

@@ -31,8 +31,14 @@ public sealed partial class Region
     public static Region From(IEnumerable<Polyline> contours, FillRule rule = FillRule.NonZero, bool closeHoles = false)
     {
         if (contours is null) throw new ArgumentNullException(nameof(contours));
+        return From(contours, rule, closeHoles, new RegionEngine());
+    }
+
+    internal static Region From(IEnumerable<Polyline> contours, FillRule rule, bool closeHoles, RegionEngine engine)
+    {
+        engine.Clear();
         // Bodies that touch must not be parted by a slit that only the rounding of their vertices made.
-        var engine = new RegionEngine { Arrangement = { Reach = 3 } };
+        engine.Arrangement.Reach = 3;
         foreach (var contour in contours)
         {
             if (contour is null) throw new ArgumentException("A contour is missing.", nameof(contours));
@@ -128,6 +134,44 @@ public sealed partial class Region
 
     /// <summary>True when the point (mm) lies inside or within 5 nm of the boundary.</summary>
     public bool Contains(double x, double y) => Index.Contains(x * Grid.PerMm, y * Grid.PerMm);
+
+    /// <summary>True when the whole straight line from a to b (mm) lies inside; the boundary is inside.</summary>
+    /// <exception cref="ArgumentException">A coordinate is not a number or beyond ±5368.709 mm.</exception>
+    public bool ContainsLine(Vec3 a, Vec3 b)
+    {
+        Grid.FromMm(a, nameof(a));
+        Grid.FromMm(b, nameof(b));
+        return !IsEmpty && new LineClipper(Index, outside: false).IsWhole(a, b);
+    }
+
+    /// <summary>The same region moved by a whole number of grid steps next to (x, y) mm.</summary>
+    /// <exception cref="ArgumentException">A distance is not a number, or the result would leave ±5368.709 mm.</exception>
+    public Region Moved(double x, double y)
+    {
+        int dx = Grid.FromMm(x, nameof(x)), dy = Grid.FromMm(y, nameof(y));
+        var bounds = Bounds;
+        if (IsEmpty || (dx == 0 && dy == 0)) return this;
+        Grid.FromMm(bounds.Min.X + x, nameof(x));
+        Grid.FromMm(bounds.Max.X + x, nameof(x));
+        Grid.FromMm(bounds.Min.Y + y, nameof(y));
+        Grid.FromMm(bounds.Max.Y + y, nameof(y));
+        var paths = new GridPoint[_paths.Length][];
+        for (var c = 0; c < paths.Length; c++)
+        {
+            paths[c] = new GridPoint[_paths[c].Length];
+            for (var i = 0; i < paths[c].Length; i++) paths[c][i] = new GridPoint(_paths[c][i].X + dx, _paths[c][i].Y + dy);
+        }
+        return new Region(paths);
+    }
+
+    /// <summary>Without islands and holes whose contour encloses less than an area in mm².</summary>
+    /// <exception cref="ArgumentException">The area is negative or not a number.</exception>
+    public Region WithoutSpecks(double area)
+    {
+        if (!(area >= 0)) throw new ArgumentException("The area must not be negative.", nameof(area));
+        // What lies in a dropped contour is smaller still, so dropping contours one by one leaves a valid region.
+        return Own(Array.FindAll(_paths, path => Math.Abs((double)Grid.DoubleArea(path, 0, path.Length)) >= 2 * area * Grid.PerMm * Grid.PerMm));
+    }
 
     /// <summary>The contours on the grid, for code that works there. Not to be changed.</summary>
     internal GridPoint[][] Paths => _paths;

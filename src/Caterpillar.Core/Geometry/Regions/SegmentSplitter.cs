@@ -68,6 +68,28 @@ internal sealed class SegmentSplitter
         return n;
     }
 
+    private void Sort(int count)
+    {
+        if (count > 24)
+        {
+            Array.Sort(_keys, _sorted, 0, count);
+            return;
+        }
+        for (var i = 1; i < count; i++)
+        {
+            var key = _keys[i];
+            var p = _sorted[i];
+            var k = i;
+            for (; k > 0 && _keys[k - 1] > key; k--)
+            {
+                _keys[k] = _keys[k - 1];
+                _sorted[k] = _sorted[k - 1];
+            }
+            _keys[k] = key;
+            _sorted[k] = p;
+        }
+    }
+
     private int Parts(in Segment s, int head, int n)
     {
         long dx = (long)s.Bx - s.Ax, dy = (long)s.By - s.Ay;
@@ -83,7 +105,7 @@ internal sealed class SegmentSplitter
             _keys[count] = dx * ((long)p.X - s.Ax) + dy * ((long)p.Y - s.Ay);
             _sorted[count++] = p;
         }
-        if (count > 1) Array.Sort(_keys, _sorted, 0, count);
+        Sort(count);
         var a = s.A;
         for (var k = 0; k < count; k++)
         {
