@@ -18,8 +18,11 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
     /// <summary>Skips blanks and line ends. False at the end of the file.</summary>
     public bool SkipSpace()
     {
-        while (At < End && Bytes[At] <= ' ') At++;
-        return At < End;
+        // Locals, because fields would be written at every byte.
+        var (text, p, stop) = (Bytes, At, End);
+        while (p < stop && text[p] <= ' ') p++;
+        At = p;
+        return p < stop;
     }
 
     /// <summary>Skips blanks within the line; a backslash at the end of a line continues it. False at the end of the line.</summary>
@@ -49,8 +52,10 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
     /// <summary>Goes behind the word at the cursor and returns where it began.</summary>
     public int SkipWord()
     {
+        var (text, p, stop) = (Bytes, At, End);
+        while (p < stop && text[p] > ' ') p++;
         var start = At;
-        while (At < End && Bytes[At] > ' ') At++;
+        At = p;
         return start;
     }
 
@@ -58,11 +63,11 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
     public bool WordIs(int start, string lower)
     {
         if (At - start != lower.Length) return false;
+        var text = Bytes;
         for (var i = 0; i < lower.Length; i++)
         {
-            var c = Bytes[start + i];
-            if (c is >= (byte)'A' and <= (byte)'Z') c += 32;
-            if (c != lower[i]) return false;
+            int c = text[start + i];
+            if (c != lower[i] && (c is < 'A' or > 'Z' || c + 32 != lower[i])) return false;
         }
         return true;
     }
@@ -70,8 +75,9 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
     /// <summary>Reads the word at the cursor as a number; <c>nan</c> and <c>inf</c> in any spelling give NaN. False (and the cursor stays) where it is none.</summary>
     public bool ReadNumber(out double value)
     {
-        var next = NumberReader.Scan(Bytes, At, End, true, out value);
-        if (next > At && (next == End || Bytes[next] <= ' '))
+        var (text, start) = (Bytes, At);
+        var next = NumberReader.Scan(text, start, End, true, out value);
+        if (next > start && (next == End || text[next] <= ' '))
         {
             At = next;
             return true;
