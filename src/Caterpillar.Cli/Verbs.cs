@@ -8,6 +8,7 @@ internal static class Verbs
 {
     public static IEnumerable<Verb> All() =>
     [
+        new SectionsVerb(),
         new PrintersVerb(),
     ];
 }

@@ -18,7 +18,7 @@ internal static class WholeFile
         }
         var target = Path.GetFullPath(file);
         if (Directory.Exists(target)) throw new CliException(ExitCode.BadInput, $"{file}: is a folder, not a file.");
-        if (File.ResolveLinkTarget(target, returnFinalTarget: true) is { } link) target = link.FullName;
+        if (File.Exists(target) && File.ResolveLinkTarget(target, returnFinalTarget: true) is { } link) target = link.FullName;
         if (IsSpecial(target))
         {
             using var direct = new FileStream(target, FileMode.Open, FileAccess.Write);

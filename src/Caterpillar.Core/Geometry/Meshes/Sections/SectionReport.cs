@@ -47,7 +47,8 @@ public sealed class SectionReport
         var parallel = new ParallelOptions { MaxDegreeOfParallelism = options.Degree, CancellationToken = cancel };
         Parallel.For(0, rows.Length, parallel, i => rows[i] = Measure(sections[i]));
         progress?.Report(1);
-        return new Result<SectionReport>(new SectionReport(model, rows), cut.Diagnostics);
+        var place = new SourceLocation(model);
+        return new Result<SectionReport>(new SectionReport(model, rows), cut.Diagnostics.Select(d => d with { Source = d.Source ?? place }).ToArray());
     }
 
     /// <summary>Measures one section.</summary>
