@@ -82,12 +82,15 @@ internal static class DialectDetector
             var plain = flavour.ToLowerInvariant();
             // Cura calls Marlin 1 and 2 alike.
             if (plain == "marlin" && key[1] == 'F') plain = "marlin2";
+            string? found = null;
             foreach (var (known, name) in Flavours)
             {
-                if (plain != known) continue;
-                evidence.Add("A comment says: " + text.Substring(at, end - at).Trim());
-                return name;
+                if (plain == known) found = name;
             }
+            found ??= DialectTable.Find(plain)?.Name;
+            if (found is null) continue;
+            evidence.Add("A comment says: " + text.Substring(at, end - at).Trim());
+            return found;
         }
         return null;
     }
@@ -109,10 +112,18 @@ internal static class DialectDetector
     {
         if (chunks.Count == 0) return "";
         var first = chunks[0];
-        var head = TextEncoding.Decode(first.Text, first.Start, Math.Min(first.End, first.Start + Head));
-        var last = chunks[chunks.Count - 1];
-        var from = Math.Max(last.End - Tail, chunks.Count == 1 ? Math.Min(first.End, first.Start + Head) : last.Start);
-        return (head + "\n" + TextEncoding.Decode(last.Text, from, last.End)).Replace('\r', '\n');
+        var headEnd = Math.Min(first.End, first.Start + Head);
+        var text = new System.Text.StringBuilder(TextEncoding.Decode(first.Text, first.Start, headEnd)).Append('\n');
+        var from = chunks.Count;
+        for (var rest = Tail; from > 0 && rest > 0; from--) rest -= chunks[from - 1].Length;
+        var left = Tail;
+        for (var i = chunks.Count - 1; i > from; i--) left -= chunks[i].Length;
+        for (var i = from; i < chunks.Count; i++)
+        {
+            var start = Math.Max(chunks[i].Start, i == from ? chunks[i].End - left : chunks[i].Start);
+            text.Append(TextEncoding.Decode(chunks[i].Text, i == 0 ? Math.Max(start, headEnd) : start, chunks[i].End));
+        }
+        return text.Replace('\r', '\n').ToString();
     }
 }
 
