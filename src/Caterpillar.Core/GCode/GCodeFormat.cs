@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Caterpillar.Machines;
 
@@ -43,6 +44,12 @@ public sealed record GCodeFormat
     public IReadOnlyList<string> Start { get; init; } = [];
 
     public IReadOnlyList<string> End { get; init; } = [];
+
+    /// <summary>Lines at the beginning of each layer but the first, by the number of the layer in <c>Toolpath.Layers</c>; null for none.</summary>
+    public Func<int, IReadOnlyList<string>>? LayerLines { get; init; }
+
+    /// <summary>Lines for a change of the tool, from one number to another; null or none for the tool's number alone.</summary>
+    public Func<int, int, IReadOnlyList<string>>? ToolLines { get; init; }
 
     /// <summary>The letter of extrusion, or 0 where nothing is extruded by words.</summary>
     internal byte ExtruderLetter => HasE && Dialect.ExtruderLetters.Length > 0 ? (byte)Dialect.ExtruderLetters[0] : (byte)0;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -8,6 +9,9 @@ namespace Caterpillar.GCode;
 /// <summary>Events, layers and tools.</summary>
 public sealed partial class GCodeWriter
 {
+    private static readonly string[] ModalWords = ["G90", "G91", "M82", "M83", "G92", "E"];
+    private int _layers;
+
     private void Events(int move)
     {
         var events = _toolpath.Events;
@@ -98,10 +102,33 @@ public sealed partial class GCodeWriter
         _f = long.MinValue;
     }
 
+    // Lines of a template, and the modal state again where they may have changed it.
+    private void Lines(IReadOnlyList<string> lines)
+    {
+        var modes = false;
+        foreach (var line in lines)
+        {
+            Raw(line);
+            var code = line.Split(';')[0];
+            foreach (var word in ModalWords) modes |= code.IndexOf(word, StringComparison.OrdinalIgnoreCase) >= 0;
+        }
+        if (modes) StateModes();
+    }
+
     private void Tool(int tool)
     {
         if (tool == _tool) return;
+        var lines = _format.ToolLines?.Invoke(_tool, tool);
         _tool = tool;
+        if (lines is { Count: > 0 }) Lines(lines);
+        else StateTool(tool);
+        if (_rules.SharedE) return;
+        if (!_sums.TryGetValue(tool, out var sum)) _sums.Add(tool, sum = new ExtruderSum());
+        _sum = sum;
+    }
+
+    private void StateTool(int tool)
+    {
         if (_rules.ToolByM6)
         {
             _out.Command((byte)'M', 6);
@@ -112,9 +139,6 @@ public sealed partial class GCodeWriter
             _out.Command((byte)'T', tool);
         }
         _out.EndLine();
-        if (_rules.SharedE) return;
-        if (!_sums.TryGetValue(tool, out var sum)) _sums.Add(tool, sum = new ExtruderSum());
-        _sum = sum;
     }
 
     private void Layer(int number)
@@ -123,18 +147,22 @@ public sealed partial class GCodeWriter
         _layer = number;
         if (number < 0)
         {
-            Object("");
+            if (_format.Comments) Object("");
             return;
         }
         var layer = _toolpath.Layers[number];
         if (before is null || layer.Index != before.Index || layer.Z != before.Z)
         {
             if (_e != 0 && !_relative && Math.Abs(_sum.Written) > _largestSum) ResetE();
-            _out.Comment("LAYER_CHANGE");
-            _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
-            if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
+            if (_format.Comments)
+            {
+                _out.Comment("LAYER_CHANGE");
+                _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
+                if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
+            }
+            if (_layers++ > 0 && _format.LayerLines?.Invoke(number) is { Count: > 0 } lines) Lines(lines);
         }
-        Object(layer.Object);
+        if (_format.Comments) Object(layer.Object);
     }
 
     private void Object(string name)

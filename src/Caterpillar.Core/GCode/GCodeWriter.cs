@@ -90,14 +90,7 @@ public sealed partial class GCodeWriter
     {
         foreach (var line in _format.Header) _out.Comment(" " + line);
         foreach (var line in _format.Start) _out.Line(line);
-        _out.Command((byte)'G', 90);
-        _out.EndLine();
-        if (_e != 0 && _rules.RelativeE != RelativeERule.OnlyG90G91)
-        {
-            _out.Command((byte)'M', _relative ? 83 : 82);
-            _out.EndLine();
-        }
-        if (_e != 0 && !_relative) ResetE();
+        StateModes();
         Flush(stream);
     }
 
@@ -137,7 +130,7 @@ public sealed partial class GCodeWriter
 
     private void Move(ToolpathColumns c, int block, int i)
     {
-        if (_format.Comments && c.Layer[i] != _layer) Layer(c.Layer[i]);
+        if (c.Layer[i] != _layer) Layer(c.Layer[i]);
         if (c.Tool[i] != _tool) Tool(c.Tool[i]);
         var kind = c.Kind[i];
         var home = _homed;
@@ -195,6 +188,18 @@ public sealed partial class GCodeWriter
         _y = uy;
         _z = uz;
         _placed = true;
+    }
+
+    private void StateModes()
+    {
+        _out.Command((byte)'G', 90);
+        _out.EndLine();
+        if (_e != 0 && _rules.RelativeE != RelativeERule.OnlyG90G91)
+        {
+            _out.Command((byte)'M', _relative ? 83 : 82);
+            _out.EndLine();
+        }
+        if (_e != 0 && !_relative) ResetE();
     }
 
     // Number to print for a change of E, and whether the printed sum changes at all.
