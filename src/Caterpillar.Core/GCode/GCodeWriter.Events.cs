@@ -103,7 +103,7 @@ public sealed partial class GCodeWriter
     }
 
     // Lines of a template, and the modal state again where they may have changed it.
-    private void Lines(IReadOnlyList<string> lines)
+    private void TemplateLines(IReadOnlyList<string> lines)
     {
         var modes = false;
         foreach (var line in lines)
@@ -120,7 +120,7 @@ public sealed partial class GCodeWriter
         if (tool == _tool) return;
         var lines = _format.ToolLines?.Invoke(_tool, tool);
         _tool = tool;
-        if (lines is { Count: > 0 }) Lines(lines);
+        if (lines is { Count: > 0 }) TemplateLines(lines);
         else StateTool(tool);
         if (_rules.SharedE) return;
         if (!_sums.TryGetValue(tool, out var sum)) _sums.Add(tool, sum = new ExtruderSum());
@@ -160,7 +160,7 @@ public sealed partial class GCodeWriter
                 _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
                 if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
             }
-            if (_layers++ > 0 && _format.LayerLines?.Invoke(number) is { Count: > 0 } lines) Lines(lines);
+            if (_layers++ > 0 && _format.LayerLines?.Invoke(number) is { Count: > 0 } lines) TemplateLines(lines);
         }
         if (_format.Comments) Object(layer.Object);
     }
