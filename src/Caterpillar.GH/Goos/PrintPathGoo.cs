@@ -73,9 +73,9 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
         return true;
     }
 
-    public override bool CastTo<Q>(out Q target)
+    // By reference as in GH_Goo; GH_GeometricGoo shows the same method with an out parameter, which is the same to the runtime.
+    public override bool CastTo<Q>(ref Q target)
     {
-        target = default!;
         if (Value is null) return false;
         object? made = typeof(Q).IsAssignableFrom(typeof(PrintPath)) ? Value
             : typeof(Q).IsAssignableFrom(typeof(GH_Curve)) && typeof(Q) != typeof(IGH_Goo) ? new GH_Curve(RhinoGeometry.ToCurve(Value, DocumentUnits.Current))

@@ -68,9 +68,9 @@ public sealed class ToolpathGoo : GH_GeometricGoo<Toolpath>, IGH_PreviewData
         return true;
     }
 
-    public override bool CastTo<Q>(out Q target)
+    // By reference as in GH_Goo; GH_GeometricGoo shows the same method with an out parameter, which is the same to the runtime.
+    public override bool CastTo<Q>(ref Q target)
     {
-        target = default!;
         if (Value is not Q value) return false;
         target = value;
         return true;

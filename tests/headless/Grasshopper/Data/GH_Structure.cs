@@ -7,7 +7,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Grasshopper.Kernel.Data
 {
-    public interface IGH_Structure : GH_ISerializable
+    public interface IGH_Structure
     {
         int PathCount { get; }
 
@@ -28,7 +28,7 @@ namespace Grasshopper.Kernel.Data
         void Clear();
     }
 
-    public class GH_Structure<T> : IGH_Structure
+    public class GH_Structure<T> : IGH_Structure, GH_ISerializable
         where T : IGH_Goo
     {
         private readonly SortedDictionary<GH_Path, List<T>> _branches = new SortedDictionary<GH_Path, List<T>>();

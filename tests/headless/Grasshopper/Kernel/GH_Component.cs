@@ -9,7 +9,7 @@ using Rhino.Geometry;
 
 namespace Grasshopper.Kernel
 {
-    public abstract class GH_Component : GH_ActiveObject, IGH_Component, IGH_PreviewObject, IGH_BakeAwareObject
+    public abstract class GH_Component : GH_ActiveObject, IGH_Component
     {
         protected GH_Component(string name, string nickname, string description, string category, string subCategory)
             : base(name, nickname, description, category, subCategory)

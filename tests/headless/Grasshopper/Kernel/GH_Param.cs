@@ -285,7 +285,7 @@ namespace Grasshopper.Kernel
     public abstract class GH_PersistentGeometryParam<T> : GH_PersistentParam<T>
         where T : class, IGH_GeometricGoo
     {
-        protected GH_PersistentGeometryParam(string name, string nickname, string description, string category, string subcategory)
+        internal GH_PersistentGeometryParam(string name, string nickname, string description, string category, string subcategory)
             : base(name, nickname, description, category, subcategory)
         {
         }

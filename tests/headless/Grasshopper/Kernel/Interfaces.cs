@@ -11,7 +11,7 @@ using Rhino.Geometry;
 
 namespace Grasshopper.Kernel
 {
-    public interface IGH_InstanceDescription
+    public interface IGH_InstanceDescription : GH_ISerializable
     {
         string Name { get; set; }
 
@@ -26,7 +26,7 @@ namespace Grasshopper.Kernel
         Guid InstanceGuid { get; }
     }
 
-    public interface IGH_DocumentObject : IGH_InstanceDescription, GH_ISerializable
+    public interface IGH_DocumentObject : IGH_InstanceDescription
     {
         Guid ComponentGuid { get; }
 
@@ -70,7 +70,7 @@ namespace Grasshopper.Kernel
         bool DependsOn(IGH_ActiveObject PotentialSource);
     }
 
-    public interface IGH_Component : IGH_ActiveObject
+    public interface IGH_Component : IGH_ActiveObject, IGH_PreviewObject, IGH_BakeAwareObject
     {
         GH_ComponentParamServer Params { get; }
 

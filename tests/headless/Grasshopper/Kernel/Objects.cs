@@ -7,12 +7,8 @@ using GH_IO.Serialization;
 
 namespace Grasshopper.Kernel
 {
-    public class GH_InstanceDescription : IGH_InstanceDescription, GH_ISerializable
+    public class GH_InstanceDescription : IGH_InstanceDescription
     {
-        public GH_InstanceDescription()
-        {
-        }
-
         public GH_InstanceDescription(string name, string nickname, string description, string category, string subcategory)
         {
             Name = name;
@@ -74,7 +70,7 @@ namespace Grasshopper.Kernel
     {
         private Bitmap _icon;
 
-        protected GH_DocumentObject(string name, string nickname, string description, string category, string subcategory)
+        internal GH_DocumentObject(string name, string nickname, string description, string category, string subcategory)
             : base(name, nickname, description, category, subcategory)
         {
         }
@@ -101,7 +97,9 @@ namespace Grasshopper.Kernel
         {
         }
 
-        public abstract void ExpireSolution(bool recompute);
+        public virtual void ExpireSolution(bool recompute)
+        {
+        }
 
         public virtual GH_Document OnPingDocument() => Document;
     }
@@ -110,7 +108,7 @@ namespace Grasshopper.Kernel
     {
         private readonly List<KeyValuePair<GH_RuntimeMessageLevel, string>> _messages = new List<KeyValuePair<GH_RuntimeMessageLevel, string>>();
 
-        protected GH_ActiveObject(string name, string nickname, string description, string category, string subcategory)
+        internal GH_ActiveObject(string name, string nickname, string description, string category, string subcategory)
             : base(name, nickname, description, category, subcategory)
         {
         }
@@ -147,11 +145,15 @@ namespace Grasshopper.Kernel
             Phase = GH_SolutionPhase.Blank;
         }
 
-        public abstract void CollectData();
+        public virtual void CollectData()
+        {
+        }
 
-        public abstract void ComputeData();
+        public virtual void ComputeData()
+        {
+        }
 
-        public abstract bool DependsOn(IGH_ActiveObject potentialSource);
+        public virtual bool DependsOn(IGH_ActiveObject potentialSource) => false;
 
         public override void ExpireSolution(bool recompute)
         {

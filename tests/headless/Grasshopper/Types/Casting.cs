@@ -45,9 +45,8 @@ namespace Grasshopper.Kernel.Types
             return true;
         }
 
-        public static bool Give<T, Q>(T value, out Q target)
+        public static bool Give<T, Q>(T value, ref Q target)
         {
-            target = default;
             if (!(value is Q given)) return false;
             target = given;
             return true;

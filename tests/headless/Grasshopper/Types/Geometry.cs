@@ -5,55 +5,75 @@ using Rhino.Geometry;
 
 namespace Grasshopper.Kernel.Types
 {
-    public class GH_Point : GH_GeometricGoo<Point3d>
+    public class GH_Point : IGH_GeometricGoo
     {
+        private Point3d _value;
+
         public GH_Point()
         {
         }
 
-        public GH_Point(Point3d pt) : base(pt)
+        internal GH_Point(Point3d pt) => _value = pt;
+
+        internal Point3d Value
         {
+            get => _value;
+            set => _value = value;
         }
 
-        public override bool IsValid => m_value.IsValid;
+        public bool IsValid => _value.IsValid;
 
-        public override string TypeName => "Point";
+        public string IsValidWhyNot => IsValid ? string.Empty : "The coordinates are not valid.";
 
-        public override string TypeDescription => "A 3D point";
+        public string TypeName => "Point";
 
-        public override BoundingBox Boundingbox => new BoundingBox(m_value, m_value);
+        public string TypeDescription => "A 3D point";
 
-        public override IGH_GeometricGoo DuplicateGeometry() => new GH_Point(m_value);
+        public BoundingBox Boundingbox => new BoundingBox(_value, _value);
 
-        public override BoundingBox GetBoundingBox(Transform xform) => new BoundingBox(xform * m_value, xform * m_value);
+        public Guid ReferenceID { get; set; }
 
-        public override IGH_GeometricGoo Transform(Transform xform) => new GH_Point(xform * m_value);
+        public bool IsReferencedGeometry => false;
 
-        public override IGH_GeometricGoo Morph(SpaceMorph xmorph) => new GH_Point(xmorph.MorphPoint(m_value));
+        public IGH_Goo Duplicate() => new GH_Point(_value);
 
-        public override string ToString() => "{" + m_value + "}";
+        public IGH_GeometricGoo DuplicateGeometry() => new GH_Point(_value);
 
-        public override bool CastFrom(object source)
+        public BoundingBox GetBoundingBox(Transform xform) => new BoundingBox(xform * _value, xform * _value);
+
+        public IGH_GeometricGoo Transform(Transform xform) => new GH_Point(xform * _value);
+
+        public IGH_GeometricGoo Morph(SpaceMorph xmorph) => new GH_Point(xmorph.MorphPoint(_value));
+
+        public object ScriptVariable() => _value;
+
+        public override string ToString() => "{" + _value + "}";
+
+        public bool CastFrom(object source)
         {
-            if (Casting.Bare(source) is Point3d point) m_value = point;
-            else if (Casting.Bare(source) is Vector3d vector) m_value = new Point3d(vector);
-            else if (Casting.Bare(source) is Plane plane) m_value = plane.Origin;
+            if (Casting.Bare(source) is Point3d point) _value = point;
+            else if (Casting.Bare(source) is Vector3d vector) _value = new Point3d(vector);
+            else if (Casting.Bare(source) is Plane plane) _value = plane.Origin;
             else return false;
             return true;
         }
 
-        public override bool CastTo<Q>(out Q target) => Casting.Give(m_value, out target);
-
-        public override bool Write(GH_IWriter writer)
+        public bool CastTo<Q>(out Q target)
         {
-            writer.SetPoint3D("Coordinate", new GH_Point3D(m_value.X, m_value.Y, m_value.Z));
+            target = default;
+            return Casting.Give(_value, ref target);
+        }
+
+        public bool Write(GH_IWriter writer)
+        {
+            writer.SetPoint3D("Coordinate", new GH_Point3D(_value.X, _value.Y, _value.Z));
             return true;
         }
 
-        public override bool Read(GH_IReader reader)
+        public bool Read(GH_IReader reader)
         {
             var p = reader.GetPoint3D("Coordinate");
-            m_value = new Point3d(p.x, p.y, p.z);
+            _value = new Point3d(p.x, p.y, p.z);
             return true;
         }
     }
@@ -64,7 +84,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        public GH_Plane(Plane plane) : base(plane)
+        internal GH_Plane(Plane plane) : base(plane)
         {
         }
 
@@ -99,7 +119,7 @@ namespace Grasshopper.Kernel.Types
             return true;
         }
 
-        public override bool CastTo<Q>(out Q target) => Casting.Give(m_value, out target);
+        public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
 
         public override bool Write(GH_IWriter writer)
         {
@@ -167,7 +187,7 @@ namespace Grasshopper.Kernel.Types
             }
         }
 
-        public override bool CastTo<Q>(out Q target) => Casting.Give(m_value, out target);
+        public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
 
         public void DrawViewportWires(GH_PreviewWireArgs args) => args.Pipeline.DrawCurve(m_value, args.Color, args.Thickness);
 
@@ -182,7 +202,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        public GH_Mesh(Mesh mesh) : base(mesh)
+        internal GH_Mesh(Mesh mesh) : base(mesh)
         {
         }
 
@@ -215,7 +235,7 @@ namespace Grasshopper.Kernel.Types
             return true;
         }
 
-        public override bool CastTo<Q>(out Q target) => Casting.Give(m_value, out target);
+        public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
     }
 
     public class GH_Brep : GH_GeometricGoo<Brep>
@@ -224,7 +244,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        public GH_Brep(Brep brep) : base(brep)
+        internal GH_Brep(Brep brep) : base(brep)
         {
         }
 
@@ -257,6 +277,6 @@ namespace Grasshopper.Kernel.Types
             return true;
         }
 
-        public override bool CastTo<Q>(out Q target) => Casting.Give(m_value, out target);
+        public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
     }
 }

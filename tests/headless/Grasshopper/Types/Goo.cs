@@ -88,29 +88,17 @@ namespace Grasshopper.Kernel.Types
         IGH_GeometricGoo Morph(SpaceMorph xmorph);
     }
 
-    public abstract class GH_GeometricGoo<T> : IGH_GeometricGoo
+    public abstract class GH_GeometricGoo<T> : GH_Goo<T>, IGH_GeometricGoo
     {
-        protected T m_value;
-
         protected GH_GeometricGoo()
         {
         }
 
-        protected GH_GeometricGoo(T internal_data) => m_value = internal_data;
-
-        public virtual T Value
+        protected GH_GeometricGoo(T internal_data) : base(internal_data)
         {
-            get => m_value;
-            set => m_value = value;
         }
 
-        public virtual bool IsValid => m_value != null;
-
-        public virtual string IsValidWhyNot => IsValid ? string.Empty : "This " + TypeName + " is not valid.";
-
-        public abstract string TypeName { get; }
-
-        public abstract string TypeDescription { get; }
+        public override bool IsValid => m_value != null;
 
         public virtual Guid ReferenceID { get; set; }
 
@@ -118,7 +106,7 @@ namespace Grasshopper.Kernel.Types
 
         public abstract BoundingBox Boundingbox { get; }
 
-        public virtual IGH_Goo Duplicate() => DuplicateGeometry();
+        public override IGH_Goo Duplicate() => DuplicateGeometry();
 
         public abstract IGH_GeometricGoo DuplicateGeometry();
 
@@ -127,21 +115,5 @@ namespace Grasshopper.Kernel.Types
         public abstract IGH_GeometricGoo Transform(Transform xform);
 
         public abstract IGH_GeometricGoo Morph(SpaceMorph xmorph);
-
-        public abstract override string ToString();
-
-        public virtual object ScriptVariable() => Value;
-
-        public virtual bool CastTo<Q>(out Q target)
-        {
-            target = default;
-            return false;
-        }
-
-        public virtual bool CastFrom(object source) => false;
-
-        public virtual bool Write(GH_IWriter writer) => true;
-
-        public virtual bool Read(GH_IReader reader) => true;
     }
 }

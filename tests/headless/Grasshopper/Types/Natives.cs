@@ -13,7 +13,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        public GH_Number(double number) : base(number)
+        internal GH_Number(double number) : base(number)
         {
         }
 
@@ -79,7 +79,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        public GH_Boolean(bool value) : base(value)
+        internal GH_Boolean(bool value) : base(value)
         {
         }
 
@@ -123,7 +123,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        public GH_String(string value) : base(value)
+        internal GH_String(string value) : base(value)
         {
         }
 
@@ -158,7 +158,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        public GH_Colour(Color colour) : base(colour)
+        internal GH_Colour(Color colour) : base(colour)
         {
         }
 
@@ -186,7 +186,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        public GH_ObjectWrapper(object obj) : base(obj)
+        internal GH_ObjectWrapper(object obj) : base(obj)
         {
         }
 
@@ -213,7 +213,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        public GH_Vector(Vector3d vector) : base(vector)
+        internal GH_Vector(Vector3d vector) : base(vector)
         {
         }
 
