@@ -18,8 +18,8 @@ internal static class TracePictures
             var byArea = name is "globe" or "lettered_bowl";
             var options = new PictureOptions
             {
-                Width = 640,
-                Height = 480,
+                Width = 480,
+                Height = 360,
                 View = new View(-60, name.StartsWith("heart", StringComparison.Ordinal) || name.Contains("plate", StringComparison.Ordinal) ? 40 : 22),
                 ColourBy = byArea ? ColourBy.Speed : ColourBy.Height,
             };

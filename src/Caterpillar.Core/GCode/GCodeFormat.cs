@@ -12,12 +12,6 @@ public sealed record GCodeFormat
     /// <summary>E as increments (M83) or as sums (M82).</summary>
     public bool RelativeE { get; init; } = true;
 
-    /// <summary>
-    /// Coordinates as increments (G91, as ExtruderTurtle writes), which makes E relative too. A move from a place that is not known is written absolute. Increments are differences of
-    /// printed positions, so rounding does not add up. Not for dialects whose E follows G90 and G91 alone.
-    /// </summary>
-    public bool RelativeXyz { get; init; }
-
     /// <summary>Decimals of X, Y and Z; of E; of F (mm/min).</summary>
     public int DecimalsXyz { get; init; } = 3;
 
@@ -61,8 +55,5 @@ public sealed record GCodeFormat
     internal byte ExtruderLetter => HasE && Dialect.ExtruderLetters.Length > 0 ? (byte)Dialect.ExtruderLetters[0] : (byte)0;
 
     /// <summary>True where E is written as increments: by M83, or where there is no such word (an axis like the others) as sums.</summary>
-    internal bool WritesRelative => (RelativeE || RelativeXyz) && Dialect.RelativeE != RelativeERule.OnlyG90G91;
-
-    /// <summary>True where coordinates are written as increments.</summary>
-    internal bool WritesIncrements => RelativeXyz && Dialect.RelativeE != RelativeERule.OnlyG90G91;
+    internal bool WritesRelative => RelativeE && Dialect.RelativeE != RelativeERule.OnlyG90G91;
 }

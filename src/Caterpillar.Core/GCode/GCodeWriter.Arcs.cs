@@ -43,11 +43,10 @@ public sealed partial class GCodeWriter
         if (first == 0 && second == 0) return false;
         Plane(arc.Plane);
         var ue = StepE(e, out var changed);
-        Increments(true);
         _out.Command((byte)'G', arc.Sweep < 0 ? 2 : 3);
-        if (ux != _x || (closed && arc.Plane != ArcPlane.YZ)) _out.Word((byte)'X', Coordinate(ux, _x), xyz);
-        if (uy != _y || (closed && arc.Plane != ArcPlane.ZX)) _out.Word((byte)'Y', Coordinate(uy, _y), xyz);
-        if (uz != _z || (closed && arc.Plane != ArcPlane.XY)) _out.Word((byte)'Z', Coordinate(uz, _z), xyz);
+        if (ux != _x || (closed && arc.Plane != ArcPlane.YZ)) _out.Word((byte)'X', ux, xyz);
+        if (uy != _y || (closed && arc.Plane != ArcPlane.ZX)) _out.Word((byte)'Y', uy, xyz);
+        if (uz != _z || (closed && arc.Plane != ArcPlane.XY)) _out.Word((byte)'Z', uz, xyz);
         _out.Word(arc.Plane == ArcPlane.YZ ? (byte)'J' : (byte)'I', first, xyz);
         _out.Word(arc.Plane == ArcPlane.XY ? (byte)'J' : (byte)'K', second, xyz);
         if (turns > 1) _out.Word((byte)'P', (long)turns, 0);

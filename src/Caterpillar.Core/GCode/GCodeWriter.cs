@@ -33,7 +33,6 @@ public sealed partial class GCodeWriter
     private long _z;
     private long _f = long.MinValue;
     private bool _placed;
-    private bool _increments;
     private int _nextBlock;
     private int _nextEvent;
     private int _tool;
@@ -119,7 +118,6 @@ public sealed partial class GCodeWriter
         if (_nextBlock != _toolpath.Blocks.Count) throw new InvalidOperationException("Not all blocks are written.");
         Events(_toolpath.Count);
         if (_format.Comments && _object.Length > 0) Object("");
-        Increments(false);
         foreach (var line in _format.End) _out.Line(line);
         Flush(stream);
     }
@@ -179,11 +177,10 @@ public sealed partial class GCodeWriter
         var ue = StepE(e, out var changed);
         bool hasX = !_placed || ux != _x, hasY = !_placed || uy != _y, hasZ = !_placed || uz != _z;
         if (!hasX && !hasY && !hasZ && !changed) return;
-        Increments(_placed);
         _out.Command((byte)'G', code);
-        if (hasX) _out.Word((byte)'X', Coordinate(ux, _x), xyz);
-        if (hasY) _out.Word((byte)'Y', Coordinate(uy, _y), xyz);
-        if (hasZ) _out.Word((byte)'Z', Coordinate(uz, _z), xyz);
+        if (hasX) _out.Word((byte)'X', ux, xyz);
+        if (hasY) _out.Word((byte)'Y', uy, xyz);
+        if (hasZ) _out.Word((byte)'Z', uz, xyz);
         if (changed) _out.Word(_e, ue, _format.DecimalsE);
         Feed(speed);
         _out.EndLine();
@@ -195,7 +192,6 @@ public sealed partial class GCodeWriter
 
     private void StateModes()
     {
-        _increments = false;
         _out.Command((byte)'G', 90);
         _out.EndLine();
         if (_e != 0 && _rules.RelativeE != RelativeERule.OnlyG90G91)
@@ -205,21 +201,6 @@ public sealed partial class GCodeWriter
         }
         if (_e != 0 && !_relative) ResetE();
     }
-
-    // Increments need a place to start from. G90 and G91 may change what E means, so that is said again.
-    private void Increments(bool wanted)
-    {
-        wanted &= _format.WritesIncrements;
-        if (wanted == _increments) return;
-        _increments = wanted;
-        _out.Command((byte)'G', wanted ? 91 : 90);
-        _out.EndLine();
-        if (_e == 0) return;
-        _out.Command((byte)'M', 83);
-        _out.EndLine();
-    }
-
-    private long Coordinate(long units, long last) => _increments ? units - last : units;
 
     // Number to print for a change of E, and whether the printed sum changes at all.
     private long StepE(double e, out bool changed)

@@ -26,7 +26,8 @@ internal sealed class IslandSlicer(SliceRules rules, Layer layer, RegionEngine e
             }
             innermost = line;
             var rank = rules.Walls - wall;
-            foreach (var contour in line.Contours)
+            // Offsetting leaves corners of rounding size, which a printer need not see.
+            foreach (var contour in line.Simplified(rules.Simplify, engine).Contours)
             {
                 if (contour.Count < 3) continue;
                 steps.Add(new PathStep(

@@ -1,0 +1,7 @@
+namespace Caterpillar.Checks;
+
+/// <summary>What was written.</summary>
+/// <param name="Bytes">Size of the G-code.</param>
+/// <param name="Lines">Number of its lines.</param>
+/// <param name="Overridden">Findings that would have refused it and were overridden by a reason.</param>
+public sealed record WrittenGCode(long Bytes, long Lines, int Overridden);

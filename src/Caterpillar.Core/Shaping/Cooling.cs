@@ -1,0 +1,117 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Shaping;
+
+/// <summary>
+/// Slows small layers down so that they cool before the next one comes: by Kanada's rule, by a minimum time of a layer, or both. Speeds are only lowered.
+/// </summary>
+public sealed record Cooling
+{
+    /// <summary>Shortest time of a layer in seconds; 0 for none. Paths without a layer are one layer for each height of their first vertex.</summary>
+    public double MinLayerTime { get; init; }
+
+    /// <summary>Kanada's rule (2015, figure 6): a segment is no faster than its length in mm plus 1, in mm/s.</summary>
+    public bool SpeedByLength { get; init; }
+
+    /// <summary>No speed is lowered below this, mm/s.</summary>
+    public double MinSpeed { get; init; } = 5;
+
+    /// <summary>Speed in mm/s of beads that leave it to the settings.</summary>
+    public double ReferenceSpeed { get; init; } = 60;
+
+    /// <summary>More segments than that in a second make printers stutter; 0 for no warning.</summary>
+    public double MaxSegmentsPerSecond { get; init; } = 100;
+
+    /// <summary>The paths in their order with lowered speeds.</summary>
+    /// <returns>
+    /// The paths; a remark <c>shape.layer_time</c> where the least speed keeps layers below the time, a warning <c>shape.short_segments</c> where a path asks for too many segments a second.
+    /// </returns>
+    public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, CancellationToken cancel = default)
+    {
+        if (paths is null) throw new ArgumentNullException(nameof(paths));
+        var problems = new DiagnosticList();
+        var result = SpeedByLength ? paths.Select(ByLength).ToArray() : paths.ToArray();
+        if (MinLayerTime > 0)
+        {
+            foreach (var layer in Enumerable.Range(0, result.Length).GroupBy(i => LayerKey(result[i])))
+            {
+                cancel.ThrowIfCancellationRequested();
+                Stretch(result, layer.ToArray(), problems);
+            }
+        }
+        for (var i = 0; i < result.Length && MaxSegmentsPerSecond > 0; i++) WarnOfShortSegments(result[i], i, problems);
+        return new Result<IReadOnlyList<PrintPath>>(result, problems.ToList());
+    }
+
+    private static (string Object, double Z) LayerKey(PrintPath path) => path.Layer is { } layer ? (layer.Object, layer.Z) : ("", path.Start.Z);
+
+    private double SpeedOf(PrintPath path, int segment) => path.BeadOf(segment).Speed is > 0 and var speed ? speed : ReferenceSpeed;
+
+    private double TimeOf(PrintPath path)
+    {
+        var time = 0.0;
+        for (var i = 0; i < path.SegmentCount; i++) time += path.LengthOf(i) / SpeedOf(path, i);
+        return time;
+    }
+
+    private PrintPath ByLength(PrintPath path)
+        => path.WithBeads(i => path.BeadOf(i).WithSpeed(Slowed(SpeedOf(path, i), path.LengthOf(i) + 1)));
+
+    private double Slowed(double speed, double wanted) => Math.Min(speed, Math.Max(wanted, MinSpeed));
+
+    // Speeds at the minimum cannot give way, so the others have to give more: repeated until nothing new hits the minimum.
+    private void Stretch(PrintPath[] paths, int[] layer, DiagnosticList problems)
+    {
+        var time = layer.Sum(i => TimeOf(paths[i]));
+        if (!(time > 0) || time >= MinLayerTime) return;
+        var factor = time / MinLayerTime;
+        for (var round = 0; round < 60; round++)
+        {
+            double slow = 0, free = 0;
+            foreach (var i in layer)
+            {
+                var path = paths[i];
+                for (var s = 0; s < path.SegmentCount; s++)
+                {
+                    var speed = SpeedOf(path, s);
+                    if (speed * factor <= MinSpeed) slow += path.LengthOf(s) / Math.Min(speed, MinSpeed);
+                    else free += path.LengthOf(s) / speed;
+                }
+            }
+            var next = free > 0 && MinLayerTime > slow ? free / (MinLayerTime - slow) : 0;
+            if (next >= factor * (1 - 1e-12)) break;
+            factor = next;
+        }
+        foreach (var i in layer)
+        {
+            var path = paths[i];
+            paths[i] = path.WithBeads(s => path.BeadOf(s).WithSpeed(Slowed(SpeedOf(path, s), SpeedOf(path, s) * factor)));
+        }
+        if (layer.Sum(i => TimeOf(paths[i])) < MinLayerTime * (1 - 1e-9))
+        {
+            problems.Add(Severity.Remark, "shape.layer_time",
+                $"A layer stays below {NumberFormatter.Format(MinLayerTime, 1)} s even at {NumberFormatter.Format(MinSpeed, 1)} mm/s.", new SourceLocation(Step: layer[0]));
+        }
+    }
+
+    private void WarnOfShortSegments(PrintPath path, int number, DiagnosticList problems)
+    {
+        // Twenty segments in a row fill the buffer of a small controller.
+        const int Window = 20;
+        var time = 0.0;
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            time += path.LengthOf(i) / SpeedOf(path, i);
+            if (i >= Window) time -= path.LengthOf(i - Window) / SpeedOf(path, i - Window);
+            if (i < Window - 1 || time * MaxSegmentsPerSecond >= Window * (1 - 1e-9)) continue;
+            problems.Add(Severity.Warning, "shape.short_segments",
+                $"More than {NumberFormatter.Format(MaxSegmentsPerSecond, 0)} segments a second: merge short strings or print slower.", new SourceLocation(Step: number));
+            return;
+        }
+    }
+}

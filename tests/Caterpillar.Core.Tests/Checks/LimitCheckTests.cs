@@ -1,0 +1,114 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Checks;
+
+public class LimitCheckTests
+{
+    private static readonly PrintSetup Generic = new();
+
+    private static readonly PrintSetup Delta = new(
+        new Printer { Title = "Delta", BuildVolume = new Vec3(200, 200, 300), Origin = BedOrigin.Center, BedShape = BedShape.Round }, new Material(), new PrintSettings());
+
+    [Test]
+    public void Moves_inside_the_bed_are_fine()
+        => Assert.That(Run(Generic, b => Print(b, new Vec3(220, 220, 250)), start: new Vec3(219, 220, 250)), Is.Empty);
+
+    [TestCase(221, 10, 0.2)]
+    [TestCase(10, -1, 0.2)]
+    [TestCase(10, 10, 250.5)]
+    public void Moves_outside_the_bed_are_errors_that_name_move_and_step(double x, double y, double z)
+    {
+        var found = Run(Generic, b =>
+        {
+            Print(b, new Vec3(20, 10, 0.2));
+            b.Add(new Vec3(x, y, z), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 0, 7);
+            b.Add(new Vec3(x, y, z), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 0, 8);
+        }).Single();
+        Assert.That((found.Severity, found.Code, found.Source!.Move, found.Source.Step, found.Count), Is.EqualTo((Severity.Error, "bed.outside", 1, 7, 2)));
+        Assert.That(found.Message, Does.Contain("Generic printer"));
+    }
+
+    [Test]
+    public void Moves_below_the_bed_say_so()
+        => Assert.That(Run(Generic, b => Print(b, new Vec3(20, 10, -0.1))).Single().Code, Is.EqualTo("bed.below"));
+
+    [Test]
+    public void A_round_bed_has_no_corners()
+    {
+        Assert.That(Run(Delta, b => Print(b, new Vec3(70, 70, 1)), new Vec3(69, 69, 1)), Is.Empty);
+        Assert.That(Run(Delta, b => Print(b, new Vec3(72, 72, 1)), new Vec3(69, 69, 1)).Single().Code, Is.EqualTo("bed.outside"));
+    }
+
+    [Test]
+    public void An_arc_that_bulges_out_is_seen()
+    {
+        // Both ends at X 219, the half circle between them reaches X 229.
+        void Arc(ToolpathBuilder b) => b.Add(new Vec3(219, 40, 1), 1, 1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(new Vec3(219, 30, 1), 180));
+        Assert.That(Run(Generic, Arc, new Vec3(219, 20, 1)).Select(d => d.Code), Does.Contain("bed.outside"));
+        void Round(ToolpathBuilder b) => b.Add(new Vec3(-90, 0, 1), 1, 1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(new Vec3(0, 0, 1), 180));
+        Assert.That(Run(Delta, Round, new Vec3(90, 0, 1)), Is.Empty);
+    }
+
+    [Test]
+    public void More_material_than_the_hot_end_can_push_is_an_error()
+    {
+        // 12 mm³/s at most: 10 mm at 60 mm/s with 2 mm³ are 12, with 2.1 mm³ 12.6.
+        var filament = Math.PI / 4 * 1.75 * 1.75;
+        void Line(ToolpathBuilder b, double volume) => b.Add(new Vec3(20, 10, 0.2), volume / filament, volume / filament, 60, MoveKind.Print, Role.Unspecified, -1, 0, 0);
+        Assert.That(Run(Generic, b => Line(b, 2)), Is.Empty);
+        var found = Run(Generic, b => Line(b, 2.1)).Single();
+        Assert.That((found.Code, found.Severity), Is.EqualTo(("limit.flow", Severity.Error)));
+        Assert.That(found.Message, Does.Contain("12.6 mm³/s"));
+    }
+
+    [Test]
+    public void Speeds_beyond_the_axes_are_warnings_and_do_not_count_as_flow()
+    {
+        // Straight up at 60 mm/s where Z does 12: 1 mm with 0.5 mm³ would be 30 mm³/s, but is 6.
+        var filament = Math.PI / 4 * 1.75 * 1.75;
+        var found = Run(Generic, b => b.Add(new Vec3(10, 10, 1.2), 0.5 / filament, 0.5 / filament, 60, MoveKind.Print, Role.Unspecified, -1, 0, 0)).Single();
+        Assert.That((found.Code, found.Severity), Is.EqualTo(("limit.speed", Severity.Warning)));
+    }
+
+    [Test]
+    public void Cold_extrusion_is_an_error_and_events_heat_and_cool()
+    {
+        var cold = new PrintSetup(new Printer(), new Material { NozzleTemperature = 0 }, new PrintSettings());
+        Assert.That(Run(cold, b => Print(b, new Vec3(20, 10, 0.2))).Single().Code, Is.EqualTo("limit.cold_extrusion"));
+        Assert.That(Run(cold, b =>
+        {
+            b.AddEvent(new NozzleTemperatureEvent(200, Wait: true));
+            Print(b, new Vec3(20, 10, 0.2));
+        }), Is.Empty);
+        var cooled = Run(Generic, b =>
+        {
+            Print(b, new Vec3(20, 10, 0.2));
+            b.AddEvent(new NozzleTemperatureEvent(0));
+            Print(b, new Vec3(30, 10, 0.2));
+        }).Single();
+        Assert.That((cooled.Code, cooled.Source!.Move), Is.EqualTo(("limit.cold_extrusion", 1)));
+        var clay = new PrintSetup(new Printer { MinExtrusionTemperature = 0 }, new Material { NozzleTemperature = 0 }, new PrintSettings());
+        Assert.That(Run(clay, b => Print(b, new Vec3(20, 10, 0.2))), Is.Empty);
+    }
+
+    [Test]
+    public void A_tool_that_the_printer_lacks_is_an_error()
+        => Assert.That(Run(Generic, b => b.Add(new Vec3(20, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 1, 0)).Single().Code, Is.EqualTo("limit.tool"));
+
+    private static void Print(ToolpathBuilder builder, Vec3 to)
+        => builder.Add(to, 0.1, 0.1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0);
+
+    private static Diagnostic[] Run(PrintSetup setup, Action<ToolpathBuilder> moves, Vec3? start = null)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, start ?? new Vec3(10, 10, 0.2));
+        moves(builder);
+        return LimitCheck.Run(builder.Build([new ToolpathTool(Math.PI / 4 * 1.75 * 1.75)]), setup).ToArray();
+    }
+}

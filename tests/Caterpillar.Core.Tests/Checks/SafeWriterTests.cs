@@ -1,0 +1,86 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Checks;
+
+public class SafeWriterTests
+{
+    private string _folder = "";
+
+    [SetUp]
+    public void MakeFolder()
+    {
+        _folder = Path.Combine(Path.GetTempPath(), "caterpillar-" + Path.GetRandomFileName());
+        Directory.CreateDirectory(_folder);
+    }
+
+    [TearDown]
+    public void RemoveFolder() => Directory.Delete(_folder, true);
+
+    [Test]
+    public void What_is_fine_is_written_and_replaces_an_older_file()
+    {
+        var file = Path.Combine(_folder, "part.gcode");
+        File.WriteAllText(file, "old");
+        var written = SafeWriter.WriteFile(Line(50), new PrintSetup(), file).Value!;
+        Assert.That(new FileInfo(file).Length, Is.EqualTo(written.Bytes));
+        Assert.That(File.ReadAllLines(file), Has.Length.EqualTo(written.Lines).And.Some.StartsWith("G1 X50 "));
+        Assert.That(Directory.GetFiles(_folder), Has.Length.EqualTo(1));
+    }
+
+    [Test]
+    public void What_would_leave_the_bed_is_refused_and_leaves_the_older_file_alone()
+    {
+        var file = Path.Combine(_folder, "part.gcode");
+        File.WriteAllText(file, "old");
+        var refused = SafeWriter.WriteFile(Line(500), new PrintSetup(), file);
+        Assert.That(refused.Value, Is.Null);
+        Assert.That(refused.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "bed.outside", SafeWriter.Refused }));
+        Assert.That(File.ReadAllText(file), Is.EqualTo("old"));
+        Assert.That(Directory.GetFiles(_folder), Has.Length.EqualTo(1));
+    }
+
+    [TestCase("")]
+    [TestCase("   ")]
+    [TestCase("1")]
+    public void An_override_needs_words(string reason)
+        => Assert.That(SafeWriter.ToDocument(Line(500), new PrintSetup(), reason).Value, Is.Null);
+
+    [Test]
+    public void A_reason_overrides_and_stays_in_the_file()
+    {
+        var written = SafeWriter.ToDocument(Line(500), new PrintSetup(), "The bed was\nlengthened");
+        var text = Encoding.ASCII.GetString(written.Value!.ToBytes());
+        Assert.That(text, Does.Contain("Reason: The bed was lengthened\n").And.Contain("bed.outside"));
+        Assert.That(text.Split('\n').Where(l => l.Length > 0 && !l.StartsWith(";", StringComparison.Ordinal)).First(), Does.StartWith("G"));
+        Assert.That(written.Diagnostics.Single(d => d.Code == "bed.outside").Severity, Is.EqualTo(Severity.Warning));
+    }
+
+    [Test]
+    public void A_folder_that_is_not_there_is_an_error_of_the_disk()
+        => Assert.That(() => SafeWriter.WriteFile(Line(50), new PrintSetup(), Path.Combine(_folder, "no", "part.gcode")), Throws.InstanceOf<IOException>());
+
+    [Test]
+    public void Cancelling_leaves_nothing_behind()
+    {
+        using var cancel = new System.Threading.CancellationTokenSource();
+        cancel.Cancel();
+        Assert.That(() => SafeWriter.WriteFile(Line(50), new PrintSetup(), Path.Combine(_folder, "part.gcode"), cancel: cancel.Token), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(Directory.GetFiles(_folder), Is.Empty);
+    }
+
+    private static Toolpath Line(double to)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
+        builder.Add(new Vec3(to, 10, 0.2), 0.5, 0.5, 20, MoveKind.Print, Role.OuterWall, -1, 0, 0);
+        return builder.Build([new ToolpathTool(new PrintSetup().Extrusion.VolumePerE)]);
+    }
+}
