@@ -5,7 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// A solid of boxes between grid lines, with round holes and ribs. Neighbouring faces share their corners, so the surface is watertight whatever is filled.
+/// A solid of boxes between grid lines, with round holes and ribs. Neighbouring faces share their corners, so the surface is watertight whatever is
+/// filled.
 /// </summary>
 internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
 {

@@ -18,9 +18,15 @@ internal sealed class SectionsVerb : Verb
         Arity = ArgumentArity.OneOrMore,
     };
 
-    private readonly Option<string?> _heights = new("--heights") { Description = "Heights of the planes in mm, separated by commas.", HelpName = "Z,Z,..." };
+    private readonly Option<string?> _heights = new("--heights")
+    {
+        Description = "Heights of the planes in mm, separated by commas.", HelpName = "Z,Z,...",
+    };
 
-    private readonly Option<string?> _every = new("--every") { Description = "Instead of --heights: planes in the middle of layers of this thickness in mm, from Z = 0 to the top.", HelpName = "MM" };
+    private readonly Option<string?> _every = new("--every")
+    {
+        Description = "Instead of --heights: planes in the middle of layers of this thickness in mm, from Z = 0 to the top.", HelpName = "MM",
+    };
 
     private readonly Option<string> _gap = new("--gap")
     {
@@ -30,7 +36,10 @@ internal sealed class SectionsVerb : Verb
 
     private readonly Option<bool> _json = new("--json") { Description = "Print JSON instead of a table." };
 
-    private readonly Option<string> _output = new("--output", "-o") { Description = "Where to write; - is standard output.", HelpName = "FILE", DefaultValueFactory = _ => "-" };
+    private readonly Option<string> _output = new("--output", "-o")
+    {
+        Description = "Where to write; - is standard output.", HelpName = "FILE", DefaultValueFactory = _ => "-",
+    };
 
     public SectionsVerb()
         : base("sections", "Exact plane sections of a model: length, area, contours.")
@@ -92,7 +101,10 @@ internal sealed class SectionsVerb : Verb
     private static double[] Middles(double top, double every)
     {
         var count = top > 0 ? Math.Ceiling(top / every - 0.5) : 0;
-        if (count > MaxHeights) throw new CliException(ExitCode.Usage, $"--every {NumberFormatter.Format(every, 9)} gives more than {NumberFormatter.Format(MaxHeights)} planes.");
+        if (count > MaxHeights)
+        {
+            throw new CliException(ExitCode.Usage, $"--every {NumberFormatter.Format(every, 9)} gives more than {NumberFormatter.Format(MaxHeights)} planes.");
+        }
         var heights = new double[(int)Math.Max(0, count)];
         for (var i = 0; i < heights.Length; i++) heights[i] = (i + 0.5) * every;
         return heights;

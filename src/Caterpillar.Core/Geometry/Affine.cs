@@ -41,7 +41,10 @@ public readonly struct Affine : IEquatable<Affine>
     /// <summary>Scales along the axes of the world, about the origin.</summary>
     public static Affine Scale(double x, double y, double z) => new(new Vec3(x, 0), new Vec3(0, y), new Vec3(0, 0, z), Vec3.Zero);
 
-    /// <summary>A turn about an axis through the origin, in degrees, counter-clockwise where the axis points at the viewer. Multiples of 90° about a world axis are exact.</summary>
+    /// <summary>
+    /// A turn about an axis through the origin, in degrees, counter-clockwise where the axis points at the viewer. Multiples of 90° about a world
+    /// axis are exact.
+    /// </summary>
     /// <exception cref="ArgumentException">The axis has no direction.</exception>
     public static Affine Rotate(Vec3 axis, double degrees)
     {
@@ -69,7 +72,8 @@ public readonly struct Affine : IEquatable<Affine>
 
     public override bool Equals(object? obj) => obj is Affine other && Equals(other);
 
-    public override int GetHashCode() => unchecked(((XAxis.GetHashCode() * 397 ^ YAxis.GetHashCode()) * 397 ^ ZAxis.GetHashCode()) * 397 ^ Shift.GetHashCode());
+    public override int GetHashCode()
+        => unchecked(((XAxis.GetHashCode() * 397 ^ YAxis.GetHashCode()) * 397 ^ ZAxis.GetHashCode()) * 397 ^ Shift.GetHashCode());
 
     public static bool operator ==(Affine a, Affine b) => a.Equals(b);
 

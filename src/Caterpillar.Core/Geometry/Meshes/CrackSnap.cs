@@ -34,7 +34,10 @@ internal static class CrackSnap
         if (closed.OpenEdgeCount >= mesh.OpenEdgeCount) return mesh;
         diagnostics.Add(Severity.Warning, "mesh.snapped",
             $"Cracks were closed by moving vertices on open edges together, at most {NumberFormatter.Format(snap, 9)} mm.", source, moved);
-        if (builder.Degenerate > 0) diagnostics.Add(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal corners are left out.", source, builder.Degenerate);
+        if (builder.Degenerate > 0)
+        {
+            diagnostics.Add(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal corners are left out.", source, builder.Degenerate);
+        }
         return closed;
     }
 

@@ -38,7 +38,9 @@ internal static class MeshCleaning
         return flat;
     }
 
-    /// <summary>Leaves out triangles that are there before with the same corners in the same direction. Only edges with too many triangles can have them.</summary>
+    /// <summary>
+    /// Leaves out triangles that are there before with the same corners in the same direction. Only edges with too many triangles can have them.
+    /// </summary>
     public static TriMesh DropDuplicates(TriMesh mesh, SourceLocation source, DiagnosticList diagnostics)
     {
         if (mesh.Topology.NonManifoldEdges == 0 && mesh.Topology.WindingConflicts == 0) return mesh;
@@ -64,14 +66,18 @@ internal static class MeshCleaning
     public static void ReportTopology(TriMesh mesh, SourceLocation source, DiagnosticList diagnostics)
     {
         var topology = mesh.Topology;
-        if (topology.OpenEdges > 0) diagnostics.Add(Severity.Remark, "mesh.open_edges", "The surface is open: edges with one triangle only.", source, topology.OpenEdges);
+        if (topology.OpenEdges > 0)
+        {
+            diagnostics.Add(Severity.Remark, "mesh.open_edges", "The surface is open: edges with one triangle only.", source, topology.OpenEdges);
+        }
         if (topology.NonManifoldEdges > 0)
         {
             diagnostics.Add(Severity.Remark, "mesh.non_manifold_edges", "Edges with more than two triangles.", source, topology.NonManifoldEdges);
         }
         if (topology.WindingConflicts > 0)
         {
-            diagnostics.Add(Severity.Remark, "mesh.winding_conflicts", "Edges between a triangle and one that is turned inside out.", source, topology.WindingConflicts);
+            const string Message = "Edges between a triangle and one that is turned inside out.";
+            diagnostics.Add(Severity.Remark, "mesh.winding_conflicts", Message, source, topology.WindingConflicts);
         }
     }
 }

@@ -4,9 +4,9 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Turns triangles that are inside out. Over edges with two triangles that run along them in the same direction one of the two is turned, so that each body is turned alike: closed bodies
-/// outwards, open ones as most of their triangles were. A closed mesh that is inside out as a whole is turned as a whole. Bodies without conflicts stay as they are, because
-/// cavities face inwards rightly.
+/// Turns triangles that are inside out. Over edges with two triangles that run along them in the same direction one of the two is turned, so that
+/// each body is turned alike: closed bodies outwards, open ones as most of their triangles were. A closed mesh that is inside out as a whole is
+/// turned as a whole. Bodies without conflicts stay as they are, because cavities face inwards rightly.
 /// </summary>
 internal static class MeshOrientation
 {

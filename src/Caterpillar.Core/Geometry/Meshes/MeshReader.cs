@@ -8,10 +8,10 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Reads mesh files: STL (binary and ASCII), OBJ, PLY (ASCII and both binary orders) and 3MF, also packed with gzip. Coordinates stay doubles; vertices
-/// with equal coordinates become one; polygons are split as fans from their first corner. The format is found from the bytes, and from the name where they do not tell.
-/// STL, OBJ and PLY give one mesh, 3MF gives one for each item on the plate, in mm (the others are taken as mm).
-/// Bytes that cannot be read give errors, never exceptions.
+/// Reads mesh files: STL (binary and ASCII), OBJ, PLY (ASCII and both binary orders) and 3MF, also packed with gzip. Coordinates stay doubles;
+/// vertices with equal coordinates become one; polygons are split as fans from their first corner. The format is found from the bytes, and from the
+/// name where they do not tell. STL, OBJ and PLY give one mesh, 3MF gives one for each item on the plate, in mm (the others are taken as mm). Bytes
+/// that cannot be read give errors, never exceptions.
 /// </summary>
 public static class MeshReader
 {

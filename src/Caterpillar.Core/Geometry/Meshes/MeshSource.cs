@@ -31,6 +31,10 @@ internal sealed class MeshSource(byte[] bytes, string name, DiagnosticList diagn
     public void ErrorInBinary(string code, string message, long offset)
         => Diagnostics.Add(Severity.Error, code, $"{message} (byte {NumberFormatter.Format(offset)})", new SourceLocation(Name));
 
+    /// <summary>Notices something about the file, or about a place in it.</summary>
+    public void Note(Severity severity, string code, string message, SourceLocation? place = null, int count = 1)
+        => Diagnostics.Add(severity, code, message, place ?? new SourceLocation(Name), count);
+
     public SourceLocation PlaceInText(int offset)
     {
         var line = 1;

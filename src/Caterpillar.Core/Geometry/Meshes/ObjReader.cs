@@ -5,8 +5,9 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Reads the polygons of Wavefront OBJ: <c>v</c> and <c>f</c> in all forms, negative indices, indices of vertices that come later, continued lines. Polygons are split as
-/// fans from their first corner. All objects and groups become one mesh, because groups often are patches of one surface. Materials are not looked for.
+/// Reads the polygons of Wavefront OBJ: <c>v</c> and <c>f</c> in all forms, negative indices, indices of vertices that come later, continued lines.
+/// Polygons are split as fans from their first corner. All objects and groups become one mesh, because groups often are patches of one surface.
+/// Materials are not looked for.
 /// </summary>
 internal sealed class ObjReader
 {
@@ -37,8 +38,8 @@ internal sealed class ObjReader
         if (!reader.ReadLines()) return false;
         if (reader._largest >= reader._vertices)
         {
-            source.ErrorInText("mesh.index",
-                $"A face uses vertex {NumberFormatter.Format(reader._largest + 1L)}, but there are {NumberFormatter.Format(reader._vertices)}.", reader._largestAt);
+            var (index, count) = (NumberFormatter.Format(reader._largest + 1L), NumberFormatter.Format(reader._vertices));
+            source.ErrorInText("mesh.index", $"A face uses vertex {index}, but there are {count}.", reader._largestAt);
             return false;
         }
         var (ids, corners) = (reader._ids, reader._corners);
@@ -83,8 +84,8 @@ internal sealed class ObjReader
             && _cursor.SkipBlanks() && _cursor.ReadNumber(out z);
         if (!good)
         {
-            var ended = _cursor.AtEnd;
-            _source.ErrorInText(ended ? "mesh.truncated" : "mesh.syntax", ended ? "The file ends inside a vertex." : "A vertex needs three numbers.", _cursor.At);
+            if (_cursor.AtEnd) _source.ErrorInText("mesh.truncated", "The file ends inside a vertex.", _cursor.At);
+            else _source.ErrorInText("mesh.syntax", "A vertex needs three numbers.", _cursor.At);
             return false;
         }
         if (_vertices == _ids.Length) Array.Resize(ref _ids, _vertices * 2);
@@ -106,7 +107,7 @@ internal sealed class ObjReader
         }
         if (count < 3)
         {
-            _source.Diagnostics.Add(Severity.Warning, "mesh.short_faces", "Faces with fewer than three corners are left out.", _source.PlaceInText(faceAt));
+            _source.Note(Severity.Warning, "mesh.short_faces", "Faces with fewer than three corners are left out.", _source.PlaceInText(faceAt));
         }
         return true;
     }
@@ -167,10 +168,11 @@ internal sealed class ObjReader
                 or "c_interp" or "d_interp" or "shadow_obj" or "trace_obj" or "ctech" or "stech":
                 return;
             case "cstype" or "deg" or "bmat" or "step" or "curv" or "curv2" or "surf" or "parm" or "trim" or "hole" or "scrv" or "sp" or "end" or "con":
-                _source.Diagnostics.Add(Severity.Warning, "mesh.unsupported", "Free-form curves and surfaces of OBJ are left out; only polygons are read.", _source.PlaceInText(start));
+                const string Message = "Free-form curves and surfaces of OBJ are left out; only polygons are read.";
+                _source.Note(Severity.Warning, "mesh.unsupported", Message, _source.PlaceInText(start));
                 return;
             default:
-                _source.Diagnostics.Add(Severity.Remark, "mesh.ignored", "Lines with words that OBJ does not have are ignored.", _source.PlaceInText(start));
+                _source.Note(Severity.Remark, "mesh.ignored", "Lines with words that OBJ does not have are ignored.", _source.PlaceInText(start));
                 return;
         }
     }

@@ -73,7 +73,10 @@ internal sealed class PlyHeader
                 case "ply" or "comment" or "obj_info":
                     break;
                 case "format":
-                    if (words.Length < 2 || !header.SetFormat(words[1])) return Wrong(source, at, "A PLY format that is not known; ascii, binary_little_endian and binary_big_endian are.");
+                    if (words.Length < 2 || !header.SetFormat(words[1]))
+                    {
+                        return Wrong(source, at, "A PLY format that is not known; ascii, binary_little_endian and binary_big_endian are.");
+                    }
                     format = true;
                     break;
                 case "element":

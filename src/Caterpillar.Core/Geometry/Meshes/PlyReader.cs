@@ -5,7 +5,8 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Reads the polygons of PLY files (Turk 1994), ASCII and both binary orders, with any further elements and properties. Polygons are split as fans from their first corner.
+/// Reads the polygons of PLY files (Turk 1994), ASCII and both binary orders, with any further elements and properties. Polygons are split as fans
+/// from their first corner.
 /// </summary>
 internal sealed class PlyReader
 {
@@ -34,7 +35,7 @@ internal sealed class PlyReader
         }
         if (reader._builder is not { } builder)
         {
-            source.Diagnostics.Add(Severity.Error, "mesh.empty", "The PLY file has no element \"vertex\".", new SourceLocation(source.Name));
+            source.Note(Severity.Error, "mesh.empty", "The PLY file has no element \"vertex\".");
             return false;
         }
         meshes.Add(new NamedMesh(MeshReader.PlainName(source.Name), builder.ToMesh(source.Name, false, source.Diagnostics)));
@@ -45,7 +46,8 @@ internal sealed class PlyReader
     {
         if (!_data.HasRoom(element))
         {
-            return _data.Error("mesh.truncated", $"The header counts {NumberFormatter.Format(element.Count)} of \"{element.Name}\", which do not fit into the file.");
+            var count = NumberFormatter.Format(element.Count);
+            return _data.Error("mesh.truncated", $"The header counts {count} of \"{element.Name}\", which do not fit into the file.");
         }
         if (element.Properties.Count == 0) return true;
         if (element.Name == "vertex") return ReadVertices(element);
@@ -53,7 +55,8 @@ internal sealed class PlyReader
         if (faces >= 0) return ReadFaces(element, faces);
         if (element.Name is "face" or "tristrips")
         {
-            _source.Diagnostics.Add(Severity.Warning, "mesh.unsupported", $"The element \"{element.Name}\" has no list of vertices that can be read; it is left out.",
+            var message = $"The element \"{element.Name}\" has no list of vertices that can be read; it is left out.";
+            _source.Note(Severity.Warning, "mesh.unsupported", message,
                 new SourceLocation(_source.Name, element.Line));
         }
         for (long i = 0; i < element.Count; i++)
@@ -109,7 +112,10 @@ internal sealed class PlyReader
             for (var k = 0; k < corners; k++)
             {
                 if (!_data.Read(property.Type, out var index)) return _data.Wrong("the faces");
-                if (!(index >= 0 && index < _ids.Length) || index != Math.Floor(index)) return _data.Error("mesh.index", "A face uses a vertex that is not there.");
+                if (!(index >= 0 && index < _ids.Length) || index != Math.Floor(index))
+                {
+                    return _data.Error("mesh.index", "A face uses a vertex that is not there.");
+                }
                 _polygon[k] = _ids[(int)index];
             }
             if (corners < 3) shorts++;
@@ -118,7 +124,7 @@ internal sealed class PlyReader
         }
         if (shorts > 0)
         {
-            _source.Diagnostics.Add(Severity.Warning, "mesh.short_faces", "Faces with fewer than three corners are left out.", new SourceLocation(_source.Name), shorts);
+            _source.Note(Severity.Warning, "mesh.short_faces", "Faces with fewer than three corners are left out.", count: shorts);
         }
         return true;
     }

@@ -3,12 +3,15 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Pairs the triangles around an edge that has more than two: in the order in which they stand around the edge, each one that runs
-/// along the edge forwards with the nearest that runs backwards behind it, with the solid between them. So bodies that touch along an edge stay apart.
+/// Pairs the triangles around an edge that has more than two: in the order in which they stand around the edge, each one that runs along the edge
+/// forwards with the nearest that runs backwards behind it, with the solid between them. So bodies that touch along an edge stay apart.
 /// </summary>
 internal static class RadialPairing
 {
-    /// <summary>Sets the partners of the half-edges in <paramref name="keys"/> (low word) from <paramref name="from"/> to <paramref name="to"/>; true when all have one.</summary>
+    /// <summary>
+    /// Sets the partners of the half-edges in <paramref name="keys"/> (low word) from <paramref name="from"/> to <paramref name="to"/>; true when
+    /// all have one.
+    /// </summary>
     public static bool Pair(Vec3[] vertices, int[] triangles, long[] keys, int from, int to, int[] partner)
     {
         var count = to - from;

@@ -26,7 +26,7 @@ internal static class StlReader
         var there = (source.Length - HeaderBytes) / FacetBytes;
         if (declared == 0 && there > 0 && (source.Length - HeaderBytes) % FacetBytes == 0)
         {
-            source.Diagnostics.Add(Severity.Warning, "mesh.count", "The STL header counts no facets; they are counted by the length of the file.", new SourceLocation(source.Name));
+            source.Note(Severity.Warning, "mesh.count", "The STL header counts no facets; they are counted by the length of the file.");
             declared = there;
         }
         if (declared > there)
@@ -37,8 +37,8 @@ internal static class StlReader
         }
         if (HeaderBytes + FacetBytes * declared < source.Length)
         {
-            source.Diagnostics.Add(Severity.Remark, "mesh.trailing_bytes", "Bytes behind the last facet are ignored.",
-                new SourceLocation(source.Name), (int)(source.Length - HeaderBytes - FacetBytes * declared));
+            var behind = (int)(source.Length - HeaderBytes - FacetBytes * declared);
+            source.Note(Severity.Remark, "mesh.trailing_bytes", "Bytes behind the last facet are ignored.", count: behind);
         }
         ReadFacets(source, (int)declared, meshes);
         return true;

@@ -4,7 +4,9 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Reads ASCII STL: words in any case, any white space and line ends, several solids (taken as one mesh, so that a surface in patches closes).</summary>
+/// <summary>
+/// Reads ASCII STL: words in any case, any white space and line ends, several solids (taken as one mesh, so that a surface in patches closes).
+/// </summary>
 internal static class StlTextReader
 {
     /// <summary>True when the file begins with "solid" and goes on with a facet or the end of the solid.</summary>
@@ -66,7 +68,8 @@ internal static class StlTextReader
             {
                 if (facetAt < 0 || corners != 3)
                 {
-                    source.ErrorInText("mesh.syntax", facetAt < 0 ? "The end of a facet that has not begun." : "A facet with fewer than three vertices.", start);
+                    var message = facetAt < 0 ? "The end of a facet that has not begun." : "A facet with fewer than three vertices.";
+                    source.ErrorInText("mesh.syntax", message, start);
                     return false;
                 }
                 builder.AddTriangle(a, b, c);
@@ -98,7 +101,11 @@ internal static class StlTextReader
             source.ErrorInText("mesh.truncated", "The file ends inside a facet.", source.Length);
             return false;
         }
-        if (open) source.Diagnostics.Add(Severity.Warning, "mesh.truncated", "The file ends without \"endsolid\"; it may be incomplete.", source.PlaceInText(source.Length));
+        if (open)
+        {
+            var end = source.PlaceInText(source.Length);
+            source.Note(Severity.Warning, "mesh.truncated", "The file ends without \"endsolid\"; it may be incomplete.", end);
+        }
         meshes.Add(new NamedMesh(name.Length > 0 ? name : MeshReader.PlainName(source.Name), builder.ToMesh(source.Name, true, source.Diagnostics)));
         return true;
     }

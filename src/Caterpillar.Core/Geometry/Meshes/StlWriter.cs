@@ -7,13 +7,19 @@ namespace Caterpillar.Geometry;
 /// <summary>Writes binary STL. Coordinates become floats, as the format has them; the bytes are the same everywhere.</summary>
 public static class StlWriter
 {
-    /// <summary>The file as bytes: an 80-byte header with <paramref name="title"/> (ASCII, at most 79 characters), the count, and 50 bytes for each triangle.</summary>
+    /// <summary>
+    /// The file as bytes: an 80-byte header with <paramref name="title"/> (ASCII, at most 79 characters), the count, and 50 bytes for each
+    /// triangle.
+    /// </summary>
     /// <exception cref="ArgumentException">The title begins with "solid", which would make readers take the file for text.</exception>
     public static byte[] ToBytes(TriMesh mesh, string title = "Caterpillar")
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
         if (title is null) throw new ArgumentNullException(nameof(title));
-        if (title.StartsWith("solid", StringComparison.OrdinalIgnoreCase)) throw new ArgumentException("The title of a binary STL file must not begin with \"solid\".", nameof(title));
+        if (title.StartsWith("solid", StringComparison.OrdinalIgnoreCase))
+        {
+            throw new ArgumentException("The title of a binary STL file must not begin with \"solid\".", nameof(title));
+        }
         var bytes = new byte[84 + 50 * mesh.TriangleCount];
         var header = Encoding.ASCII.GetBytes(title);
         Array.Copy(header, bytes, Math.Min(79, header.Length));

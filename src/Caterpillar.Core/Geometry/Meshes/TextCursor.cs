@@ -72,7 +72,9 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
         return true;
     }
 
-    /// <summary>Reads the word at the cursor as a number; <c>nan</c> and <c>inf</c> in any spelling give NaN. False (and the cursor stays) where it is none.</summary>
+    /// <summary>
+    /// Reads the word at the cursor as a number; <c>nan</c> and <c>inf</c> in any spelling give NaN. False (and the cursor stays) where it is none.
+    /// </summary>
     public bool ReadNumber(out double value)
     {
         var (text, start) = (Bytes, At);

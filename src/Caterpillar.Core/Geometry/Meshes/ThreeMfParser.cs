@@ -56,7 +56,7 @@ internal sealed class ThreeMfParser
                 case "item":
                     if (_xml.GetAttribute("printable") == "0")
                     {
-                        _source.Diagnostics.Add(Severity.Remark, "mesh.ignored", "Items that are marked as not printable are left out.", Place());
+                        _source.Note(Severity.Remark, "mesh.ignored", "Items that are marked as not printable are left out.", Place());
                         break;
                     }
                     if (ReadUse() is { } item) _model.Items.Add(item);
@@ -74,7 +74,7 @@ internal sealed class ThreeMfParser
         {
             var uri = _xml.LookupNamespace(prefix) ?? "";
             if (uri.IndexOf("/production/", StringComparison.Ordinal) >= 0 || uri.IndexOf("/material/", StringComparison.Ordinal) >= 0) continue;
-            _source.Diagnostics.Add(Severity.Warning, "mesh.unsupported", $"The model asks for the extension \"{prefix}\", which is not read.", Place());
+            _source.Note(Severity.Warning, "mesh.unsupported", $"The model asks for the extension \"{prefix}\", which is not read.", Place());
         }
     }
 
@@ -127,8 +127,14 @@ internal sealed class ThreeMfParser
                 builder.AddTriangle(ids[a], ids[b], ids[c]);
             }
         }
-        if (builder.NotFinite > 0) _source.Diagnostics.Add(Severity.Warning, "mesh.not_finite", "Triangles with a coordinate beyond 1e9 are left out.", Place(), builder.NotFinite);
-        if (builder.Degenerate > 0) _source.Diagnostics.Add(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal corners are left out.", Place(), builder.Degenerate);
+        if (builder.NotFinite > 0)
+        {
+            _source.Note(Severity.Warning, "mesh.not_finite", "Triangles with a coordinate beyond 1e9 are left out.", Place(), builder.NotFinite);
+        }
+        if (builder.Degenerate > 0)
+        {
+            _source.Note(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal corners are left out.", Place(), builder.Degenerate);
+        }
         item.Mesh = builder.ToMesh();
     }
 
@@ -197,6 +203,6 @@ internal sealed class ThreeMfParser
     private void Fail(string code, string message)
     {
         _good = false;
-        _source.Diagnostics.Add(Severity.Error, code, message, Place());
+        _source.Note(Severity.Error, code, message, Place());
     }
 }

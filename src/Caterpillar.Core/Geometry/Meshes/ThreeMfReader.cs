@@ -9,8 +9,8 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Reads 3MF packages: a zip archive with models in XML. Every build item becomes one mesh in mm, with the transforms of the item and of its components applied.
-/// Objects for support or other uses are left out.
+/// Reads 3MF packages: a zip archive with models in XML. Every build item becomes one mesh in mm, with the transforms of the item and of its
+/// components applied. Objects for support or other uses are left out.
 /// </summary>
 internal sealed class ThreeMfReader
 {
@@ -39,13 +39,13 @@ internal sealed class ThreeMfReader
         }
         catch (XmlException e)
         {
-            source.Diagnostics.Add(Severity.Error, "mesh.syntax", "The XML of the model is damaged.", new SourceLocation(source.Name, e.LineNumber, e.LinePosition));
+            source.Note(Severity.Error, "mesh.syntax", "The XML of the model is damaged.", new SourceLocation(source.Name, e.LineNumber, e.LinePosition));
             return false;
         }
         catch (Exception e) when (e is not OperationCanceledException and not OutOfMemoryException)
         {
             // The runtimes throw different kinds on damaged archives.
-            source.Diagnostics.Add(Severity.Error, "mesh.packed", "The zip archive is damaged or incomplete.", new SourceLocation(source.Name));
+            source.Note(Severity.Error, "mesh.packed", "The zip archive is damaged or incomplete.");
             return false;
         }
     }
@@ -55,7 +55,7 @@ internal sealed class ThreeMfReader
         var root = RootPath();
         if (root is null)
         {
-            _source.Diagnostics.Add(Severity.Error, "mesh.empty", "There is no 3D model in the package.", new SourceLocation(_source.Name));
+            _source.Note(Severity.Error, "mesh.empty", "There is no 3D model in the package.");
             return false;
         }
         if (Model(root) is not { } model) return false;
@@ -79,19 +79,19 @@ internal sealed class ThreeMfReader
         var place = new SourceLocation(_source.Name, use.Line, use.Column, part);
         if (depth > MaxDepth || ++_uses > MaxUses)
         {
-            _source.Diagnostics.Add(Severity.Error, "mesh.syntax", "Components contain each other, or there are too many.", place);
+            _source.Note(Severity.Error, "mesh.syntax", "Components contain each other, or there are too many.", place);
             return false;
         }
         var path = use.Path ?? part;
         if (Model(path) is not { } model) return false;
         if (!model.Objects.TryGetValue(use.ObjectId, out var item))
         {
-            _source.Diagnostics.Add(Severity.Error, "mesh.index", $"The object {NumberFormatter.Format(use.ObjectId)} is not there.", place);
+            _source.Note(Severity.Error, "mesh.index", $"The object {NumberFormatter.Format(use.ObjectId)} is not there.", place);
             return false;
         }
         if (item.Type is "support" or "other")
         {
-            _source.Diagnostics.Add(Severity.Remark, "mesh.ignored", "Objects for support or other uses are left out.", place);
+            _source.Note(Severity.Remark, "mesh.ignored", "Objects for support or other uses are left out.", place);
             return true;
         }
         var map = use.Map.Then(outer);
@@ -100,7 +100,7 @@ internal sealed class ThreeMfReader
             _triangles += mesh.TriangleCount;
             if (_triangles > MaxTriangles)
             {
-                _source.Diagnostics.Add(Severity.Error, "mesh.too_large", $"The items have more than {NumberFormatter.Format(MaxTriangles)} triangles.", place);
+                _source.Note(Severity.Error, "mesh.too_large", $"The items have more than {NumberFormatter.Format(MaxTriangles)} triangles.", place);
                 return false;
             }
             parts.Add((mesh, map));
@@ -123,7 +123,7 @@ internal sealed class ThreeMfReader
         }
         else
         {
-            _source.Diagnostics.Add(Severity.Error, "mesh.syntax", "A part of the package is not there.", new SourceLocation(_source.Name, Key: path));
+            _source.Note(Severity.Error, "mesh.syntax", "A part of the package is not there.", new SourceLocation(_source.Name, Key: path));
         }
         _models.Add(path, model);
         return model;
@@ -132,7 +132,8 @@ internal sealed class ThreeMfReader
     private ZipArchiveEntry? Entry(string path)
     {
         var name = path.TrimStart('/');
-        return _archive.GetEntry(name) ?? _archive.Entries.FirstOrDefault(e => string.Equals(e.FullName.Replace('\\', '/').TrimStart('/'), name, StringComparison.OrdinalIgnoreCase));
+        return _archive.GetEntry(name)
+            ?? _archive.Entries.FirstOrDefault(e => string.Equals(e.FullName.Replace('\\', '/').TrimStart('/'), name, StringComparison.OrdinalIgnoreCase));
     }
 
     // The target of the package's 3D model relationship, or the first part with the usual ending.
@@ -141,12 +142,14 @@ internal sealed class ThreeMfReader
         if (Entry("_rels/.rels") is { } rels)
         {
             using var stream = rels.Open();
-            using var xml = XmlReader.Create(stream, new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null, MaxCharactersInDocument = 1 << 20 });
+            var settings = new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null, MaxCharactersInDocument = 1 << 20 };
+            using var xml = XmlReader.Create(stream, settings);
             while (xml.Read())
             {
                 if (xml.NodeType != XmlNodeType.Element || xml.LocalName != "Relationship") continue;
                 var target = xml.GetAttribute("Target");
-                if (target is not null && (xml.GetAttribute("Type") ?? "").EndsWith("/3dmodel", StringComparison.Ordinal) && Entry(target) is not null) return target;
+                var isModel = (xml.GetAttribute("Type") ?? "").EndsWith("/3dmodel", StringComparison.Ordinal);
+                if (isModel && target is not null && Entry(target) is not null) return target;
             }
         }
         return _archive.Entries.FirstOrDefault(e => e.FullName.EndsWith(".model", StringComparison.OrdinalIgnoreCase))?.FullName;

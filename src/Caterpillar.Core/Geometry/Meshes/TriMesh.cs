@@ -28,7 +28,8 @@ public sealed class TriMesh
     /// <summary>
     /// A mesh from points and triples of point numbers. Equal points are merged, unused ones and triangles with a point twice are left out.
     /// </summary>
-    /// <exception cref="ArgumentException">A number is out of range, the numbers are no triples, or a point is not finite or beyond <see cref="MaxCoordinate"/>.</exception>
+    /// <exception cref="ArgumentException">A number is out of range, the numbers are no triples, or a point is not finite or beyond <see
+    /// cref="MaxCoordinate"/>.</exception>
     public static TriMesh Create(IReadOnlyList<Vec3> points, IReadOnlyList<int> triangles)
     {
         if (points is null) throw new ArgumentNullException(nameof(points));
@@ -81,7 +82,10 @@ public sealed class TriMesh
         }
     }
 
-    /// <summary>Signed volume in mm³ (divergence theorem): positive for a closed mesh whose triangles face outwards; overlaps count twice. For an open mesh only a sum.</summary>
+    /// <summary>
+    /// Signed volume in mm³ (divergence theorem): positive for a closed mesh whose triangles face outwards; overlaps count twice. For an open mesh
+    /// only a sum.
+    /// </summary>
     public double Volume
     {
         get

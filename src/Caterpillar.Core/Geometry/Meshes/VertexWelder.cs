@@ -2,7 +2,10 @@ using System;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Gives equal points one number, in the order of their first appearance: an open-addressing hash over the bits of the coordinates, −0.0 taken as 0.0.</summary>
+/// <summary>
+/// Gives equal points one number, in the order of their first appearance: an open-addressing hash over the bits of the coordinates, −0.0 taken as
+/// 0.0.
+/// </summary>
 internal sealed class VertexWelder
 {
     private int[] _slots;

@@ -4,8 +4,9 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Joins open contours whose ends lie within a distance: first ends to beginnings; then, where surfaces are turned inside out, ends to ends and beginnings to
-/// beginnings (the part with the smaller length is turned round). The nearest pair goes first, ties by the order of the lines. A line closes on itself only where it is at least twice as long as the gap.
+/// Joins open contours whose ends lie within a distance: first ends to beginnings; then, where surfaces are turned inside out, ends to ends and
+/// beginnings to beginnings (the part with the smaller length is turned round). The nearest pair goes first, ties by the order of the lines. A line
+/// closes on itself only where it is at least twice as long as the gap.
 /// </summary>
 internal sealed class GapCloser
 {
@@ -32,7 +33,10 @@ internal sealed class GapCloser
         }
     }
 
-    /// <summary>Joins what can be joined: closed contours are added to the loops, the rest stays in <paramref name="open"/>. Returns how many gaps were closed and the widest in mm.</summary>
+    /// <summary>
+    /// Joins what can be joined: closed contours are added to the loops, the rest stays in <paramref name="open"/>. Returns how many gaps were
+    /// closed and the widest in mm.
+    /// </summary>
     public static (int Closed, double Widest) Close(List<Polyline> open, List<Polyline> loops, double gap)
     {
         if (open.Count == 0 || !(gap > 0)) return (0, 0);

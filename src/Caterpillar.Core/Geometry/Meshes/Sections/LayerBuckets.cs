@@ -3,8 +3,8 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// For each of some ascending heights the triangles that its plane cuts, in ascending order: a counting sort over the z ranges of the triangles. A vertex at or above the plane is above,
-/// so a triangle is cut where lowest vertex &lt; plane ≤ highest vertex.
+/// For each of some ascending heights the triangles that its plane cuts, in ascending order: a counting sort over the z ranges of the triangles. A
+/// vertex at or above the plane is above, so a triangle is cut where lowest vertex &lt; plane ≤ highest vertex.
 /// </summary>
 internal sealed class LayerBuckets
 {

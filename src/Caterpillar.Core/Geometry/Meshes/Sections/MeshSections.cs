@@ -7,8 +7,9 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Exact plane sections of meshes, chained over shared edges. A vertex at or above the plane counts as above, so every cut triangle has exactly two cut edges. For facets that lie in the plane
-/// this is the limit from below throughout: a plane through a flat top gives its outline, a plane through a flat bottom gives nothing.
+/// Exact plane sections of meshes, chained over shared edges. A vertex at or above the plane counts as above, so every cut triangle has exactly two
+/// cut edges. For facets that lie in the plane this is the limit from below throughout: a plane through a flat top gives its outline, a plane
+/// through a flat bottom gives nothing.
 /// </summary>
 public static class MeshSections
 {
@@ -16,11 +17,13 @@ public static class MeshSections
     private const long MaxHeld = 1 << 26;
 
     /// <summary>Sections at any heights in mm, in the order in which they are given.</summary>
-    /// <returns>One section for each height, and what was noticed: <c>mesh.gap_closed</c>, <c>mesh.open_edges</c> (contours that stay open).</returns>
+    /// <returns>One section for each height, and what was noticed: <c>mesh.gap_closed</c>, <c>mesh.open_edges</c> (contours that stay
+    /// open).</returns>
     /// <exception cref="ArgumentException">A height is not finite.</exception>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
     public static Result<IReadOnlyList<Section>> At(
-        TriMesh mesh, IReadOnlyList<double> heights, SectionOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+        TriMesh mesh, IReadOnlyList<double> heights, SectionOptions? options = null,
+        IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
         if (heights is null) throw new ArgumentNullException(nameof(heights));

@@ -2,7 +2,9 @@ using System;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Takes points out of contours that a plane through vertices leaves: repeated ones, there-and-back spikes, and on request exactly collinear ones.</summary>
+/// <summary>
+/// Takes points out of contours that a plane through vertices leaves: repeated ones, there-and-back spikes, and on request exactly collinear ones.
+/// </summary>
 internal static class PolylineCleaning
 {
     /// <summary>Keeps one of equal neighbours.</summary>
@@ -16,7 +18,10 @@ internal static class PolylineCleaning
         count = kept;
     }
 
-    /// <summary>For a closed contour: also takes out what goes to a point and straight back over the same points. Returns the index of the first point that is kept.</summary>
+    /// <summary>
+    /// For a closed contour: also takes out what goes to a point and straight back over the same points. Returns the index of the first point that
+    /// is kept.
+    /// </summary>
     public static int DropSpikes(Vec3[] points, ref int count)
     {
         var end = 0;

@@ -16,8 +16,8 @@ public sealed class Section
     public double Z { get; }
 
     /// <summary>
-    /// Closed contours with the solid on their left: outer ones counter-clockwise seen from above, holes clockwise. They may cross where bodies run through each other.
-    /// Every contour has at least three points.
+    /// Closed contours with the solid on their left: outer ones counter-clockwise seen from above, holes clockwise. They may cross where bodies run
+    /// through each other. Every contour has at least three points.
     /// </summary>
     public IReadOnlyList<Polyline> Loops { get; }
 

@@ -5,7 +5,10 @@ namespace Caterpillar.Geometry;
 /// <summary>How plane sections are made.</summary>
 public sealed record SectionOptions
 {
-    /// <summary>Gaps of open contours up to this distance in mm are closed by a straight segment and reported (<c>mesh.gap_closed</c>); 0 closes none. Closed meshes have no gaps.</summary>
+    /// <summary>
+    /// Gaps of open contours up to this distance in mm are closed by a straight segment and reported (<c>mesh.gap_closed</c>); 0 closes none.
+    /// Closed meshes have no gaps.
+    /// </summary>
     public double GapMm { get; init; } = 0.1;
 
     /// <summary>Leaves out points exactly on the straight line between their neighbours.</summary>

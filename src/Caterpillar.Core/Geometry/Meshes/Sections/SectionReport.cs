@@ -5,6 +5,7 @@ using System.Text;
 using System.Threading;
 using System.Threading.Tasks;
 using Caterpillar.Basics;
+using Newtonsoft.Json;
 
 namespace Caterpillar.Geometry;
 
@@ -37,7 +38,8 @@ public sealed class SectionReport
     /// <exception cref="ArgumentException">A height is not finite.</exception>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
     public static Result<SectionReport> Of(
-        string model, TriMesh mesh, IReadOnlyList<double> heights, SectionOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+        string model, TriMesh mesh, IReadOnlyList<double> heights, SectionOptions? options = null,
+        IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (model is null) throw new ArgumentNullException(nameof(model));
         options ??= new SectionOptions();
@@ -60,8 +62,8 @@ public sealed class SectionReport
     }
 
     /// <summary>
-    /// A JSON array with an object for each report: <c>{"model", "sections": [{"z", "length", "area", "outer", "holes", "open"}]}</c>, mm and mm² with at most nine decimals,
-    /// a section a line.
+    /// A JSON array with an object for each report: <c>{"model", "sections": [{"z", "length", "area", "outer", "holes", "open"}]}</c>, mm and mm²
+    /// with at most nine decimals, a section a line.
     /// </summary>
     public static string ToJson(IEnumerable<SectionReport> reports)
     {
@@ -69,12 +71,12 @@ public sealed class SectionReport
         var first = true;
         foreach (var report in reports ?? throw new ArgumentNullException(nameof(reports)))
         {
-            text.Append(first ? "\n" : ",\n").Append(" {\"model\": ").Append(Newtonsoft.Json.JsonConvert.ToString(report.Model)).Append(", \"sections\": [");
+            text.Append(first ? "\n" : ",\n").Append(" {\"model\": ").Append(JsonConvert.ToString(report.Model)).Append(", \"sections\": [");
             for (var i = 0; i < report.Sections.Count; i++)
             {
                 var s = report.Sections[i];
-                text.Append(i == 0 ? "\n" : ",\n").Append("  {\"z\": ").Append(NumberFormatter.Format(s.Z, 9)).Append(", \"length\": ").Append(NumberFormatter.Format(s.Length, 9))
-                    .Append(", \"area\": ").Append(NumberFormatter.Format(s.Area, 9)).Append(", \"outer\": ").Append(NumberFormatter.Format(s.Outer))
+                text.Append(i == 0 ? "\n" : ",\n").Append("  {\"z\": ").Append(NumberFormatter.Format(s.Z, 9))
+                    .Append(", \"length\": ").Append(NumberFormatter.Format(s.Length, 9)).Append(", \"area\": ").Append(NumberFormatter.Format(s.Area, 9)).Append(", \"outer\": ").Append(NumberFormatter.Format(s.Outer))
                     .Append(", \"holes\": ").Append(NumberFormatter.Format(s.Holes)).Append(", \"open\": ").Append(NumberFormatter.Format(s.Open)).Append('}');
             }
             text.Append(report.Sections.Count > 0 ? "\n ]}" : "]}");

@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Chains the cut triangles of one plane to contours by walking from neighbour to neighbour. The cut point of an edge is computed from its lower to its
-/// higher vertex number, so both triangles get the same bits and nothing is glued by distance. One for each thread.
+/// Chains the cut triangles of one plane to contours by walking from neighbour to neighbour. The cut point of an edge is computed from its lower to
+/// its higher vertex number, so both triangles get the same bits and nothing is glued by distance. One for each thread.
 /// </summary>
 internal sealed class SectionWalker
 {
@@ -27,7 +27,9 @@ internal sealed class SectionWalker
         _seen = new int[mesh.TriangleCount];
     }
 
-    /// <summary>Adds the contours of the plane to the lists, in the order of their first triangle; open ones first walked from their beginning.</summary>
+    /// <summary>
+    /// Adds the contours of the plane to the lists, in the order of their first triangle; open ones first walked from their beginning.
+    /// </summary>
     public void Cut(double z, int[] layer, int from, int to, bool mergeCollinear, List<Polyline> loops, List<Polyline> open)
     {
         if (++_round == int.MaxValue)
