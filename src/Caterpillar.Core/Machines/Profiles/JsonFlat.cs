@@ -32,6 +32,7 @@ internal static class JsonFlat
                 Next(reader);
                 entries.Add(new JsonEntry(key, Value(reader), line, column));
             }
+            if (reader.TokenType != JsonToken.EndObject) throw new JsonReaderException("The object is not closed.", reader.Path, reader.LineNumber, reader.LinePosition, null);
             if (Next(reader)) throw new JsonReaderException("There is text behind the object.", reader.Path, reader.LineNumber, reader.LinePosition, null);
             return entries;
         }

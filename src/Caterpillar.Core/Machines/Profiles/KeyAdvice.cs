@@ -25,43 +25,9 @@ internal static class KeyAdvice
     /// <summary>The unit at the end of a key, or an empty text.</summary>
     public static string UnitOf(string key) => Units.FirstOrDefault(u => key.EndsWith("_" + u, StringComparison.Ordinal)) ?? "";
 
-    /// <summary>The known word nearest to another, or null where none is near.</summary>
-    public static string? Nearest(string word, IEnumerable<string> known)
-    {
-        string? best = null;
-        var bestDistance = Math.Max(2, word.Length / 3) + 1;
-        foreach (var candidate in known)
-        {
-            var distance = Distance(word, candidate);
-            if (distance >= bestDistance) continue;
-            best = candidate;
-            bestDistance = distance;
-        }
-        return best;
-    }
-
     private static string Stem(string key)
     {
         var unit = UnitOf(key);
         return unit.Length == 0 ? key : key.Substring(0, key.Length - unit.Length - 1);
-    }
-
-    // Levenshtein distance.
-    private static int Distance(string a, string b)
-    {
-        var row = new int[b.Length + 1];
-        for (var j = 0; j < row.Length; j++) row[j] = j;
-        for (var i = 1; i <= a.Length; i++)
-        {
-            var diagonal = row[0];
-            row[0] = i;
-            for (var j = 1; j < row.Length; j++)
-            {
-                var cost = Math.Min(Math.Min(row[j] + 1, row[j - 1] + 1), diagonal + (a[i - 1] == b[j - 1] ? 0 : 1));
-                diagonal = row[j];
-                row[j] = cost;
-            }
-        }
-        return row[b.Length];
     }
 }

@@ -130,7 +130,11 @@ internal sealed class LinesFormat : KeyFormat<ValueList<string>>
     public override object Write(ValueList<string> value) => value.Cast<object>().ToArray();
 
     public override string? Problem(ValueList<string> value)
-        => value.Any(l => l is null || l.IndexOfAny(['\n', '\r']) >= 0) ? "has an entry with more than one line" : null;
+    {
+        if (value.Any(l => l is null || l.IndexOfAny(['\n', '\r']) >= 0)) return "has an entry with more than one line";
+        var first = Template.Parse(value).Diagnostics.FirstOrDefault();
+        return first is null ? null : $"has an error in {first.Source}: {first.Message.TrimEnd('.')}";
+    }
 }
 
 /// <summary>One of several words.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Expressions;
 
 namespace Caterpillar.Machines;
 
@@ -74,7 +75,7 @@ public static class ProfileReader
         }
         var message = $"{key} is no key of {(noun == "settings" ? "settings" : "a " + noun)}";
         if (ProfileKinds.KindOf(key) is { } kind && !names.Contains(key)) message += $"; it belongs to {kind}";
-        else if (KeyAdvice.Nearest(key, names) is { } near) message += $"; did you mean {near}?";
+        else if (Spelling.Nearest(key, names) is { } near) message += $"; did you mean {near}?";
         return new Diagnostic(Severity.Error, "profile.unknown_key", message.EndsWith("?", StringComparison.Ordinal) ? message : message + ".", place);
     }
 

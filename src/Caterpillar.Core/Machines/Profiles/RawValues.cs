@@ -9,7 +9,7 @@ namespace Caterpillar.Machines;
 /// <summary>Values as JSON has them: text, double, bool, and lists of these.</summary>
 internal static class RawValues
 {
-    /// <summary>The shortest decimal text, up to 15 digits, that reads back as the same number.</summary>
+    /// <summary>The shortest decimal text that reads back as the same number, or the number rounded to 15 decimals.</summary>
     public static string Number(double value)
     {
         for (var decimals = 0; decimals < NumberFormatter.MaxDecimals; decimals++)

@@ -1,0 +1,130 @@
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Machines;
+
+public class ProfileReaderTests
+{
+    [Test]
+    public void Values_are_read_by_their_keys()
+    {
+        var printer = ProfileReader.ReadPrinter(
+            """
+            {
+              // comments are welcome
+              "title": "Mine", "dialect": "klipper", "build_volume_mm": [300, 310.5, 4e2], "origin": "center", "firmware_retraction": true,
+              "decimals_e": 4, "tool_offsets_mm": [[0, 0, 0], [18, 0.1, 0]], "start_template": ["G28", "M104 S{nozzle_temperature_c}"]
+            }
+            """,
+            "mine.json", "mine");
+        Assert.That(printer.Diagnostics, Is.Empty);
+        Assert.That(printer.Value, Is.EqualTo(new Printer
+        {
+            Name = "mine",
+            Title = "Mine",
+            Dialect = DialectTable.Klipper,
+            BuildVolume = new Vec3(300, 310.5, 400),
+            Origin = BedOrigin.Center,
+            FirmwareRetraction = true,
+            DecimalsE = 4,
+            ToolOffsets = new ValueList<Vec3>(Vec3.Zero, new(18, 0.1, 0)),
+            StartTemplate = new ValueList<string>("G28", "M104 S{nozzle_temperature_c}"),
+        }));
+    }
+
+    [TestCase("layer_height_cm", "layer_height_mm")]
+    [TestCase("layer_height", "layer_height_mm")]
+    [TestCase("print_speed_mm_min", "print_speed_mm_s")]
+    [TestCase("print_speed_m_s", "print_speed_mm_s")]
+    [TestCase("infill_angle_rad", "infill_angle_deg")]
+    [TestCase("infill_overlap_mm", "infill_overlap_percent")]
+    public void A_key_with_another_unit_is_answered_with_the_right_key(string wrong, string right)
+    {
+        var error = Settings($"{{\n  \"wall_count\": 3,\n  \"{wrong}\": 0.2\n}}").Single();
+        Assert.That(error.Code, Is.EqualTo("profile.wrong_unit"));
+        Assert.That(error.Message, Does.Contain(wrong).And.Contain(right));
+        Assert.That(error.Source, Is.EqualTo(new SourceLocation("s.json", 3, 3, wrong)));
+    }
+
+    [Test]
+    public void Every_unknown_key_is_named()
+    {
+        var errors = Settings("""{ "wal_count": 2, "colour": "red", "filament_diameter_mm": 1.75 }""");
+        Assert.That(errors.Select(e => e.Code), Is.All.EqualTo("profile.unknown_key"));
+        Assert.That(errors.Select(e => e.Source!.Key), Is.EqualTo(new[] { "wal_count", "colour", "filament_diameter_mm" }));
+        Assert.That(errors[0].Message, Does.Contain("did you mean wall_count?"));
+        Assert.That(errors[2].Message, Does.Contain("belongs to materials"));
+    }
+
+    [TestCase("""{ "layer_height_mm": "0.2 mm" }""", "profile.wrong_kind", "layer_height_mm")]
+    [TestCase("""{ "layer_height_mm": [0.2] }""", "profile.wrong_kind", "layer_height_mm")]
+    [TestCase("""{ "layer_height_mm": null }""", "profile.wrong_kind", "layer_height_mm")]
+    [TestCase("""{ "layer_height_mm": {} }""", "profile.wrong_kind", "layer_height_mm")]
+    [TestCase("""{ "layer_height_mm": -0.2 }""", "profile.out_of_room", "layer_height_mm")]
+    [TestCase("""{ "layer_height_mm": 0 }""", "profile.out_of_room", "layer_height_mm")]
+    [TestCase("""{ "wall_count": 2.5 }""", "profile.wrong_kind", "wall_count")]
+    [TestCase("""{ "wall_count": 1e300 }""", "profile.bad_json", null)]
+    [TestCase("""{ "sort_paths": 1 }""", "profile.wrong_kind", "sort_paths")]
+    [TestCase("""{ "sort_paths": "yes" }""", "profile.wrong_kind", "sort_paths")]
+    [TestCase("""{ "travel_lift": "high" }""", "profile.wrong_kind", "travel_lift")]
+    [TestCase("""{ "title": "" }""", "profile.out_of_room", "title")]
+    [TestCase("""{ "wall_count": 2, "wall_count": 3 }""", "profile.repeated_key", "wall_count")]
+    [TestCase("""{ "inherits": 3 }""", "profile.wrong_kind", "inherits")]
+    [TestCase("""{ "inherits": "no_such" }""", "profile.no_parent", "inherits")]
+    [TestCase("""[1]""", "profile.no_object", null)]
+    [TestCase("", "profile.no_object", null)]
+    [TestCase("""{ "wall_count": 2 """, "profile.bad_json", null)]
+    [TestCase("""{ "wall_count": 2 } x""", "profile.bad_json", null)]
+    [TestCase("""{ wall """, "profile.bad_json", null)]
+    [TestCase("""{ "wall_count": 0,2 }""", "profile.bad_json", null)]
+    public void Bad_profiles_are_errors_with_file_and_key(string json, string code, string? key)
+    {
+        var error = Settings(json).First();
+        Assert.That((error.Code, error.Source!.Key, error.Source.File, error.Severity), Is.EqualTo((code, key, "s.json", Severity.Error)), error.ToString());
+        Assert.That(error.Source.Line, Is.Not.Null);
+    }
+
+    [TestCase("""{ "build_volume_mm": [220, 220] }""", "build_volume_mm")]
+    [TestCase("""{ "build_volume_mm": [220, 220, 0] }""", "build_volume_mm")]
+    [TestCase("""{ "build_volume_mm": [220, "220", 250] }""", "build_volume_mm")]
+    [TestCase("""{ "head_boxes_mm": [[0, 0, 0, -1, 1, 1]] }""", "head_boxes_mm")]
+    [TestCase("""{ "head_outline_mm": [] }""", "head_outline_mm")]
+    [TestCase("""{ "tool_offsets_mm": [] }""", "tool_offsets_mm")]
+    [TestCase("""{ "dialect": "marlin3" }""", "dialect")]
+    [TestCase("""{ "start_template": "G28" }""", "start_template")]
+    [TestCase("""{ "start_template": ["G28", 3] }""", "start_template")]
+    [TestCase("""{ "start_template": ["G28", "M104 S{temperature}"] }""", "start_template")]
+    public void Bad_lists_and_templates_are_errors(string json, string key)
+    {
+        var result = ProfileReader.ReadPrinter(json, "p.json", "p");
+        Assert.That(result.Value, Is.Null);
+        Assert.That(result.Diagnostics.Single().Source!.Key, Is.EqualTo(key));
+    }
+
+    [Test]
+    public void An_error_in_a_template_says_where()
+        => Assert.That(
+            ProfileReader.ReadPrinter("""{ "start_template": ["G28", "M104 S{temperature}"] }""", "p.json", "p").Diagnostics.Single().Message,
+            Does.Contain("line 2:8").And.Contain("temperature"));
+
+    [Test]
+    public void What_is_written_is_read_again()
+    {
+        var printer = new Printer { Name = "x", RetractionDistance = 0.123456789012345, HeadBoxes = new ValueList<Bounds>(new Bounds(Vec3.Zero, new Vec3(1, 2, 3))), StartTemplate = new ValueList<string>("M117 \"ü\" \\ {{") };
+        Assert.That(ProfileReader.ReadPrinter(ProfileWriter.Write(printer), "f", "x").Value, Is.EqualTo(printer));
+        var material = new Material { Name = "m", FilamentDiameter = 2.85, CostPerKg = 1e-7 };
+        Assert.That(ProfileReader.ReadMaterial(ProfileWriter.Write(material), "f", "m").Value, Is.EqualTo(material));
+        var settings = new PrintSettings { Name = "s", TravelLift = TravelLift.Corridor, RestoreDuringDescent = true };
+        Assert.That(ProfileReader.ReadSettings(ProfileWriter.Write(settings), "f", "s").Value, Is.EqualTo(settings));
+    }
+
+    private static Diagnostic[] Settings(string json)
+    {
+        var result = ProfileReader.ReadSettings(json, "s.json", "s");
+        Assert.That(result.Value, Is.Null);
+        return result.Diagnostics.ToArray();
+    }
+}

@@ -1,0 +1,122 @@
+using System;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Machines;
+
+public class SetupTests
+{
+    private string _folder = "";
+
+    [SetUp]
+    public void MakeFolder()
+    {
+        _folder = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N"));
+        Directory.CreateDirectory(Path.Combine(_folder, "materials"));
+        Directory.CreateDirectory(Path.Combine(_folder, "settings"));
+    }
+
+    [TearDown]
+    public void DropFolder() => Directory.Delete(_folder, recursive: true);
+
+    [Test]
+    public void Values_of_all_three_profiles_are_set_by_their_keys()
+    {
+        var setup = new PrintSetup().With("layer_height_mm=0.3", "bed_temperature_c=0", "build_volume_mm=300,310,400", "bead_shape = circle", "sort_paths=no", "end_template=M104 S0\\nM84").Value!;
+        Assert.That(setup.Settings.LayerHeight, Is.EqualTo(0.3));
+        Assert.That(setup.Material.BedTemperature, Is.Zero);
+        Assert.That(setup.Printer.BuildVolume, Is.EqualTo(new Vec3(300, 310, 400)));
+        Assert.That(setup.Settings.BeadShape, Is.EqualTo(BeadShape.Circle));
+        Assert.That(setup.Settings.SortPaths, Is.False);
+        Assert.That(setup.Printer.EndTemplate, Is.EqualTo(new[] { "M104 S0", "M84" }));
+        Assert.That(new PrintSetup().With("tool_offsets_mm=0 0 0;18 0 0").Value!.Printer.ToolCount, Is.EqualTo(2));
+    }
+
+    [TestCase("layer_height=0.3", "profile.wrong_unit", "layer_height_mm")]
+    [TestCase("nozle_diameter_mm=0.6", "profile.unknown_key", "nozzle_diameter_mm")]
+    [TestCase("layer_height_mm", "profile.no_value", "key=value")]
+    [TestCase("layer_height_mm=0,3", "profile.wrong_kind", "0,3")]
+    [TestCase("layer_height_mm=", "profile.wrong_kind", "a number")]
+    [TestCase("layer_height_mm=-1", "profile.out_of_room", "0.001")]
+    [TestCase("layer_height_mm=NaN", "profile.wrong_kind", "NaN")]
+    [TestCase("title=x", "profile.unknown_key", "title")]
+    [TestCase("wall_count=1e99", "profile.wrong_kind", "whole")]
+    public void Bad_values_are_named(string value, string code, string word)
+    {
+        var result = new PrintSetup().With("wall_count=3", value);
+        Assert.That(result.Value, Is.Null);
+        var error = result.Diagnostics.Single();
+        Assert.That(error.Code, Is.EqualTo(code));
+        Assert.That(error.Message, Does.Contain(word));
+        Assert.That(error.Source!.Key, Is.Not.Null);
+    }
+
+    [Test]
+    public void Profiles_of_the_user_lie_over_those_of_the_house()
+    {
+        File.WriteAllText(Path.Combine(_folder, "ender3.json"), """{ "inherits": "ender3", "nozzle_diameter_mm": 0.6 }""");
+        File.WriteAllText(Path.Combine(_folder, "mine.json"), """{ "inherits": "ender3", "title": "Mine" }""");
+        File.WriteAllText(Path.Combine(_folder, "materials", "wood.json"), """{ "inherits": "pla", "nozzle_temperature_c": 190 }""");
+        var library = new ProfileLibrary(_folder);
+        Assert.That(library.PrinterNames, Is.SupersetOf(new[] { "ender3", "generic", "mine" }));
+        Assert.That(library.PrinterNames, Is.Unique.And.Ordered.Using<string>(StringComparer.Ordinal));
+        var mine = library.Printer("mine").Value!;
+        Assert.That((mine.Name, mine.Title, mine.NozzleDiameter, mine.Dialect), Is.EqualTo(("mine", "Mine", 0.6, DialectTable.Marlin1)));
+        Assert.That(mine.StartTemplate, Is.Not.Empty);
+        var setup = library.Setup("mine", "wood", null, ["layer_height_mm=0.28"]).Value!;
+        Assert.That((setup.Material.NozzleTemperature, setup.Material.BedTemperature, setup.Settings.Name, setup.Settings.LayerHeight), Is.EqualTo((190.0, 60.0, "standard", 0.28)));
+    }
+
+    [Test]
+    public void A_profile_may_be_a_file()
+    {
+        var file = Path.Combine(_folder, "p.json");
+        File.WriteAllText(file, """{ "inherits": "prusa_mk3s", "e_mode": "absolute" }""");
+        var printer = new ProfileLibrary().Printer(file).Value!;
+        Assert.That((printer.Name, printer.ExtrusionMode, printer.BuildVolume.X), Is.EqualTo(("p", ExtrusionMode.Absolute, 250.0)));
+    }
+
+    [Test]
+    public void A_circle_of_profiles_is_an_error()
+    {
+        File.WriteAllText(Path.Combine(_folder, "a.json"), """{ "inherits": "b" }""");
+        File.WriteAllText(Path.Combine(_folder, "b.json"), """{ "inherits": "a" }""");
+        var result = new ProfileLibrary(_folder).Printer("a");
+        Assert.That(result.Value, Is.Null);
+        Assert.That(result.Diagnostics.Select(d => d.Code), Does.Contain("profile.circle"));
+    }
+
+    [Test]
+    public void Unknown_profiles_are_answered_with_the_near_ones()
+    {
+        var library = new ProfileLibrary();
+        Assert.That(library.Setup("ender4").Diagnostics.Single().Message, Does.Contain("ender3"));
+        Assert.That(library.Setup(material: "plaa").Diagnostics.Single().Message, Does.Contain("pla"));
+        Assert.That(library.Printer(Path.Combine(_folder, "none.json")).Diagnostics.Single().Code, Is.EqualTo("profile.not_found"));
+        Assert.That(library.Printer("../generic").Value, Is.Null);
+    }
+
+    [Test]
+    public void The_file_of_a_bad_profile_is_named()
+    {
+        File.WriteAllText(Path.Combine(_folder, "settings", "s.json"), """{ "layer_height_cm": 0.02 }""");
+        var error = new ProfileLibrary(_folder).Settings("s").Diagnostics.Single();
+        Assert.That(error.Source!.File, Does.EndWith("s.json"));
+        Assert.That(error.ToString(), Does.Contain("s.json:1:3: layer_height_cm: error profile.wrong_unit"));
+    }
+
+    [Test]
+    public void What_does_not_go_together_is_said()
+    {
+        var library = new ProfileLibrary();
+        Assert.That(library.Setup(values: ["line_width_mm=0.1"]).Diagnostics.Single().Code, Is.EqualTo("setup.narrow_bead"));
+        Assert.That(library.Setup(values: ["line_width_mm=0.1"]).Value, Is.Null);
+        Assert.That(library.Setup(values: ["layer_height_mm=0.42"]).Diagnostics.Single().Code, Is.EqualTo("setup.high_layer"));
+        Assert.That(library.Setup("pen_plotter", values: ["firmware_retraction=true"]).Diagnostics.Single().Code, Is.EqualTo("setup.no_firmware_retraction"));
+    }
+}
