@@ -90,7 +90,7 @@ internal sealed class MoveEmitter
     }
 
     /// <summary>The end of a path that is moved along after the extruder has stopped.</summary>
-    public void Coast(Vec3 to, double speed, Role role, Arc? arc) => Add(to, 0, 0, speed, MoveKind.Travel, role, arc);
+    public void Coast(Vec3 to, double speed, Arc? arc) => Add(to, 0, 0, speed, MoveKind.Travel, Role.Unspecified, arc);
 
     public void Reached(double z) => Highest = Math.Max(Highest, z);
 
@@ -140,6 +140,13 @@ internal sealed class MoveEmitter
         if (e > fill) Add(Position, e - fill, e - fill, speed, MoveKind.Prime, Role.Unspecified);
     }
 
+    /// <summary>Waits in place.</summary>
+    public void Dwell(DwellEvent what)
+    {
+        _builder.AddEvent(what);
+        Add(Position, 0, 0, 0, MoveKind.Dwell, Role.Unspecified);
+    }
+
     private double Fill(double e)
     {
         var fill = Math.Min(e, _retracted[Tool]);
@@ -152,6 +159,6 @@ internal sealed class MoveEmitter
     private void Add(Vec3 to, double e, double deposited, double speed, MoveKind kind, Role role, Arc? arc = null)
     {
         _builder.Add(to, e, deposited, speed, kind, role, _layerIndex, Tool, Source, arc);
-        IsPlaced = true;
+        IsPlaced |= kind is MoveKind.Travel or MoveKind.Print or MoveKind.MovingRestore or MoveKind.Wipe;
     }
 }

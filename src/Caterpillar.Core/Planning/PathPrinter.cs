@@ -47,7 +47,7 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanCoun
                 var t = printed / way;
                 var stop = arc is { } a ? a.PointAt(from, to, t) : Vec3.Lerp(from, to, t);
                 if (printed > 0) emitter.Print(stop, printed * bead.Area, speed, path.Role, Part(arc, t));
-                emitter.Coast(to, speed, path.Role, Part(arc, 1 - t));
+                emitter.Coast(to, speed, Part(arc, 1 - t));
             }
             deposit?.Add(from, to, bead, arc, rules.Shape);
             emitter.Reached(Math.Max(from.Z, to.Z));

@@ -85,7 +85,9 @@ internal static class StepOrder
         var choose = islands.Count > 1 && options.Rule != SortRule.Orient ? Entries(steps, run, islands, options) : null;
         for (var n = 0; n < islands.Count; n++)
         {
-            var island = choose is null || at is null ? n : choose.OwnerOf(choose.Nearest(at.Value));
+            // Islands below zero (a skirt) lead, in their order.
+            var leads = ((PathStep)steps[run[islands[n].From]]).Group!.Value.Island < 0;
+            var island = leads || choose is null || at is null ? n : choose.OwnerOf(choose.Nearest(at.Value));
             choose?.Remove(island);
             var (from, end) = islands[island];
             for (int to; from < end; from = to)

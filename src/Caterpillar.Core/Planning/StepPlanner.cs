@@ -178,6 +178,9 @@ internal sealed class StepPlanner
             case ToolEvent tool:
                 if (tool.Tool != _emitter.Tool) SwitchTool(tool.Tool);
                 return;
+            case DwellEvent dwell:
+                _emitter.Dwell(dwell);
+                return;
         }
         _overrides.Note(what);
         _emitter.Event(what);

@@ -197,35 +197,36 @@ public sealed class Deposit
 
     private void Draw(int index, in Strand strand)
     {
-        var a = new Vec3(strand.Ax, strand.Ay);
-        var b = new Vec3(strand.Bx, strand.By);
-        var half = strand.Half;
+        double ax = strand.Ax, ay = strand.Ay, az = strand.Az, dx = strand.Bx - ax, dy = strand.By - ay, rise = strand.Bz - az;
+        var (half, highest) = (strand.Half, strand.Top);
         var halfDiagonal = _cell * 0.7072;
         var reach = (half + halfDiagonal) * (half + halfDiagonal);
-        var way = (b - a).LengthXY;
-        var rise = strand.Bz - strand.Az;
-        var spread = way > 0 ? Math.Abs(rise) / way * halfDiagonal : 0;
-        var firstRow = Index(Math.Min(a.Y, b.Y) - half);
-        var lastRow = Index(Math.Max(a.Y, b.Y) + half);
-        for (var row = firstRow; row <= lastRow; row++)
+        var square = dx * dx + dy * dy;
+        var inverse = square > 0 ? 1 / square : 0;
+        var spread = square > 0 ? Math.Abs(rise) / Math.Sqrt(square) * halfDiagonal : 0;
+        var a = new Vec3(ax, ay);
+        var b = new Vec3(strand.Bx, strand.By);
+        var lastRow = Index(Math.Max(ay, strand.By) + half);
+        for (var row = Index(Math.Min(ay, strand.By) - half); row <= lastRow; row++)
         {
             var y = row * _cell;
             if (!FlatSegment.RowSpan(a, b, y - half, y + _cell + half, out var x0, out var x1)) continue;
+            var py = y + _cell / 2 - ay;
             var lastColumn = Index(x1 + half);
             DepositBin? bin = null;
             for (var column = Index(x0 - half); column <= lastColumn; column++)
             {
-                var center = new Vec3((column + 0.5) * _cell, y + _cell / 2);
-                var t = FlatSegment.Parameter(center, a, b);
-                var off = center - (a + (b - a) * t);
-                if (off.X * off.X + off.Y * off.Y > reach) continue;
+                var px = (column + 0.5) * _cell - ax;
+                var t = Math.Min(1, Math.Max(0, (px * dx + py * dy) * inverse));
+                double u = px - dx * t, v = py - dy * t;
+                if (u * u + v * v > reach) continue;
                 if (bin is null || (column & (DepositBin.Side - 1)) == 0)
                 {
                     bin = BinAt(column >> DepositBin.Bits, row >> DepositBin.Bits);
                     bin.Add(index, _store, _keepDepth);
-                    bin.Top = Math.Max(bin.Top, strand.Top);
+                    bin.Top = Math.Max(bin.Top, highest);
                 }
-                var top = rise == 0 ? strand.Az : way > 0 ? Math.Min(strand.Top, strand.Az + rise * t + spread) : strand.Top;
+                var top = rise == 0 ? az : square > 0 ? Math.Min(highest, az + rise * t + spread) : highest;
                 var cell = ((row & (DepositBin.Side - 1)) << DepositBin.Bits) | (column & (DepositBin.Side - 1));
                 if (top > bin.Cells[cell]) bin.Cells[cell] = top;
             }

@@ -99,15 +99,14 @@ public class PlanPropertyTests
         foreach (var (steps, rules, _) in Designs(40))
         {
             var top = double.NegativeInfinity;
-            foreach (var move in PlanningTests.Plan(steps.Where(s => s is PathStep).ToList(), rules with { Lift = LiftRule.Highest, MinLiftTravel = 0 }).Toolpath.Moves())
+            foreach (var move in PlanningTests.Plan(steps.Where(s => s is PathStep).ToList(), rules with { Lift = LiftRule.Highest, MinLiftTravel = 0, StopDistance = 0 }).Toolpath.Moves())
             {
                 if (move.Kind == MoveKind.Print) top = Math.Max(top, Math.Max(move.Start.Z, move.End.Z));
-                if (move.Kind == MoveKind.Travel && (move.End - move.Start).LengthXY > 1e-9 && move.E == 0 && !IsCoast(move, rules))
+                if (move.Kind == MoveKind.Travel && (move.End - move.Start).LengthXY > 1e-9)
                     Assert.That(Math.Min(move.Start.Z, move.End.Z), Is.GreaterThanOrEqualTo(top + rules.Clearance - 1e-12));
             }
         }
 
-        static bool IsCoast(Move move, PlanRules rules) => rules.StopDistance > 0 && move.Role != Role.Unspecified;
     }
 
     [Test]

@@ -94,6 +94,15 @@ public class PlannerTests
     }
 
     [Test]
+    public void Every_count_of_the_report_has_a_key()
+    {
+        var report = new PlanReport { Paths = 3, SortedWay = 2.5 };
+        Assert.That(report.ToValues().Count, Is.EqualTo(typeof(PlanReport).GetProperties().Count(p => p.CanWrite)));
+        Assert.That(report.ToValues().Select(v => v.Key), Is.Unique);
+        Assert.That(report.ToValues().Where(v => v.Value != 0).Select(v => (v.Key, v.Value)), Is.EqualTo(new[] { ("paths", 3), ("sorted_way_mm", 2.5) }));
+    }
+
+    [Test]
     public void Misuse_throws()
     {
         Assert.That(() => Planner.Plan(null!, new PrintSetup()), Throws.ArgumentNullException);

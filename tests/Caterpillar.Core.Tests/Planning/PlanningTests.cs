@@ -177,7 +177,9 @@ public class PlanningTests
     public void Events_hang_on_the_move_that_follows_them()
     {
         Step[] steps = [new FanEvent(1), Line(0, 0, 10, 0, 0), new DwellEvent(2), new CommentEvent("x")];
-        Assert.That(Plan(steps, Rules).Toolpath.Events, Is.EqualTo(new MoveEvent[] { new(0, new FanEvent(1)), new(1, new DwellEvent(2)), new(1, new CommentEvent("x")) }));
+        var toolpath = Plan(steps, Rules).Toolpath;
+        Assert.That(toolpath.Events, Is.EqualTo(new MoveEvent[] { new(0, new FanEvent(1)), new(1, new DwellEvent(2)), new(2, new CommentEvent("x")) }));
+        Assert.That(Text(toolpath), Is.EqualTo(new[] { "Print 10,0,0 2.5 50", "Dwell 10,0,0 0 0" }));
     }
 
     [Test]
