@@ -13,10 +13,10 @@ public sealed partial class Turtle
     public Bead Bead => _state.Bead;
 
     /// <summary>Diameter of the filament, mm.</summary>
-    public double FilamentDiameter => _options.FilamentDiameter;
+    public double FilamentDiameter => _options.Extrusion.FilamentDiameter;
 
     /// <summary>mm of filament per mm of path.</summary>
-    public double Density => Bead.Area / FilamentArea;
+    public double Density => _options.Extrusion.FactorOfArea(Bead.Area);
 
     /// <summary>mm/s of moves with the pen down.</summary>
     public double Speed => Bead.Speed;
@@ -26,8 +26,6 @@ public sealed partial class Turtle
 
     /// <summary>mm/s of moves that lay nothing: as fast as printing unless set.</summary>
     public double TravelSpeed => _state.TravelSpeed > 0 ? _state.TravelSpeed : _state.Bead.Speed;
-
-    private double FilamentArea => Math.PI * (_options.FilamentDiameter / 2) * (_options.FilamentDiameter / 2);
 
     /// <summary>Moves lay nothing from here on. Nothing is retracted; that is planning's.</summary>
     public Turtle PenUp() => Pen(false);
@@ -45,7 +43,7 @@ public sealed partial class Turtle
     /// <summary>Extrusion as mm of filament per mm of path (ExtruderTurtle: 0.01 to 0.10, 0.03 standard for a 0.4 mm nozzle and 0.2 mm layers, 0.05 its default).</summary>
     public Turtle SetDensity(double filamentPerMm)
     {
-        _state.Bead = new Bead(filamentPerMm * FilamentArea, 0, _state.Bead.Speed);
+        _state.Bead = new Bead(_options.Extrusion.AreaOfFactor(filamentPerMm), 0, _state.Bead.Speed);
         return this;
     }
 
@@ -92,7 +90,7 @@ public sealed partial class Turtle
     public Turtle Extrude(double filament)
     {
         if (double.IsNaN(filament) || double.IsInfinity(filament)) throw NotFinite();
-        return Event(new ExtrudeEvent(filament * FilamentArea, _state.Bead.Speed));
+        return Event(new ExtrudeEvent(_options.Extrusion.AreaOfFactor(filament), _state.Bead.Speed));
     }
 
     /// <summary>Waits, in milliseconds.</summary>

@@ -23,8 +23,7 @@ public sealed partial class Turtle
     public Turtle(TurtleOptions? options = null)
     {
         _options = options ?? new TurtleOptions();
-        if (!(_options.FilamentDiameter > 0) || !(_options.ArcTolerance > 0) || !_options.Start.Origin.IsFinite)
-            throw new ArgumentException("A turtle needs a filament diameter and an arc tolerance above 0 and a finite start.", nameof(options));
+        if (!(_options.ArcTolerance > 0) || !_options.Start.Origin.IsFinite) throw new ArgumentException("A turtle needs an arc tolerance above 0 and a finite start.", nameof(options));
         _state = new TurtleState { Pose = _options.Start, PenDown = true, Tags = new PathTags(Role.Unspecified, null, 0, "", null) };
         AngleUnit = _options.AngleUnit;
         if (_options.KeepPoses) _poses = [_options.Start];

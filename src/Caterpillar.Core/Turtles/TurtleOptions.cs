@@ -1,4 +1,5 @@
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 
 namespace Caterpillar.Turtles;
 
@@ -8,11 +9,11 @@ public sealed record TurtleOptions
     /// <summary>Where it stands and looks: X is forward, Y left, Z up; mm.</summary>
     public Frame Start { get; init; } = Frame.World;
 
-    /// <summary>Diameter of the filament in mm, by which mm of filament become mm³.</summary>
-    public double FilamentDiameter { get; init; } = 1.75;
+    /// <summary>The law by which mm of filament become strands; for a print that of its setup.</summary>
+    public ExtrusionLaw Extrusion { get; init; } = new(ExtrusionUnit.Mm, 1.75);
 
     /// <summary>mm of filament per mm of path.</summary>
-    public double Density { get; init; } = 0.05;
+    public double Density { get; init; } = ExtrusionLaw.DefaultFactor;
 
     /// <summary>mm/min.</summary>
     public double Rate { get; init; } = 1000;

@@ -3,7 +3,11 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Numerics;
+using Caterpillar.Checks;
+using Caterpillar.GCode;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
 using Caterpillar.Turtles;
 using NUnit.Framework;
@@ -141,6 +145,18 @@ internal sealed class ExampleTests
         var worst = ours.Zip(theirs, (a, b) => Math.Max(a.To.DistanceTo(b.To + up), Math.Abs(a.Filament - b.Filament))).Max();
         Assert.That(worst, Is.LessThan(1e-8));
         Assert.That(ours.Zip(theirs, (a, b) => Math.Abs(a.Rate - b.Rate)).Max(), Is.LessThan(1e-8));
+    }
+
+    [TestCaseSource(nameof(Names))]
+    public void Programs_write_the_same_code_everywhere(string name)
+    {
+        byte[] Write()
+        {
+            var plan = Planner.Plan(Run(name).ToSteps(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn });
+            Assert.That(LimitCheck.Run(plan.Value!, new PrintSetup()).Where(d => d.Code.StartsWith("bed.", StringComparison.Ordinal)), Is.Empty, "it fits on a printer");
+            return GCodeWriter.ToBytes(plan.Value!);
+        }
+        Golden.Check($"turtle/{name}.gcode", Golden.Under("de-DE", Write));
     }
 
     [Test]

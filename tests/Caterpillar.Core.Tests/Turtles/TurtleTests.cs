@@ -10,7 +10,7 @@ namespace Caterpillar.Tests.Turtles;
 
 internal sealed class TurtleTests
 {
-    private const double FilamentArea = Math.PI * 0.875 * 0.875;
+    private const double FilamentArea = Math.PI / 4 * 1.75 * 1.75;
 
     private static PrintPath OnlyPath(Turtle t) => t.ToSteps().OfType<PathStep>().Single().Path;
 
@@ -233,6 +233,6 @@ internal sealed class TurtleTests
         ];
         foreach (var act in bad) Assert.That(act, Throws.InstanceOf<ArgumentException>());
         Assert.That(() => new Turtle().Forward(1).StartAt(0, 0), Throws.InvalidOperationException);
-        Assert.That(() => new Turtle(new TurtleOptions { FilamentDiameter = 0 }), Throws.ArgumentException);
+        Assert.That(() => new Turtle(new TurtleOptions { ArcTolerance = 0 }), Throws.ArgumentException);
     }
 }
