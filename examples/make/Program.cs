@@ -5,7 +5,7 @@ namespace Caterpillar.Examples;
 
 /// <summary>
 /// Writes the example models: <c>dotnet run --project examples/make [FOLDER]</c>; without a folder into examples/models of the repository. With <c>--pictures FOLDER</c> it draws the
-/// trace examples instead.
+/// examples instead.
 /// </summary>
 internal static class Program
 {
@@ -14,6 +14,7 @@ internal static class Program
         if (arguments.Length == 2 && arguments[0] == "--pictures")
         {
             TracePictures.Write(arguments[1]);
+            if (ModelsFolder() is { } models) ModelPictures.Write(models, arguments[1]);
             return 0;
         }
         var folder = arguments.Length > 0 ? arguments[0] : ModelsFolder();
