@@ -1,19 +1,30 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>The format in which a printer wants its G-code.</summary>
+/// <summary>The format in which a printer wants its G-code: dialect, mode of E, decimals, and its templates with the values of the print.</summary>
 public static class SetupFormat
 {
-    /// <summary>Dialect, mode of E and decimals of the printer.</summary>
+    /// <summary>The format for a toolpath; none where a template of the printer is wrong.</summary>
     public static Result<GCodeFormat> Of(PrintSetup setup, Toolpath toolpath)
     {
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var printer = setup.Printer;
+        var problems = new DiagnosticList();
+        var values = TemplateValues.Of(setup, toolpath);
+        var start = Lines(printer, "start_template", printer.StartTemplate, values, problems);
+        var end = Lines(printer, "end_template", printer.EndTemplate, values, problems);
+        var layers = Template(printer, "layer_template", printer.LayerTemplate, problems);
+        var tools = Template(printer, "tool_change_template", printer.ToolChangeTemplate, problems);
+        // Layer and tool templates are tried once with the values of the first, so that a mistake is known before anything is written.
+        if (layers is not null && toolpath.Layers.Count > 0) problems.AddRange(layers.Render(OfLayer(values, toolpath, 0)).Diagnostics);
+        if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
+        if (problems.HasErrors) return new Result<GCodeFormat>(null, problems.ToList());
         return new Result<GCodeFormat>(new GCodeFormat
         {
             Dialect = printer.Dialect,
@@ -23,6 +34,29 @@ public static class SetupFormat
             DecimalsF = printer.DecimalsF,
             FirmwareRetraction = printer.FirmwareRetraction,
             HasE = printer.ExtrusionUnit != ExtrusionUnit.None,
-        }, []);
+            Header = ["Made with Caterpillar", $"Printer {setup.Printer.Name}, material {setup.Material.Name}, settings {setup.Settings.Name}"],
+            Start = start,
+            End = end,
+            LayerLines = layers is null ? null : layer => layers.Render(OfLayer(values, toolpath, layer)).Value ?? [],
+            ToolLines = tools is null ? null : (from, to) => tools.Render(values.With("tool", to).With("previous_tool", from)).Value ?? [],
+        }, problems.ToList());
+    }
+
+    private static TemplateValues OfLayer(TemplateValues values, Toolpath toolpath, int layer) => values.With("layer", layer).With("layer_z_mm", toolpath.Layers[layer].Z);
+
+    private static IReadOnlyList<string> Lines(Printer printer, string key, IReadOnlyList<string> lines, TemplateValues values, DiagnosticList problems)
+    {
+        if (Template(printer, key, lines, problems) is not { } template) return [];
+        var rendered = template.Render(values);
+        problems.AddRange(rendered.Diagnostics);
+        return rendered.Value ?? [];
+    }
+
+    private static Template? Template(Printer printer, string key, IReadOnlyList<string> lines, DiagnosticList problems)
+    {
+        if (lines.Count == 0) return null;
+        var template = Machines.Template.Parse(lines, new SourceLocation(printer.Name, Key: key));
+        problems.AddRange(template.Diagnostics);
+        return template.Value;
     }
 }

@@ -1,0 +1,35 @@
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Slicing;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.WholeWay;
+
+/// <summary>Every example model gives the same bytes on every runtime, in every culture and with any number of threads.</summary>
+public class ExampleTests
+{
+    private static readonly string[] Models = ["vase", "bracket", "saddle_roof", "terrain"];
+
+    [Test]
+    public void Example_models_are_sliced_to_the_golden_bytes([ValueSource(nameof(Models))] string model, [Values("de-DE", "tr-TR", "ar-SA")] string culture)
+        => Golden.Check("slice/" + model + ".gcode", Golden.Under(culture, () => Slice(model, culture == "tr-TR" ? 1 : 3)));
+
+    private static byte[] Slice(string model, int threads)
+    {
+        var file = Path.Combine(TestData.Repository, "examples", "models", model + ".stl");
+        // Coarser than one would print, for the time the test takes.
+        var setup = new ProfileLibrary().Setup("generic", values: ["layer_height_mm=0.3", "first_layer_height_mm=0.3", "skirt_loops=1"]).Value!;
+        var models = ModelPlacement.OnBed(MeshReader.Read(file).Value!, setup.Printer.BuildBounds.Center);
+        var sliced = PlanarSlicer.Slice(models, setup.Settings, threads);
+        Assert.That(sliced.Diagnostics.Where(d => d.Severity != Severity.Remark), Is.Empty);
+        var planned = Planner.Plan(sliced.Value!.ToSteps(), setup);
+        var written = SafeWriter.ToDocument(planned.Value!, setup);
+        Assert.That(written.Diagnostics.Where(d => d.Severity == Severity.Error), Is.Empty);
+        return written.Value!.ToBytes();
+    }
+}
