@@ -158,6 +158,7 @@ public sealed partial class GCodeWriter
                 }
                 break;
         }
+        SetTurns(c, i);
         if (c.TryGetArc(i, out var arc)) ArcMove(c, block, i, arc);
         else Straight(c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i], kind == MoveKind.Travel ? 0 : 1);
     }
@@ -176,11 +177,12 @@ public sealed partial class GCodeWriter
         var uz = NumberFormatter.ToUnits(z, xyz);
         var ue = StepE(e, out var changed);
         bool hasX = !_placed || ux != _x, hasY = !_placed || uy != _y, hasZ = !_placed || uz != _z;
-        if (!hasX && !hasY && !hasZ && !changed) return;
+        if (!hasX && !hasY && !hasZ && !changed && !_hasTurns) return;
         _out.Command((byte)'G', code);
         if (hasX) _out.Word((byte)'X', ux, xyz);
         if (hasY) _out.Word((byte)'Y', uy, xyz);
         if (hasZ) _out.Word((byte)'Z', uz, xyz);
+        Turns();
         if (changed) _out.Word(_e, ue, _format.DecimalsE);
         Feed(speed);
         _out.EndLine();
