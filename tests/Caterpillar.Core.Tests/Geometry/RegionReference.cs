@@ -63,6 +63,62 @@ internal static class RegionReference
         return winding;
     }
 
+    /// <summary>
+    /// An offset without an offset curve: the region and, added or taken away, a rectangle at every edge and the join at every corner that turns away, each a polygon of its own.
+    /// </summary>
+    public static Region OffsetBySweeping(Region region, double d, JoinStyle join, double miterLimit)
+    {
+        var parts = new List<Region>();
+        foreach (var contour in region.Contours)
+        {
+            var n = contour.Count;
+            Vec3 Normal(int i)
+            {
+                var e = (contour[(i + 1) % n] - contour[i % n]).Unit();
+                return new Vec3(e.Y, -e.X);
+            }
+            for (var i = 0; i < n; i++)
+            {
+                var v = contour[i];
+                var (m, w) = (Normal(i + n - 1), Normal(i));
+                parts.Add(Region.From(new Polyline(new[] { v, contour[(i + 1) % n], contour[(i + 1) % n] + w * d, v + w * d }, true)));
+                if (Vec3.Cross(m, w).Z * d > 0) parts.Add(Region.From(new Polyline(Join(v, m, w, d, join, miterLimit), true)));
+            }
+        }
+        var swept = Region.Union(parts);
+        return d > 0 ? region.Union(swept) : region.Subtract(swept);
+    }
+
+    private static IEnumerable<Vec3> Join(Vec3 v, Vec3 m, Vec3 w, double d, JoinStyle join, double miterLimit)
+    {
+        var dot = Vec3.Dot(m, w);
+        yield return v;
+        yield return v + m * d;
+        var bisector = (m + w).Unit();
+        var half = Math.Sqrt((1 + dot) / 2);
+        if (join == JoinStyle.Round)
+        {
+            var turn = Angle.Atan2(Vec3.Cross(m, w).Z, dot);
+            for (var k = 1; k < 60; k++)
+            {
+                var (sin, cos) = Angle.SinCos(turn * k / 60);
+                yield return v + new Vec3(m.X * cos - m.Y * sin, m.Y * cos + m.X * sin) * d;
+            }
+        }
+        else if (join == JoinStyle.Miter && 1 / half <= miterLimit)
+        {
+            yield return v + bisector * (d / half);
+        }
+        else
+        {
+            // The line across the bisector at distance d, cut by the moved edges: tan of a quarter of the turn to each side.
+            var side = Math.Abs(d) * Angle.Sin(Angle.Atan2(Math.Sqrt((1 - dot) / 2), half) / 2) / Angle.Cos(Angle.Atan2(Math.Sqrt((1 - dot) / 2), half) / 2);
+            yield return v + m * d + new Vec3(-m.Y, m.X) * side;
+            yield return v + w * d - new Vec3(-w.Y, w.X) * side;
+        }
+        yield return v + w * d;
+    }
+
     /// <summary>Holds when rings are simple, do not cross, have the inside on their left and alternate in depth. Brute force, exact.</summary>
     public static void AssertValid(Region region)
     {

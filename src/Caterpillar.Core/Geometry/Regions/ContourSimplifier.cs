@@ -70,20 +70,18 @@ internal sealed class ContourSimplifier
         var b = path[last == path.Length ? 0 : last];
         double dx = (double)b.X - a.X, dy = (double)b.Y - a.Y;
         var length = dx * dx + dy * dy;
-        var best = _square;
+        // All in squares times the square of the chord's length, which saves the division.
+        var scale = length > 0 ? length : 1;
+        var best = _square * scale;
         var at = 0;
         for (var i = first + 1; i < last; i++)
         {
             double px = (double)path[i].X - a.X, py = (double)path[i].Y - a.Y;
             var along = px * dx + py * dy;
-            double distance;
-            if (along <= 0) distance = px * px + py * py;
-            else if (along >= length) distance = (px - dx) * (px - dx) + (py - dy) * (py - dy);
-            else
-            {
-                var cross = dx * py - dy * px;
-                distance = cross * cross / length;
-            }
+            var distance = dx * py - dy * px;
+            distance *= distance;
+            if (along <= 0) distance = (px * px + py * py) * scale;
+            else if (along >= length) distance = ((px - dx) * (px - dx) + (py - dy) * (py - dy)) * scale;
             if (distance <= best) continue;
             best = distance;
             at = i;

@@ -9,9 +9,6 @@ namespace Caterpillar.Geometry;
 /// </summary>
 internal sealed class OffsetCurve
 {
-    // An edge that is trimmed to less than this (grid units) might be turned round by rounding.
-    private const double ShortestTrimmed = 4;
-
     private readonly double _d;
     private readonly JoinStyle _join;
     private readonly double _miterDot;
@@ -19,16 +16,16 @@ internal sealed class OffsetCurve
     private readonly double _stepSin;
     private readonly double _stepCos;
     private readonly int _arcSteps;
-    private double[] _nx = new double[64];
-    private double[] _ny = new double[64];
-    private double[] _length = new double[64];
-    private double[] _trim = new double[64];
+    private readonly OffsetCorners _corners;
+    private readonly Func<double, double, double> _extension;
 
     /// <summary>For a distance, a longest miter (in distances) and an arc tolerance in grid units.</summary>
     public OffsetCurve(double distance, JoinStyle join, double miterLimit, double arcTolerance)
     {
         _d = distance;
         _join = join;
+        _corners = new OffsetCorners(distance);
+        _extension = Extension;
         var size = Math.Abs(distance);
         // The miter's length is d / cos(turn / 2), and the dot product of the normals is cos(turn).
         _miterDot = 2 / (miterLimit * miterLimit) - 1;
@@ -54,53 +51,25 @@ internal sealed class OffsetCurve
     {
         var n = path.Length;
         Count = 0;
-        if (_nx.Length < n)
-        {
-            _nx = new double[n];
-            _ny = new double[n];
-            _length = new double[n];
-            _trim = new double[n];
-        }
-        Normals(path);
-        Trims(n);
-        for (int i = 0, before = n - 1; i < n; before = i++) Corner(path[i], before, i);
-    }
-
-    private void Normals(GridPoint[] path)
-    {
-        var n = path.Length;
+        _corners.Compute(path, _extension);
         for (var i = 0; i < n; i++)
         {
-            var a = path[i];
-            var b = path[i + 1 == n ? 0 : i + 1];
-            double dx = (double)b.X - a.X, dy = (double)b.Y - a.Y;
-            var length = Math.Sqrt(dx * dx + dy * dy);
-            _length[i] = length;
-            var inverse = length > 0 ? 1 / length : 0;
-            _nx[i] = dy * inverse;
-            _ny[i] = -dx * inverse;
+            if (!_corners.Dropped(i)) Corner(path[i], _corners.Previous(i), i);
         }
     }
 
-    // How much a corner that turns towards the offset takes from both its edges; 0 at others, NaN where it does not fit.
-    private void Trims(int n)
+    private bool Pointed(double dot) => dot > 0.9999 || dot >= (_join == JoinStyle.Miter ? _miterDot : _join == JoinStyle.Round ? _arcDot : 2);
+
+    // By how much a join prolongs both moved edges.
+    private double Extension(double cross, double dot)
     {
-        for (int i = 0, before = n - 1; i < n; before = i++)
-        {
-            var cross = _nx[before] * _ny[i] - _ny[before] * _nx[i];
-            var dot = _nx[before] * _nx[i] + _ny[before] * _ny[i];
-            if (cross * _d >= 0) _trim[i] = 0;
-            else _trim[i] = dot > -0.99 ? Math.Abs(_d * cross) / (1 + dot) : double.NaN;
-        }
-        for (var i = 0; i < n; i++)
-        {
-            var next = i + 1 == n ? 0 : i + 1;
-            var taken = (double.IsNaN(_trim[i]) ? 0 : _trim[i]) + (double.IsNaN(_trim[next]) ? 0 : _trim[next]);
-            if (taken <= 0 || taken + ShortestTrimmed <= _length[i]) continue;
-            if (_trim[i] > 0) _trim[i] = double.NaN;
-            if (_trim[next] > 0) _trim[next] = double.NaN;
-        }
+        if (Pointed(dot)) return Math.Abs(_d * cross) / (1 + dot);
+        return _join == JoinStyle.Round ? 0 : SquareExtension(dot);
     }
+
+    // d tan(turn / 4): up to the line at distance d across the bisector.
+    private double SquareExtension(double dot)
+        => Math.Abs(_d) * (1 - Math.Sqrt(Math.Max(0.0, (1 + dot) / 2))) / Math.Sqrt(Math.Max(0.0, (1 - dot) / 2));
 
     private void Corner(GridPoint v, int before, int i)
     {
@@ -110,15 +79,21 @@ internal sealed class OffsetCurve
             Array.Resize(ref points, Math.Max(2 * Count, Count + _arcSteps + 4));
             Points = points;
         }
-        double mx = _nx[before], my = _ny[before], nx = _nx[i], ny = _ny[i];
+        double mx = _corners.Nx[before], my = _corners.Ny[before], nx = _corners.Nx[i], ny = _corners.Ny[i];
+        var kind = _corners.Kind[i];
         var dot = mx * nx + my * ny;
-        if (double.IsNaN(_trim[i]))
+        if (kind == 3)
         {
             Put(v, mx * _d, my * _d);
             Points[Count++] = v;
             Put(v, nx * _d, ny * _d);
         }
-        else if (_trim[i] > 0 || dot > 0.9999 || dot >= (_join == JoinStyle.Miter ? _miterDot : _join == JoinStyle.Round ? _arcDot : 2))
+        else if (kind == 2)
+        {
+            var (x, y) = _corners.Crossing(i);
+            Put(v, x, y);
+        }
+        else if (kind == 1 || Pointed(dot))
         {
             var scale = _d / (1 + dot);
             Put(v, (mx + nx) * scale, (my + ny) * scale);
@@ -129,10 +104,7 @@ internal sealed class OffsetCurve
         }
         else
         {
-            // Both edges are prolonged by d tan(turn / 4) up to the line at distance d across the bisector.
-            var cosHalf = Math.Sqrt(Math.Max(0.0, (1 + dot) / 2));
-            var sinHalf = Math.Sqrt(Math.Max(0.0, (1 - dot) / 2));
-            var t = Math.Abs(_d) * (1 - cosHalf) / sinHalf;
+            var t = SquareExtension(dot);
             Put(v, mx * _d - my * t, my * _d + mx * t);
             Put(v, nx * _d + ny * t, ny * _d - nx * t);
         }

@@ -1,0 +1,183 @@
+using System;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>How the corners of an offset curve take from the moved edges, and which edges vanish between two corners.</summary>
+internal sealed class OffsetCorners
+{
+    // An edge that is trimmed to less than this (grid units) might be turned round by rounding.
+    private const double ShortestTrimmed = 4;
+
+    private readonly double _d;
+    private double[] _length = new double[64];
+    private double[] _before = new double[64];
+    private double[] _after = new double[64];
+    private double[] _x = new double[64];
+    private double[] _y = new double[64];
+    private int[] _previous = new int[64];
+    private int[] _next = new int[64];
+
+    public OffsetCorners(double distance) => _d = distance;
+
+    /// <summary>Unit normals of the edges, to the right; edge i begins at vertex i.</summary>
+    public double[] Nx { get; private set; } = new double[64];
+
+    public double[] Ny { get; private set; } = new double[64];
+
+    /// <summary>
+    /// What the corner at the start of an edge is: 0 a join, 1 a cut of the two moved edges that meet there, 2 the same but with edges dropped in between (<see cref="Crossing"/>), 3 back
+    /// through the vertex.
+    /// </summary>
+    public byte[] Kind { get; private set; } = new byte[64];
+
+    /// <summary>The edge whose end is at the corner before an edge: the one before it or, where edges were dropped, an earlier one.</summary>
+    public int Previous(int edge) => _previous[edge];
+
+    public bool Dropped(int edge) => Kind[edge] == 255;
+
+    /// <summary>Where the moved edges of a corner of kind 2 meet, relative to the start of the edge.</summary>
+    public (double X, double Y) Crossing(int edge) => (_x[edge], _y[edge]);
+
+    /// <summary>Computes all corners. Extension says by how much a join prolongs the moved edges, from the cross and dot products of the normals.</summary>
+    public void Compute(GridPoint[] path, Func<double, double, double> extension)
+    {
+        var n = path.Length;
+        Reserve(n);
+        Edges(path);
+        for (int i = 0, before = n - 1; i < n; before = i++)
+        {
+            var cross = Nx[before] * Ny[i] - Ny[before] * Nx[i];
+            var dot = Nx[before] * Nx[i] + Ny[before] * Ny[i];
+            if (cross * _d >= 0)
+            {
+                Kind[i] = 0;
+                _before[i] = _after[i] = -extension(cross, dot);
+            }
+            else if (dot > -0.99)
+            {
+                Kind[i] = 1;
+                _before[i] = _after[i] = Math.Abs(_d * cross) / (1 + dot);
+            }
+            else
+            {
+                Kind[i] = 3;
+                _before[i] = _after[i] = 0;
+            }
+        }
+        var fits = true;
+        for (var i = 0; i < n; i++) fits &= Fits(i, i + 1 == n ? 0 : i + 1);
+        if (fits) return;
+        if (n > 4) DropEdges(path);
+        GoBack(n);
+    }
+
+    private void Edges(GridPoint[] path)
+    {
+        var n = path.Length;
+        for (var i = 0; i < n; i++)
+        {
+            var a = path[i];
+            var b = path[i + 1 == n ? 0 : i + 1];
+            double dx = (double)b.X - a.X, dy = (double)b.Y - a.Y;
+            var length = Math.Sqrt(dx * dx + dy * dy);
+            var inverse = length > 0 ? 1 / length : 0;
+            _length[i] = length;
+            Nx[i] = dy * inverse;
+            Ny[i] = -dx * inverse;
+            _previous[i] = i == 0 ? n - 1 : i - 1;
+            _next[i] = i + 1 == n ? 0 : i + 1;
+        }
+    }
+
+    private static bool Inward(byte kind) => kind is 1 or 2;
+
+    // Joins that prolong an edge make room only where the other end is a cut.
+    private bool Fits(int edge, int next)
+        => !(Inward(Kind[edge]) || Inward(Kind[next])) || _after[edge] + _before[next] + ShortestTrimmed <= _length[edge];
+
+    // An edge between two cuts that does not fit vanishes: its neighbours meet before it comes to the distance. This is the lower envelope of the moved lines.
+    private void DropEdges(GridPoint[] path)
+    {
+        var n = path.Length;
+        var alive = n;
+        var budget = 4 * n;
+        for (var i = 0; i < n && alive > 4 && budget > 0; budget--)
+        {
+            var next = _next[i];
+            if (Dropped(i) || !Inward(Kind[i]) || !Inward(Kind[next]) || Fits(i, next) || !Meet(path, _previous[i], next))
+            {
+                i++;
+                continue;
+            }
+            var previous = _previous[i];
+            Kind[i] = 255;
+            Kind[next] = 2;
+            _next[previous] = next;
+            _previous[next] = previous;
+            alive--;
+            // The neighbours have lost some length; those before are looked at again.
+            i = previous < i ? previous : i + 1;
+        }
+    }
+
+    private bool Meet(GridPoint[] path, int a, int b)
+    {
+        var cross = Nx[a] * Ny[b] - Ny[a] * Nx[b];
+        var dot = Nx[a] * Nx[b] + Ny[a] * Ny[b];
+        if (cross * _d >= 0 || Math.Abs(cross) < 1e-5 || dot < -0.7) return false;
+        var end = path[a + 1 == path.Length ? 0 : a + 1];
+        double gx = (double)path[b].X - end.X, gy = (double)path[b].Y - end.Y;
+        var along = _d - (Nx[a] * gx + Ny[a] * gy);
+        var x = (along * Ny[b] - _d * Ny[a]) / cross;
+        var y = (_d * Nx[a] - along * Nx[b]) / cross;
+        var after = -x * Ny[b] + y * Nx[b];
+        var before = (x + gx) * Ny[a] - (y + gy) * Nx[a];
+        if (!(after >= 0 && before >= 0 && after < _length[b] && before < _length[a])) return false;
+        _x[b] = x;
+        _y[b] = y;
+        _after[b] = after;
+        _before[b] = before;
+        return true;
+    }
+
+    // What still does not fit goes back through the vertices; so do the edges that were dropped beside it.
+    private void GoBack(int n)
+    {
+        for (var i = 0; i < n; i++)
+        {
+            if (Dropped(i)) continue;
+            var next = _next[i];
+            if (Fits(i, next)) continue;
+            Restore(i, n);
+            Restore(next, n);
+        }
+    }
+
+    private void Restore(int edge, int n)
+    {
+        if (!Inward(Kind[edge])) return;
+        for (int i = edge, stop = _previous[edge]; i != stop; i = i == 0 ? n - 1 : i - 1)
+        {
+            Kind[i] = 3;
+            _before[i] = _after[i] = 0;
+            _previous[i] = i == 0 ? n - 1 : i - 1;
+            _next[_previous[i]] = i;
+        }
+    }
+
+    private void Reserve(int n)
+    {
+        if (_length.Length >= n) return;
+        n = Math.Max(n, 2 * _length.Length);
+        _length = new double[n];
+        _before = new double[n];
+        _after = new double[n];
+        _x = new double[n];
+        _y = new double[n];
+        _previous = new int[n];
+        _next = new int[n];
+        Nx = new double[n];
+        Ny = new double[n];
+        Kind = new byte[n];
+    }
+}
