@@ -10,6 +10,7 @@ internal static class Verbs
     [
         new SectionsVerb(),
         new TurtleVerb(),
+        new PictureVerb(),
         new PrintersVerb(),
     ];
 }

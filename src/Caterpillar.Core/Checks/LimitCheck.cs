@@ -19,7 +19,7 @@ public static class LimitCheck
 
     /// <summary>Checks a toolpath against a printer, material and settings.</summary>
     /// <returns>
-    /// Errors <c>bed.outside</c>, <c>bed.below</c>, <c>limit.flow</c>, <c>limit.cold_extrusion</c>, <c>limit.tool</c>; warnings <c>limit.speed</c>; the
+    /// Errors <c>bed.outside</c>, <c>bed.below</c>, <c>limit.flow</c>, <c>limit.cold_extrusion</c>, <c>limit.tool</c>; warnings (remarks for travels) <c>limit.speed</c>; the
     /// source of each is the first such move and its step or line.
     /// </returns>
     public static IReadOnlyList<Diagnostic> Run(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -84,7 +84,8 @@ public static class LimitCheck
         var length = columns.TryGetArc(i, out var arc) ? arc.Length(start, end) : way.Length;
         if (length <= 0 || speed <= 0) return;
         var most = MostSpeed(way, length, printer.MaxSpeed);
-        if (speed > most * (1 + 1e-9)) ReportSpeed(speed, most, move, printer, findings);
+        // Travels are slowed down without harm; a slow strand is not the one that was asked for.
+        if (speed > most * (1 + 1e-9)) ReportSpeed(columns.Kind[i] == MoveKind.Print ? Severity.Warning : Severity.Remark, speed, most, move, printer, findings);
         var limit = setup.MaxFlow;
         if (columns.Kind[i] != MoveKind.Print || toolpath.VolumePerE(columns.Tool[i]) is not { } volume) return;
         var flow = columns.Deposited[i] * volume / length * Math.Min(speed, most);
@@ -95,8 +96,8 @@ public static class LimitCheck
         => findings.Add(Severity.Error, "limit.tool", move,
             () => $"A move is for tool {NumberFormatter.Format(tool)}; {printer.Title} has {NumberFormatter.Format(printer.ToolCount)}, counted from 0.");
 
-    private static void ReportSpeed(double speed, double most, int move, Printer printer, Findings findings)
-        => findings.Add(Severity.Warning, "limit.speed", move,
+    private static void ReportSpeed(Severity severity, double speed, double most, int move, Printer printer, Findings findings)
+        => findings.Add(severity, "limit.speed", move,
             () => $"A move asks for {NumberFormatter.Format(speed, 1)} mm/s; {printer.Title} moves there at {NumberFormatter.Format(most, 1)} mm/s and will slow down.");
 
     private static void ReportFlow(double flow, double limit, int move, Findings findings)

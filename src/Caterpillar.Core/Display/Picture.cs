@@ -30,6 +30,9 @@ public sealed record PictureOptions
     /// <summary>Draw travel moves as thin lines.</summary>
     public bool Travel { get; init; }
 
+    /// <summary>Draw what start and end code print.</summary>
+    public bool Purge { get; init; }
+
     /// <summary>Only moves of these layers (indices into the layers of the toolpath), or null for all.</summary>
     public (int First, int Last)? Layers { get; init; }
 
@@ -77,7 +80,7 @@ public static class Picture
     }
 
     private static bool IsShown(Move move, PictureOptions options)
-        => (move.Kind == MoveKind.Print || (options.Travel && move.Kind is MoveKind.Travel or MoveKind.Wipe or MoveKind.MovingRestore))
+        => ((move.Kind == MoveKind.Print && (options.Purge || move.Role != Role.Purge)) || (options.Travel && move.Kind is MoveKind.Travel or MoveKind.Wipe or MoveKind.MovingRestore))
             && (options.Layers is not { } layers || (move.Layer >= layers.First && move.Layer <= layers.Last));
 
     private static (Bounds Box, double Slow, double Fast, int LastLayer) Ranges(Toolpath toolpath, PictureOptions options)

@@ -49,7 +49,7 @@ internal static class DialectDetector
             evidence.Add("The header names BambuStudio.");
             name = "bambu";
         }
-        name ??= ByCommand(text, evidence) ?? ByFlavour(text, evidence);
+        name ??= Declared(text, evidence) ?? ByCommand(text, evidence) ?? ByFlavour(text, evidence);
         if (name is null && axis == ExtrusionAxis.Switched)
         {
             evidence.Add("M101 and M103 switch the extruder, and no word has amounts.");
@@ -68,6 +68,20 @@ internal static class DialectDetector
         }
         if (name is null) return new Detection(DialectTable.Marlin2, ["Nothing in the file says which firmware it is for."], true);
         return new Detection(DialectTable.Find(name)!, evidence, false);
+    }
+
+    // What SetupFormat writes into the header.
+    private static string? Declared(string text, List<string> evidence)
+    {
+        const string Mark = "; Dialect ";
+        var at = text.IndexOf(Mark, 0, Math.Min(text.Length, 2000), StringComparison.Ordinal);
+        if (at < 0 || (at > 0 && text[at - 1] is not ('\n' or '\r'))) return null;
+        var end = at + Mark.Length;
+        while (end < text.Length && text[end] > ' ') end++;
+        var name = text.Substring(at + Mark.Length, end - at - Mark.Length);
+        if (DialectTable.Find(name) is null) return null;
+        evidence.Add("The header says: dialect " + name + ".");
+        return name;
     }
 
     private static string? ByFlavour(string text, List<string> evidence)

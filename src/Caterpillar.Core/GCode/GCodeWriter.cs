@@ -89,7 +89,7 @@ public sealed partial class GCodeWriter
     public void WriteStart(Stream stream)
     {
         foreach (var line in _format.Header) _out.Comment(" " + line);
-        foreach (var line in _format.Start) _out.Line(line);
+        Template(_format.Start);
         StateModes();
         Flush(stream);
     }
@@ -118,8 +118,20 @@ public sealed partial class GCodeWriter
         if (_nextBlock != _toolpath.Blocks.Count) throw new InvalidOperationException("Not all blocks are written.");
         Events(_toolpath.Count);
         if (_format.Comments && _object.Length > 0) Object("");
-        foreach (var line in _format.End) _out.Line(line);
+        Template(_format.End);
         Flush(stream);
+    }
+
+    // Purge lines and what else the start and end code do is not part of the print.
+    private void Template(IReadOnlyList<string> lines)
+    {
+        if (lines.Count == 0) return;
+        if (_format.Comments)
+        {
+            _role = Role.Purge;
+            _out.Comment("TYPE:" + RoleNames.Of(_role));
+        }
+        foreach (var line in lines) _out.Line(line);
     }
 
     private void Flush(Stream stream)

@@ -34,7 +34,7 @@ public static class SetupFormat
             DecimalsF = printer.DecimalsF,
             FirmwareRetraction = printer.FirmwareRetraction,
             HasE = printer.ExtrusionUnit != ExtrusionUnit.None,
-            Header = ["Made with Caterpillar", $"Printer {setup.Printer.Name}, material {setup.Material.Name}, settings {setup.Settings.Name}"],
+            Header = ["Made with Caterpillar", "Dialect " + printer.Dialect.Name, $"Printer {setup.Printer.Name}, material {setup.Material.Name}, settings {setup.Settings.Name}"],
             Start = start,
             End = end,
             LayerLines = layers is null ? null : layer => layers.Render(OfLayer(values, toolpath, layer)).Value ?? [],

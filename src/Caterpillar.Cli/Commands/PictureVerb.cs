@@ -1,0 +1,81 @@
+using System.CommandLine;
+using System.IO;
+using Caterpillar.Display;
+using Caterpillar.GCode;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Cli.Commands;
+
+/// <summary>Draws what a G-code file prints.</summary>
+internal sealed class PictureVerb : Verb
+{
+    private readonly Argument<string> _file = new("FILE") { Description = "G-code, gzipped or not; - is standard input." };
+
+    private readonly Option<string?> _out = new("--output", "-o") { Description = "Picture (PNG); - is standard output. Without it the file's name with .png in the current folder.", HelpName = "FILE.png" };
+
+    private readonly Option<int?> _layer = new("--layer") { Description = "Only this layer, counted from 0.", HelpName = "N" };
+
+    private readonly Option<int?> _upTo = new("--to-layer") { Description = "Only the layers up to this one.", HelpName = "N" };
+
+    private readonly Option<string> _view = new("--view") { Description = "From where it is seen: top, front, or azimuth,elevation in degrees.", DefaultValueFactory = _ => "-60,28" };
+
+    private readonly Option<ColourBy> _colour = new("--colour") { Description = "What colours mean.", DefaultValueFactory = _ => ColourBy.Role };
+
+    private readonly Option<bool> _travel = new("--travel") { Description = "Draw travels as thin lines." };
+
+    private readonly Option<int> _width = new("--width") { Description = "Width in pixels; the height is three quarters of it.", DefaultValueFactory = _ => 960 };
+
+    public PictureVerb()
+        : base("picture", "A picture of paths or a layer.")
+    {
+        Arguments.Add(_file);
+        Options.Add(_out);
+        Options.Add(_layer);
+        Options.Add(_upTo);
+        Options.Add(_view);
+        Options.Add(_colour);
+        Options.Add(_travel);
+        Options.Add(_width);
+    }
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var file = arguments.GetValue(_file)!;
+        var width = arguments.GetValue(_width);
+        if (width is < 16 or > 8000) throw new CliException(ExitCode.Usage, "--width: 16 to 8000 pixels.");
+        var view = ViewOf(arguments.GetValue(_view)!);
+        var document = GCodeDocument.FromBytes(session.ReadBytes(file), Session.NameOf(file));
+        var toolpath = session.Long("Decoding", progress => session.Need(Decoder.Decode(document, null, progress, session.Cancel))).Toolpath;
+        var options = new PictureOptions
+        {
+            Width = width,
+            Height = width * 3 / 4,
+            View = view,
+            ColourBy = arguments.GetValue(_colour),
+            Travel = arguments.GetValue(_travel),
+            Layers = Layers(arguments, toolpath),
+        };
+        var picture = session.Long("Drawing", progress => Picture.Draw(toolpath, options, progress, session.Cancel));
+        var png = PngWriter.ToBytes(picture);
+        session.Write(arguments.GetValue(_out) ?? Path.GetFileNameWithoutExtension(file == "-" ? "picture" : file) + ".png", stream => stream.Write(png, 0, png.Length));
+        return ExitCode.Done;
+    }
+
+    private (int, int)? Layers(ParseResult arguments, Toolpath toolpath)
+    {
+        var (only, upTo) = (arguments.GetValue(_layer), arguments.GetValue(_upTo));
+        if (only is null && upTo is null) return null;
+        var last = only ?? upTo!.Value;
+        if (last < 0 || last >= toolpath.Layers.Count) throw new CliException(ExitCode.BadInput, $"There is no layer {last}; the file has {toolpath.Layers.Count}, counted from 0.");
+        return (only ?? 0, last);
+    }
+
+    private static View ViewOf(string text)
+    {
+        if (text == "top") return View.Top;
+        if (text == "front") return View.Front;
+        var parts = text.Split(',');
+        if (parts.Length == 2 && Basics.NumberReader.TryParse(parts[0].Trim(), out var azimuth) && Basics.NumberReader.TryParse(parts[1].Trim(), out var elevation)) return new View(azimuth, elevation);
+        throw new CliException(ExitCode.Usage, $"--view {text}: write top, front, or azimuth,elevation in degrees.");
+    }
+}
