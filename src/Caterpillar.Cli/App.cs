@@ -31,7 +31,7 @@ internal static class App
         }
         catch (Exception disk) when (disk is IOException or UnauthorizedAccessException)
         {
-            session.Messages.WriteLine(disk.Message);
+            session.Messages.WriteLine(Sentence(disk));
             return ExitCode.BadInput;
         }
         catch (Exception bug)
@@ -55,4 +55,14 @@ internal static class App
         session.Messages.WriteLine($"See: caterpillar{verb} --help");
         return ExitCode.Usage;
     }
+
+    // The runtime's sentences give the full path; people know the one they wrote, which stands in the arguments.
+    private static string Sentence(Exception disk) => disk switch
+    {
+        FileNotFoundException { FileName: { } file } => $"{Short(file)}: there is no such file.",
+        DirectoryNotFoundException => disk.Message.Replace("Could not find a part of the path", "There is no folder for", StringComparison.Ordinal),
+        _ => disk.Message,
+    };
+
+    private static string Short(string file) => Path.GetRelativePath(Environment.CurrentDirectory, file) is var near && near.Length < file.Length ? near : file;
 }

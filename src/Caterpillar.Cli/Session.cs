@@ -38,13 +38,21 @@ internal sealed class Session
     {
         if (file != "-")
         {
-            if (Directory.Exists(file)) throw new CliException(ExitCode.BadInput, $"{file}: is a folder, not a file.");
+            NoFolder(file);
             return File.ReadAllBytes(file);
         }
-        using var input = _input();
+        using var input = OpenRead(file);
         using var memory = new MemoryStream();
         input.CopyTo(memory);
         return memory.ToArray();
+    }
+
+    /// <summary>A file as a stream, or standard input for <c>-</c>.</summary>
+    public Stream OpenRead(string file)
+    {
+        if (file == "-") return new StoppableStream(_input(), Cancel);
+        NoFolder(file);
+        return new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
     }
 
     /// <summary>The name of an input in messages.</summary>
@@ -83,6 +91,11 @@ internal sealed class Session
         return console.Progress().AutoClear(true).HideCompleted(true)
             .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn())
             .Start(context => work(new Bar(context.AddTask(Markup.Escape(what)))));
+    }
+
+    private static void NoFolder(string file)
+    {
+        if (Directory.Exists(file)) throw new CliException(ExitCode.BadInput, $"{file}: is a folder, not a file.");
     }
 
     private sealed class Bar(ProgressTask task) : IProgress<double>

@@ -8,6 +8,8 @@ internal static class Verbs
 {
     public static IEnumerable<Verb> All() =>
     [
+        new SliceVerb(),
+        new DecodeVerb(),
         new SectionsVerb(),
         new TurtleVerb(),
         new PictureVerb(),

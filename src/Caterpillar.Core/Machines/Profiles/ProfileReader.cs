@@ -69,9 +69,9 @@ public static class ProfileReader
         var names = known.ToArray();
         if (KeyAdvice.OtherUnit(key, names) is { } other)
         {
-            var unit = KeyAdvice.UnitOf(other);
-            return new Diagnostic(
-                Severity.Error, "profile.wrong_unit", unit.Length == 0 ? $"{key} has no unit: the key is {other}." : $"{key} has another unit than the key {other} ({Spoken(unit)}).", place);
+            var (wrong, right) = (KeyAdvice.UnitOf(key), KeyAdvice.UnitOf(other));
+            var why = wrong.Length == 0 ? $"{key} does not say its unit" : right.Length == 0 ? $"{key} has no unit" : $"{key} is measured in {Spoken(right)}, not in {Spoken(wrong)}";
+            return new Diagnostic(Severity.Error, "profile.wrong_unit", $"{why}: the key is {other}.", place);
         }
         var message = $"{key} is no key of {(noun == "settings" ? "settings" : "a " + noun)}";
         if (ProfileKinds.KindOf(key) is { } kind && !names.Contains(key)) message += $"; it belongs to {kind}";
@@ -105,6 +105,9 @@ public static class ProfileReader
         "deg" => "degrees",
         "percent" => "%",
         "g_cm3" => "g/cm³",
+        "mm_min" => "mm/min",
+        "cm_s" => "cm/s",
+        "m_s" => "m/s",
         _ => unit.Replace('_', ' '),
     };
 }

@@ -1,0 +1,95 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using System.Security.Cryptography;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Cli.Commands;
+
+/// <summary>What G-code files do.</summary>
+internal sealed class DecodeVerb : Verb
+{
+    private readonly Argument<string[]> _files = new("FILE") { Description = "G-code files, also packed with gzip, or - for standard input.", Arity = ArgumentArity.OneOrMore };
+    private readonly Option<bool> _json = new("--json") { Description = "Print a JSON array with an object for each file." };
+    private readonly Option<bool> _csv = new("--csv") { Description = "Print a table with a row for each move." };
+    private readonly Option<string?> _dialect = new("--dialect") { Description = "The firmware whose rules hold; detected from the file without it.", HelpName = "NAME" };
+    private readonly Option<double?> _diameter = new("--filament-diameter") { Description = "Diameter in mm where the file does not say.", HelpName = "MM" };
+    private readonly Option<int> _threads = CommonOptions.Threads();
+
+    private readonly Option<string> _rule = new("--rule")
+    {
+        Description = "When E counts as printing: beyond what was retracted (balance), or whenever it rises (rising).",
+        HelpName = "balance|rising",
+        DefaultValueFactory = _ => "balance",
+    };
+
+    public DecodeVerb()
+        : base("decode", "Say what G-code files do.")
+    {
+        Arguments.Add(_files);
+        foreach (var option in new Option[] { _json, _csv, _dialect, _rule, _diameter, _threads }) Options.Add(option);
+        _rule.AcceptOnlyFromAmong("balance", "rising");
+        Validators.Add(result =>
+        {
+            if (result.GetValue(_json) && result.GetValue(_csv)) result.AddError("--json and --csv cannot both be printed.");
+        });
+    }
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var options = new DecodeOptions
+        {
+            Dialect = Dialect(arguments.GetValue(_dialect)),
+            Rule = arguments.GetValue(_rule) == "rising" ? ExtrusionRule.Rising : ExtrusionRule.Balance,
+            FilamentDiameter = arguments.GetValue(_diameter) is not { } d ? null : d > 0 && d < 1e6 ? d : throw new CliException(ExitCode.Usage, "--filament-diameter needs a positive number of mm."),
+            Threads = arguments.GetValue(_threads),
+        };
+        var json = arguments.GetValue(_json);
+        var decoded = new List<(string File, Decoding Decoding, DecodeReport Report)>();
+        var bad = false;
+        foreach (var file in arguments.GetValue(_files)!)
+        {
+            try
+            {
+                decoded.Add(Decode(file, options, json, session));
+            }
+            catch (InvalidDataException broken)
+            {
+                session.Print([new Diagnostic(Severity.Error, "gcode.gzip", "The file is a broken gzip file: " + broken.Message, new SourceLocation(Session.NameOf(file)))]);
+                bad = true;
+            }
+        }
+        if (bad) return ExitCode.BadInput;
+        session.WriteText("-", text =>
+        {
+            if (json) text.Write("[\n " + string.Join(",\n ", decoded.Select(d => d.Report.ToJson(" "))) + "\n]\n");
+            else if (!arguments.GetValue(_csv)) foreach (var (_, decoding, report) in decoded) DecodeSummary.Write(text, decoding, report);
+        });
+        if (arguments.GetValue(_csv)) session.Write("-", stream => MoveTable.Write(stream, decoded.Select(d => (d.File, d.Decoding.Toolpath)).ToArray(), session.Cancel));
+        return ExitCode.Done;
+    }
+
+    private static (string, Decoding, DecodeReport) Decode(string file, DecodeOptions options, bool hash, Session session)
+    {
+        var name = Session.NameOf(file);
+        using var plain = Unpacked.Open(session.OpenRead(file));
+        using var sum = hash ? IncrementalHash.CreateHash(HashAlgorithmName.SHA256) : null;
+        using var stream = sum is null ? plain : new HashingStream(plain, sum);
+        var result = session.Long("Reading " + name, progress => Decoder.DecodeStream(stream, options, name, progress, session.Cancel));
+        var decoding = session.Need(result);
+        var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };
+        if (sum is not null) report = report with { Sha256 = Convert.ToHexStringLower(sum.GetHashAndReset()) };
+        return (name, decoding, report);
+    }
+
+    private static DialectRules? Dialect(string? name)
+    {
+        if (name is null) return null;
+        return DialectTable.Find(name) ?? throw new CliException(
+            ExitCode.Usage, $"There is no dialect \"{name}\"; there are " + string.Join(", ", DialectTable.All.Select(d => d.Name)) + ".");
+    }
+}

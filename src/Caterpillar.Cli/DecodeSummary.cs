@@ -1,0 +1,41 @@
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Cli;
+
+/// <summary>What a decoded file does, in lines for people.</summary>
+internal static class DecodeSummary
+{
+    public static void Write(TextWriter text, Decoding decoding, DecodeReport report)
+    {
+        text.WriteLine($"{report.File}: {decoding.Dialect.Title}" + (decoding.Evidence.Count > 0 ? " (" + string.Join(" ", decoding.Evidence) + ")" : ""));
+        var moves = decoding.Toolpath;
+        var rows = new[]
+        {
+            ["  Printed", $"{Mm(report.PrintLength)} in {Count(report.PrintSegments + report.PrintArcs)} moves, {Count(moves.Layers.Count)} layers"],
+            ["  Travelled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs)} moves, {Count(report.Retracts + report.FirmwareRetracts)} retractions"],
+            ["  Extruded", report.HasAmounts ? $"{Mm(report.EUsed)} of E, net {Mm(report.ENet)}" : "no amounts of E"],
+            ["  Printed box", Box(report.PrintBounds)],
+            new[] { "  All moves", Box(report.AllBounds) },
+        };
+        TextTable.Write(text, rows);
+        if (decoding.Ignored.Count > 0)
+        {
+            var ignored = decoding.Ignored.OrderByDescending(p => p.Value).ThenBy(p => p.Key, System.StringComparer.Ordinal).ToArray();
+            text.WriteLine("  Without effect on the way: " + string.Join(", ", ignored.Take(12).Select(p => $"{p.Key} ×{Count(p.Value)}")) + (ignored.Length > 12 ? ", …" : ""));
+        }
+    }
+
+    private static string Box(Bounds box) => box.IsEmpty ? "none" : $"{Point(box.Min)} to {Point(box.Max)} mm";
+
+    private static string Point(Vec3 p) => $"{Number(p.X)}, {Number(p.Y)}, {Number(p.Z)}";
+
+    private static string Mm(double value) => Number(value) + " mm";
+
+    private static string Number(double value) => NumberFormatter.Format(value, 3);
+
+    private static string Count(long value) => NumberFormatter.Format(value);
+}

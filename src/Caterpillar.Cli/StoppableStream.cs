@@ -1,0 +1,24 @@
+using System;
+using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Reads a stream that may wait for its writer for ever (standard input), and stops waiting when the work is cancelled.</summary>
+internal sealed class StoppableStream(Stream inner, CancellationToken cancel) : ReadStream
+{
+    public override int Read(byte[] buffer, int offset, int count)
+    {
+        var read = Task.Run(() => inner.Read(buffer, offset, count), cancel);
+        try
+        {
+            read.Wait(cancel);
+        }
+        catch (AggregateException failed)
+        {
+            throw failed.InnerException!;
+        }
+        return read.Result;
+    }
+}

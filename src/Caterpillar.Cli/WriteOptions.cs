@@ -1,0 +1,60 @@
+using System;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Where G-code is written to, and the reason to write in spite of the checks; for every verb that makes G-code.</summary>
+internal sealed class WriteOptions
+{
+    private readonly Option<string?> _output = new("--output", "-o")
+    {
+        Description = "The G-code file, or - for standard output. Without it the name of the first input with .gcode, in the current folder.",
+        HelpName = "FILE",
+    };
+
+    private readonly Option<string?> _reason = new("--override")
+    {
+        Description = "Write in spite of what the checks found; the reason in words stays in the file as a comment.",
+        HelpName = "REASON",
+    };
+
+    public void AddTo(Verb verb)
+    {
+        verb.Options.Add(_output);
+        verb.Options.Add(_reason);
+    }
+
+    /// <summary>The file to write: the one asked for, or named after an input (standard output for standard input).</summary>
+    public string FileFor(ParseResult arguments, string input)
+    {
+        if (arguments.GetValue(_output) is { } given) return given.Length > 0 ? given : throw new CliException(ExitCode.Usage, "--output needs a name.");
+        if (input == "-") return "-";
+        var name = Path.GetFileName(input);
+        if (name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)) name = Path.GetFileNameWithoutExtension(name);
+        var file = Path.GetFileNameWithoutExtension(name) + ".gcode";
+        return Path.GetFullPath(file) != Path.GetFullPath(input) ? file : throw new CliException(ExitCode.Usage, $"{input} would be overwritten: say where to write with -o.");
+    }
+
+    /// <summary>Checks and writes a toolpath, and says what was written.</summary>
+    /// <exception cref="CliException">A check refused.</exception>
+    public int Write(ParseResult arguments, Session session, Toolpath toolpath, PrintSetup setup, string file)
+    {
+        WrittenGCode? written = null;
+        session.Write(file, stream =>
+        {
+            var result = session.Long("Writing", progress => SafeWriter.Write(toolpath, setup, stream, arguments.GetValue(_reason), progress, session.Cancel));
+            session.Print(result.Diagnostics);
+            written = result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
+        });
+        if (file != "-") session.Messages.WriteLine($"{file}: {Count(written!.Lines)} lines, {Count(written.Bytes)} bytes");
+        return ExitCode.Done;
+    }
+
+    private static string Count(long number) => NumberFormatter.Format(number);
+}

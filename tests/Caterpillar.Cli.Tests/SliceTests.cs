@@ -1,0 +1,152 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Threading;
+using NUnit.Framework;
+
+namespace Caterpillar.Cli.Tests;
+
+public class SliceTests : CliFixture
+{
+    [Test]
+    public void A_model_becomes_a_file_beside_nothing_else()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        var run = Run("slice", "part.stl");
+        Assert.That((run.Code, run.Text), Is.EqualTo((0, "")));
+        Assert.That(run.Messages, Does.StartWith("part.gcode: "));
+        Assert.That(Files(), Is.EqualTo(new[] { "part.gcode", "part.stl" }));
+        // The middle of the bed of the generic printer, 220 × 220 mm.
+        var decoded = Run("decode", "part.gcode").Text;
+        Assert.That(File.ReadAllText("part.gcode"), Does.Contain("G28").And.Contain(";TYPE:"));
+        Assert.That(decoded, Does.Contain(" in ").And.Contain("layers"));
+    }
+
+    [Test]
+    public void Standard_input_and_output_give_the_same_bytes_as_files()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        Run("slice", "part.stl", "-o", "a.gcode", "--threads", "1");
+        var piped = Run(File.ReadAllBytes("part.stl"), ["slice", "-", "-o", "-"]);
+        Assert.That(piped.Code, Is.Zero, piped.Messages);
+        Assert.That(Encoding.UTF8.GetString(piped.Output).Replace("standard input", "part"), Is.EqualTo(File.ReadAllText("a.gcode")));
+        Assert.That(piped.Messages, Is.Empty);
+    }
+
+    [Test]
+    public void Without_an_output_standard_input_goes_to_standard_output()
+        => Assert.That(Run(Encoding.ASCII.GetBytes(Box(20, 10, 2)), ["slice", "-"]).Text, Does.Contain("G1 X"));
+
+    [Test]
+    public void Settings_and_values_reach_the_file()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        Run("slice", "part.stl", "--printer", "ender3", "--material", "petg", "--set", "nozzle_temperature_c=233", "--set", "first_layer_nozzle_temperature_c=0", "--set", "layer_height_mm=0.4");
+        var text = File.ReadAllText("part.gcode");
+        Assert.That(text, Does.Contain("M109 S233").And.Contain("M190 S80").And.Contain("M82"));
+        Assert.That(text.Split('\n').Count(l => l.StartsWith(";LAYER_CHANGE", StringComparison.Ordinal)), Is.InRange(5, 6));
+    }
+
+    [Test]
+    public void A_missing_file_is_named()
+    {
+        var run = Run("slice", "none.stl");
+        Assert.That(run.Code, Is.EqualTo(1));
+        Assert.That(run.Messages, Is.EqualTo("none.stl: there is no such file." + Environment.NewLine));
+    }
+
+    [Test]
+    public void A_broken_model_is_named_with_its_line()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 2).Replace("vertex 20 10 2", "vertex 20 ten 2"));
+        var run = Run("slice", "part.stl");
+        Assert.That(run.Code, Is.EqualTo(1));
+        Assert.That(run.Messages, Does.Match(@"part\.stl:\d+:\d+: error mesh\."));
+        Assert.That(Files(), Is.EqualTo(new[] { "part.stl" }));
+    }
+
+    [Test]
+    public void A_folder_is_no_model_and_no_output()
+    {
+        Directory.CreateDirectory("folder");
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        Assert.That(Run("slice", "folder").Code, Is.EqualTo(1));
+        Assert.That(Run("slice", "part.stl", "-o", "folder").Code, Is.EqualTo(1));
+        Assert.That(Run("slice", "part.stl", "-o", "none/part.gcode").Code, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void A_model_larger_than_the_bed_is_refused_and_an_older_file_stays()
+    {
+        File.WriteAllText("part.stl", Box(300, 10, 1));
+        File.WriteAllText("part.gcode", "old");
+        var run = Run("slice", "part.stl");
+        Assert.That(run.Code, Is.EqualTo(3), run.Messages);
+        Assert.That(run.Messages, Does.Contain("error bed."));
+        Assert.That(File.ReadAllText("part.gcode"), Is.EqualTo("old"));
+        Assert.That(Files(), Is.EqualTo(new[] { "part.gcode", "part.stl" }));
+    }
+
+    [Test]
+    public void A_reason_in_words_overrides_the_refusal_and_stays_in_the_file()
+    {
+        File.WriteAllText("part.stl", Box(300, 10, 1));
+        Assert.That(Run("slice", "part.stl", "--override", "42").Code, Is.EqualTo(3));
+        Assert.That(Run("slice", "part.stl", "--override", "the bed was extended").Code, Is.Zero);
+        Assert.That(File.ReadAllText("part.gcode"), Does.Contain("; ").And.Contain("the bed was extended"));
+    }
+
+    [Test]
+    public void The_place_of_the_file_can_be_kept()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 1));
+        Run("slice", "part.stl", "--set", "start_template=", "--set", "end_template=", "--set", "wall_count=1", "--set", "infill_percent=0");
+        Assert.That(Run("decode", "part.gcode").Text, Does.Contain("Printed box  100."));
+        Run("slice", "part.stl", "--keep-position", "--set", "start_template=", "--set", "end_template=", "--set", "wall_count=1", "--set", "infill_percent=0");
+        Assert.That(Run("decode", "part.gcode").Text, Does.Contain("Printed box  0."));
+    }
+
+    [Test]
+    public void Interrupted_work_leaves_nothing()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        using var stop = new CancellationTokenSource();
+        stop.Cancel();
+        var run = Run([], ["slice", "part.stl"], stop.Token);
+        Assert.That(run.Code, Is.EqualTo(130));
+        Assert.That(Files(), Is.EqualTo(new[] { "part.stl" }));
+    }
+
+    [Test]
+    public void A_terminal_gets_a_bar_and_a_pipe_does_not()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        Assert.That(Run([], ["slice", "part.stl"]).Messages, Does.Not.Contain("%"));
+        Assert.That(Run([], ["slice", "part.stl"], terminal: true).Code, Is.Zero);
+    }
+
+    [Test]
+    public void Devices_are_written_and_not_replaced()
+    {
+        if (!OperatingSystem.IsLinux()) Assert.Ignore("There are no such devices here.");
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        Assert.That(Run("slice", "part.stl", "-o", "/dev/null").Code, Is.Zero);
+        Assert.That(new FileInfo("/dev/null").Length, Is.Zero);
+        Assert.That(Run("slice", "part.stl", "-o", "/dev/full").Code, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void A_link_stays_a_link_and_the_rights_of_a_file_stay_its_own()
+    {
+        if (OperatingSystem.IsWindows()) Assert.Ignore("Links need rights here.");
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        File.WriteAllText("real.gcode", "old");
+        File.SetUnixFileMode("real.gcode", UnixFileMode.UserRead | UnixFileMode.UserWrite);
+        File.CreateSymbolicLink("part.gcode", "real.gcode");
+        Assert.That(Run("slice", "part.stl").Code, Is.Zero);
+        Assert.That(new FileInfo("part.gcode").LinkTarget, Is.EqualTo("real.gcode"));
+        Assert.That(new FileInfo("real.gcode").Length, Is.GreaterThan(1000));
+        Assert.That(File.GetUnixFileMode("real.gcode"), Is.EqualTo(UnixFileMode.UserRead | UnixFileMode.UserWrite));
+    }
+}
