@@ -38,7 +38,7 @@ public abstract class CaterpillarComponent : GH_Component
     /// <summary>True when an output can be baked; Grasshopper's own asks the inputs.</summary>
     public sealed override bool IsBakeCapable => Params.Output.OfType<IGH_BakeAwareObject>().Any(p => p.IsBakeCapable);
 
-    protected sealed override Bitmap? Icon => Icons.Load(GetType().Name);
+    protected sealed override Bitmap? Icon => Icons.Load(Icons.NameOf(GetType()));
 
     /// <summary>True for the components that draw colours of their own.</summary>
     private protected virtual bool DrawsItself => false;

@@ -40,6 +40,13 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager)
     public void Geometry(string name, string nick, string description, GH_ParamAccess access = Item, bool optional = false)
         => Add(new Param_Geometry { Optional = optional }, name, nick, description, access);
 
+    /// <summary>A parameter of our own whose branches become one list, in their order; the user may switch that off on the port.</summary>
+    public void Flattened(IGH_Param param, string name, string nick, string description)
+    {
+        param.DataMapping = GH_DataMapping.Flatten;
+        Add(param, name, nick, description, GH_ParamAccess.list);
+    }
+
     /// <summary>A parameter of our own.</summary>
     public void Add(IGH_Param param, string name, string nick, string description, GH_ParamAccess access = Item, bool optional = false)
     {

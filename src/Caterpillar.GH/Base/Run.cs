@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
@@ -100,6 +101,19 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
         throw new InputProblem($"{component.Params.Input[input].Name} has no choice {NumberFormatter.Format(number)}; there are {string.Join(", ", Enum.GetNames(typeof(T)))}.");
     }
 
+    /// <summary>A file as the user means it: relative to the definition's own file, where it has one.</summary>
+    public string PathTo(string file)
+        => Document is { IsFilePathDefined: true } document && !Path.IsPathRooted(file) ? Path.Combine(Path.GetDirectoryName(document.FilePath) ?? "", file) : file;
+
+    /// <summary>The value of a result after its diagnostics were shown and collected; null where it has none.</summary>
+    public T? Accept<T>(Result<T> result, List<string>? texts = null)
+        where T : class
+    {
+        var lines = Report(result.Diagnostics);
+        texts?.AddRange(lines);
+        return result.Value;
+    }
+
     public void Set(int output, object? value) => access.SetData(output, value);
 
     public void SetList(int output, System.Collections.IEnumerable values) => access.SetDataList(output, values);
@@ -126,6 +140,9 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
     /// <summary>Long work: on a worker, with Rhino's progress meter, until the user presses Escape.</summary>
     /// <exception cref="OperationCanceledException">The user pressed Escape.</exception>
     public T Work<T>(string label, Func<IProgress<double>, CancellationToken, T> work) => LongWork.Run(label, work);
+
+    /// <summary>A word about the result under the component.</summary>
+    public void Summarize(string text) => component.Message = text;
 
     /// <summary>Messages for diagnostics, and their texts for the output of that name.</summary>
     public IReadOnlyList<string> Report(IEnumerable<Diagnostic> diagnostics)

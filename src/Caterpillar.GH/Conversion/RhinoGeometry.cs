@@ -1,5 +1,7 @@
+using System;
 using System.Collections.Generic;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Conversion;
@@ -64,6 +66,26 @@ internal static class RhinoGeometry
             if (points.Count > 1) curves.Add(new Rg.PolylineCurve(points));
             points.Clear();
         }
+    }
+
+    /// <summary>Outline of the bed of a printer.</summary>
+    public static Rg.Curve ToBed(Printer printer, DocumentUnits units)
+    {
+        var box = printer.BuildBounds;
+        if (printer.BedShape == BedShape.Round)
+            return new Rg.ArcCurve(new Rg.Circle(ToPoint(box.Center.WithZ(box.Min.Z), units), box.Size.X / 2 * units.FromMillimetres));
+        var (a, c) = (box.Min, box.Max.WithZ(box.Min.Z));
+        Vec3[] corners = [a, new(c.X, a.Y, a.Z), c, new(a.X, c.Y, a.Z), a];
+        return new Rg.PolylineCurve(Array.ConvertAll(corners, p => ToPoint(p, units)));
+    }
+
+    /// <summary>A closed contour as a polyline that ends where it begins.</summary>
+    public static Rg.PolylineCurve ToCurve(Polyline contour, double z, DocumentUnits units)
+    {
+        var points = new List<Rg.Point3d>(contour.Count + 1);
+        foreach (var p in contour.Points) points.Add(ToPoint(p.WithZ(z), units));
+        if (contour.IsClosed && contour.Count > 0) points.Add(points[0]);
+        return new Rg.PolylineCurve(points);
     }
 
     private static void AddSegment(List<Rg.Point3d> points, Vec3 start, Vec3 end, Arc? arc, DocumentUnits units)

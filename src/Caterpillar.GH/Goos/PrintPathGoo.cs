@@ -26,6 +26,27 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
         Value = path!;
     }
 
+    /// <summary>A path that a slicer gave, with the group in which planning may sort it.</summary>
+    public PrintPathGoo(PathStep step)
+        : this(step?.Path)
+    {
+        Group = step?.Group;
+        KeepStart = step?.KeepStart ?? false;
+    }
+
+    private PrintPathGoo(PrintPathGoo other, PrintPath? path)
+        : this(path)
+    {
+        Group = other.Group;
+        KeepStart = other.KeepStart;
+    }
+
+    /// <summary>Paths of one group may be sorted; without a group the path stays where it is.</summary>
+    public StepGroup? Group { get; }
+
+    /// <summary>Sorting may not turn it round or begin it elsewhere.</summary>
+    public bool KeepStart { get; }
+
     public override bool IsValid => Value is not null;
 
     public override string IsValidWhyNot => IsValid ? "" : "There is no print path.";
@@ -38,7 +59,13 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
 
     public Rg.BoundingBox ClippingBox => Boundingbox;
 
-    public override IGH_GeometricGoo DuplicateGeometry() => new PrintPathGoo(Value);
+    public override IGH_GeometricGoo DuplicateGeometry() => new PrintPathGoo(this, Value);
+
+    /// <summary>The path as a step of a design.</summary>
+    public PathStep ToStep() => new(Value, Group) { KeepStart = KeepStart };
+
+    /// <summary>Another path in its place.</summary>
+    public PrintPathGoo With(PrintPath path) => new(this, path);
 
     public override object? ScriptVariable() => Value;
 
@@ -50,7 +77,7 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
     }
 
     public override IGH_GeometricGoo? Transform(Rg.Transform xform)
-        => Value is not null && RhinoGeometry.ToAffine(xform, DocumentUnits.Current) is { } map ? new PrintPathGoo(Value.Transformed(map)) : null;
+        => Value is not null && RhinoGeometry.ToAffine(xform, DocumentUnits.Current) is { } map ? With(Value.Transformed(map)) : null;
 
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)
     {
@@ -62,7 +89,7 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
         foreach (var point in straight.Points) points.Add(RhinoGeometry.ToVec(xmorph.MorphPoint(RhinoGeometry.ToPoint(point, units)), units));
         var beads = new List<Bead>(straight.SegmentCount);
         for (var i = 0; i < straight.SegmentCount; i++) beads.Add(straight.BeadOf(i));
-        return new PrintPathGoo(straight.WithGeometry(points, beads, straight.IsClosed));
+        return With(straight.WithGeometry(points, beads, straight.IsClosed));
     }
 
     public override bool CastFrom(object source)

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.GH.Conversion;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Types;
@@ -23,11 +24,21 @@ public sealed class ToolpathGoo : GH_GeometricGoo<Toolpath>, IGH_PreviewData
         Value = toolpath!;
     }
 
-    private ToolpathGoo(ToolpathGoo other)
+    /// <summary>A toolpath that was planned for a printer, a material and settings.</summary>
+    public ToolpathGoo(Toolpath? toolpath, PrintSetup? setup)
+        : this(toolpath)
     {
-        Value = other.Value;
+        Setup = setup;
+    }
+
+    private ToolpathGoo(ToolpathGoo other)
+        : this(other.Value, other.Setup)
+    {
         _totals = other._totals;
     }
+
+    /// <summary>What it was planned for, where that is known.</summary>
+    public PrintSetup? Setup { get; }
 
     public override bool IsValid => Value is not null;
 
@@ -55,7 +66,7 @@ public sealed class ToolpathGoo : GH_GeometricGoo<Toolpath>, IGH_PreviewData
     }
 
     public override IGH_GeometricGoo? Transform(Rg.Transform xform)
-        => Value is not null && RhinoGeometry.ToAffine(xform, DocumentUnits.Current) is { } map ? new ToolpathGoo(Value.Transformed(map)) : null;
+        => Value is not null && RhinoGeometry.ToAffine(xform, DocumentUnits.Current) is { } map ? new ToolpathGoo(Value.Transformed(map), Setup) : null;
 
     /// <summary>A toolpath can't be bent as a whole: bend its print paths and plan again.</summary>
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph) => null;

@@ -16,7 +16,7 @@ public abstract class VolatileParam<T>(string name, string nickname, string desc
 {
     public override GH_Exposure Exposure => GH_Exposure.septenary | GH_Exposure.obscure;
 
-    protected override Bitmap? Icon => Icons.Load(GetType().Name);
+    protected override Bitmap? Icon => Icons.Load(Icons.NameOf(GetType()));
 }
 
 /// <summary>Data that a user may also keep in the definition.</summary>
@@ -26,7 +26,7 @@ public abstract class StoredParam<T>(string name, string nickname, string descri
 {
     public override GH_Exposure Exposure => GH_Exposure.septenary | GH_Exposure.obscure;
 
-    protected override Bitmap? Icon => Icons.Load(GetType().Name);
+    protected override Bitmap? Icon => Icons.Load(Icons.NameOf(GetType()));
 
     protected override GH_GetterResult Prompt_Singular(ref T value) => GH_GetterResult.cancel;
 

@@ -23,6 +23,10 @@ internal static class Icons
         }
     }
 
+    /// <summary>Name of the icon of a component or parameter: its class without what kind of class it is; a parameter shares the icon of what it holds.</summary>
+    internal static string NameOf(Type type)
+        => type.Name.EndsWith("Component", StringComparison.Ordinal) ? type.Name.Substring(0, type.Name.Length - "Component".Length) : type.Name;
+
     /// <summary>The PNG of a class, or null where it has none of its own.</summary>
     internal static Stream? Open(string name) => typeof(Icons).Assembly.GetManifestResourceStream($"icons/{name}.png");
 }

@@ -103,6 +103,8 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
     private void CheckMethod(string owner, MethodReference method, ModuleDefinition module)
     {
         var definition = method as MethodDefinition;
+        // Constructor and Invoke of a delegate follow from its type.
+        if (definition?.DeclaringType.BaseType?.FullName == "System.MulticastDelegate" && Known(owner)) return;
         if (definition is { IsGetter: false, IsSetter: false, IsSpecialName: true } && definition.Name.StartsWith("add_", StringComparison.Ordinal)) return;
         var (name, access) = Split(method);
         var parameters = method.Parameters.Select(p => Canonical.Of(p.ParameterType)).ToArray();

@@ -18,7 +18,7 @@ public sealed class DeconstructPrintPathTests
     [Test]
     public void An_item_gives_its_parts()
     {
-        var canvas = new Canvas<DeconstructPrintPath>().Feed("Print Path", Path()).Solve();
+        var canvas = new Canvas<DeconstructPrintPathComponent>().Feed("Print Path", Path()).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(canvas.All("Points"), Is.EqualTo(new object[] { new Rg.Point3d(0, 0, 0.2), new Rg.Point3d(10, 0, 0.2), new Rg.Point3d(10, 5, 0.2) }));
         Assert.That(canvas.All("Areas"), Is.EqualTo(new object[] { 0.08, 0.1 }));
@@ -29,8 +29,8 @@ public sealed class DeconstructPrintPathTests
     [Test]
     public void A_list_gives_a_branch_each_and_a_tree_keeps_its_branches()
     {
-        Assert.That(new Canvas<DeconstructPrintPath>().Feed("Print Path", Path(), Path(1)).Solve().Paths("Points"), Is.EqualTo(new[] { "{0;0}", "{0;1}" }));
-        var tree = new Canvas<DeconstructPrintPath>().FeedTree("Print Path", [Path()], [Path(), Path()]).Solve();
+        Assert.That(new Canvas<DeconstructPrintPathComponent>().Feed("Print Path", Path(), Path(1)).Solve().Paths("Points"), Is.EqualTo(new[] { "{0;0}", "{0;1}" }));
+        var tree = new Canvas<DeconstructPrintPathComponent>().FeedTree("Print Path", [Path()], [Path(), Path()]).Solve();
         Assert.That(tree.Paths("Points"), Is.EqualTo(new[] { "{0;0}", "{1;0}", "{1;1}" }));
         Assert.That(tree.Paths("Role"), Is.EqualTo(new[] { "{0}", "{1}" }));
     }
@@ -38,7 +38,7 @@ public sealed class DeconstructPrintPathTests
     [Test]
     public void Null_and_wrong_items_give_null_and_name_their_place_and_the_rest_goes_on()
     {
-        var canvas = new Canvas<DeconstructPrintPath>().FeedTree("Print Path", [Path()], [null, Path(), "a wall"]).Solve();
+        var canvas = new Canvas<DeconstructPrintPathComponent>().FeedTree("Print Path", [Path()], [null, Path(), "a wall"]).Solve();
         Assert.That(canvas.All("Role"), Is.EqualTo(new object?[] { "OuterWall", null, "OuterWall", null }));
         Assert.That(canvas.Warnings, Has.Member("{1}[0]: Print Path is missing.").And.Member("{1}[2]: Print Path is missing."));
         Assert.That(canvas.Errors, Is.EqualTo(new[] { "Data conversion failed from Text to Print Path" }));
@@ -46,13 +46,13 @@ public sealed class DeconstructPrintPathTests
 
     [Test]
     public void A_missing_input_is_a_warning()
-        => Assert.That(new Canvas<DeconstructPrintPath>().Solve().Warnings, Is.EqualTo(new[] { "Input parameter P failed to collect data" }));
+        => Assert.That(new Canvas<DeconstructPrintPathComponent>().Solve().Warnings, Is.EqualTo(new[] { "Input parameter P failed to collect data" }));
 
     [Test]
     public void Points_are_in_document_units_and_a_remark_says_so()
     {
         using var _ = new InDocument(UnitSystem.Centimeters);
-        var canvas = new Canvas<DeconstructPrintPath>().Feed("Print Path", Path()).Solve();
+        var canvas = new Canvas<DeconstructPrintPathComponent>().Feed("Print Path", Path()).Solve();
         Assert.That(((Rg.Point3d)canvas.All("Points")[1]!).DistanceTo(new Rg.Point3d(1, 0, 0.02)), Is.LessThan(1e-12));
         Assert.That(canvas.Remarks, Is.EqualTo(new[] { "Geometry is scaled: the document is in centimeters, Caterpillar works in mm." }));
     }

@@ -14,12 +14,19 @@ internal sealed class Canvas<T>
     where T : GH_Component, new()
 {
     public Canvas()
+        : this(new GH_Document())
     {
+    }
+
+    /// <summary>Another component in a definition.</summary>
+    public Canvas(GH_Document document)
+    {
+        Document = document;
         Component = new T();
         Document.AddObject(Component, false);
     }
 
-    public GH_Document Document { get; } = new();
+    public GH_Document Document { get; }
 
     public T Component { get; }
 

@@ -9,7 +9,7 @@ using Grasshopper.Kernel;
 namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Takes a print path apart.</summary>
-public sealed class DeconstructPrintPath() : CaterpillarComponent(
+public sealed class DeconstructPrintPathComponent() : CaterpillarComponent(
     "Deconstruct Print Path", "DePPath", "Takes a print path apart into its points, in mm² its cross-sections and in mm/s its speeds.", Panel.Path)
 {
     public override Guid ComponentGuid => new("e6ce3d42-9733-467d-adc0-7f8b0c87d00c");

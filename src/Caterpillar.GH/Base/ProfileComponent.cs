@@ -1,0 +1,43 @@
+using System;
+using System.Diagnostics.CodeAnalysis;
+using Caterpillar.GH.Plugin;
+using Grasshopper.Kernel;
+using Rhino;
+
+namespace Caterpillar.GH.Base;
+
+/// <summary>A component that reads profiles: it solves again when one of the user's own changes.</summary>
+[SuppressMessage("Design", "CA1001", Justification = "Grasshopper never disposes of components: the watcher goes when the component leaves its document.")]
+public abstract class ProfileComponent(string name, string nickname, string description)
+    : CaterpillarComponent(name, nickname, description, Panel.Setup)
+{
+    private const int DelayMilliseconds = 200;
+    private ProfileWatcher? _watcher;
+
+    public override void AddedToDocument(GH_Document document)
+    {
+        base.AddedToDocument(document);
+        _watcher?.Dispose();
+        _watcher = new ProfileWatcher(() => RhinoApp.InvokeOnUiThread(new Action(Expire)));
+    }
+
+    public override void RemovedFromDocument(GH_Document document)
+    {
+        Unwatch();
+        base.RemovedFromDocument(document);
+    }
+
+    public override void DocumentContextChanged(GH_Document document, GH_DocumentContext context)
+    {
+        if (context is GH_DocumentContext.Close or GH_DocumentContext.Unloaded) Unwatch();
+        base.DocumentContextChanged(document, context);
+    }
+
+    private void Unwatch()
+    {
+        _watcher?.Dispose();
+        _watcher = null;
+    }
+
+    private void Expire() => OnPingDocument()?.ScheduleSolution(DelayMilliseconds, _ => ExpireSolution(false));
+}

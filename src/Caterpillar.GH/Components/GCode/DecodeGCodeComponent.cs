@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Machines;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Components.GCode;
+
+/// <summary>Reads G-code back as a toolpath.</summary>
+public sealed class DecodeGCodeComponent() : CaterpillarComponent(
+    "Decode G-code", "Decode", "Reads a G-code file, or G-code from a wire, as a toolpath.", Panel.GCode)
+{
+    private const string Detect = "detect";
+
+    public override Guid ComponentGuid => new("334b128d-8e26-4ad8-9a21-2ca498c1e28b");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.File("File", "F", "File to read, plain or gzip.", "G-code|*.gcode;*.gco;*.g;*.nc;*.gcode.gz|All files|*.*", optional: true);
+        ports.Add(new GCodeParam(), "G-code", "G", "G-code to read instead of a file; text is G-code.", optional: true);
+        ports.Text("Dialect", "D", "Dialect of the firmware, such as marlin2, klipper or reprapfirmware; \"detect\" finds it in the file.", Detect);
+        ports.Choice("Rule", "R", "What counts as printing: E beyond what was retracted (Balance), or any rise of E (Rising).", ExtrusionRule.Balance);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "What the file makes the printer do, move by move.");
+        ports.Add(new GCodeParam(), "G-code", "G", "The file, byte for byte.");
+        ports.Text("Settings", "S", "Settings that the slicer left in comments, as key=value.", GH_ParamAccess.list);
+        ports.Text("Dialect", "Di", "Dialect by which it was read.");
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var options = new DecodeOptions { Dialect = Dialect(run.Maybe<string>(2)), Rule = run.Choice<ExtrusionRule>(3) };
+        var source = run.Maybe<GCodeDocument>(1) ?? Read(run);
+        var result = run.Cached([source, options], () => run.Work("Decoding", (progress, cancel) => Decoder.Decode(source, options, progress, cancel)));
+        run.SetList(4, run.Report(result.Diagnostics));
+        run.Set(1, new GCodeGoo(source));
+        if (result.Value is not { } decoding)
+        {
+            run.Set(0, null);
+            return;
+        }
+        run.Set(0, new ToolpathGoo(decoding.Toolpath));
+        run.SetList(2, decoding.Settings.OrderBy(s => s.Key, StringComparer.Ordinal).Select(s => $"{s.Key}={s.Value}"));
+        run.Set(3, decoding.Dialect.Name);
+        run.Summarize($"{NumberFormatter.Format(decoding.Toolpath.Count)} moves");
+    }
+
+    private static DialectRules? Dialect(string? name)
+    {
+        if (string.IsNullOrWhiteSpace(name) || string.Equals(name, Detect, StringComparison.OrdinalIgnoreCase)) return null;
+        return DialectTable.Find(name!) ?? throw new InputProblem(
+            $"There is no dialect {name}; there are {Detect}, {string.Join(", ", DialectTable.All.Select(d => d.Name))}.");
+    }
+
+    private static GCodeDocument Read(Run run)
+    {
+        var name = run.Maybe<string>(0);
+        if (string.IsNullOrEmpty(name)) throw new InputProblem("File or G-code is missing.") { IsMissing = true };
+        var file = new FileInfo(run.PathTo(name!));
+        if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
+        // A changed file has another time or size: then it is read again.
+        return run.Cached([file.FullName, file.LastWriteTimeUtc, file.Length], () => run.Work("Reading", (_, cancel) => GCodeDocument.ReadFile(file.FullName, cancel)));
+    }
+}

@@ -1,0 +1,38 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Params;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Components.GCode;
+
+/// <summary>Some lines of a G-code file as text.</summary>
+public sealed class GCodeTextComponent() : CaterpillarComponent(
+    "G-code Text", "Text", "Some lines of a G-code file as text, so that wires and panels stay light.", Panel.GCode)
+{
+    // More is too much for a Panel.
+    private const int Most = 100_000;
+
+    public override Guid ComponentGuid => new("acfddb64-0be4-4f60-8e9f-0c1eb22c20ce");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new GCodeParam(), "G-code", "G", "G-code to show.");
+        ports.Integer("Start", "S", "Number of the first line, from 1; a negative number counts from the end.", 1);
+        ports.Integer("Count", "N", "Number of lines, at most 100000.", 200);
+    }
+
+    private protected override void Outputs(OutputPorts ports) => ports.Text("Lines", "L", "The lines of the file.", GH_ParamAccess.list);
+
+    private protected override void Solve(Run run)
+    {
+        var document = run.Get<GCodeDocument>(0);
+        var (start, count) = (run.Get<int>(1), run.Get<int>(2));
+        if (start == 0) throw new InputProblem("Start counts from 1, or from -1 at the end.");
+        if (count is < 0 or > Most) throw new InputProblem($"Count must be from 0 to {NumberFormatter.Format(Most)}.");
+        var first = start > 0 ? start : Math.Max(1, document.LineCount + start + 1);
+        run.SetList(0, document.Lines(first, count).Select(line => line.Text));
+    }
+}

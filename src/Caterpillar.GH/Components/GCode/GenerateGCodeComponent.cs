@@ -1,0 +1,59 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.GH.Plugin;
+using Caterpillar.Machines;
+
+namespace Caterpillar.GH.Components.GCode;
+
+/// <summary>Checks a toolpath and writes it as G-code.</summary>
+public sealed class GenerateGCodeComponent() : CaterpillarComponent(
+    "Generate G-code", "GCode", "Checks a toolpath against the printer and writes it as G-code; what would hurt the machine is not written.", Panel.GCode)
+{
+    public override Guid ComponentGuid => new("a6c5f777-8567-40ff-8b2c-76e275996590");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to write.");
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer that will print it, or the name of its profile; without it the one it was planned for.", optional: true);
+        ports.Text("Override Reason", "R", "Why the findings of the checks are to be ignored, in words; they stay in the file as a comment. Empty obeys the checks.", "");
+        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; without it the one it was planned for.", optional: true);
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings, or the name of their profile; without them those it was planned for.", optional: true);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new GCodeParam(), "G-code", "G", "The G-code, as one value.");
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var texts = new List<string>();
+        var goo = run.Get<ToolpathGoo>(0);
+        var reason = run.Maybe<string>(2);
+        if (Setup(run, goo.Setup, texts) is not { } setup)
+        {
+            run.SetNulls();
+            return;
+        }
+        var result = run.Cached([goo.Value, setup, reason],
+            () => run.Work("Writing", (progress, cancel) => SafeWriter.ToDocument(goo.Value, setup, string.IsNullOrWhiteSpace(reason) ? null : reason, progress, cancel)));
+        var document = run.Accept(result, texts);
+        run.Set(0, document is null ? null : new GCodeGoo(document));
+        run.SetList(1, texts);
+        run.Summarize(document is null ? "refused" : $"{NumberFormatter.Format(document.LineCount)} lines");
+    }
+
+    private static PrintSetup? Setup(Run run, PrintSetup? planned, List<string> texts)
+    {
+        var printer = run.Maybe<Printer>(1) ?? planned?.Printer ?? throw new InputProblem("Printer is missing: the toolpath was not planned for one.") { IsMissing = true };
+        var material = run.Maybe<Material>(3) ?? planned?.Material ?? run.Accept(Profiles.Library.Material(printer.DefaultMaterial), texts);
+        var settings = run.Maybe<PrintSettings>(4) ?? planned?.Settings ?? run.Accept(Profiles.Library.Settings(printer.DefaultSettings), texts);
+        return material is null || settings is null ? null : new PrintSetup(printer, material, settings);
+    }
+}

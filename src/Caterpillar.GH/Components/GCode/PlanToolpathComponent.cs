@@ -1,0 +1,62 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.GH.Plugin;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GH.Components.GCode;
+
+/// <summary>Turns a design into what the machine does.</summary>
+public sealed class PlanToolpathComponent() : CaterpillarComponent(
+    "Plan Toolpath", "Plan", "Turns print paths and other steps into a toolpath: adds travels, lifts and retractions, and amounts of material.", Panel.GCode)
+{
+    public override Guid ComponentGuid => new("3f0184a5-8769-4bde-bc26-3f46d7e01ed3");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Flattened(new StepParam(), "Steps", "S", "Print paths, travels and events in the order of the design; branches follow each other.");
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer that will print it, or the name of its profile.");
+        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; without it the one that the printer names.", optional: true);
+        ports.Add(new SettingsParam(), "Settings", "Se", "Print settings, or the name of their profile; without them those that the printer names.", optional: true);
+        ports.Choice("Policy", "Po", "What planning may add: all that the settings say (Printer), or nothing beyond what was drawn (As Drawn).", PlanPolicy.Printer);
+        ports.Choice("Sort", "So", "How paths are sorted inside the groups that a slicer gave them; other paths keep their order.", SortRule.Tour);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "What the printer does, move by move.");
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var texts = new List<string>();
+        var steps = run.List<StepGoo>(0).Select(s => s.Value).ToArray();
+        if (steps.Length == 0) throw new InputProblem("Steps are missing.") { IsMissing = true };
+        var printer = run.Get<Printer>(1);
+        var material = run.Maybe<Material>(2) ?? run.Accept(Profiles.Library.Material(printer.DefaultMaterial), texts);
+        var settings = run.Maybe<PrintSettings>(3) ?? run.Accept(Profiles.Library.Settings(printer.DefaultSettings), texts);
+        if (material is null || settings is null)
+        {
+            run.SetNulls();
+            return;
+        }
+        var setup = new PrintSetup(printer, material, settings);
+        var options = new PlanOptions { Policy = run.Choice<PlanPolicy>(4), Sort = new SortOptions(run.Choice<SortRule>(5)) };
+        var result = run.Cached([.. steps.Select(Identity), setup, options],
+            () => run.Work("Planning", (progress, cancel) => Planner.Plan(steps, setup, options, progress, cancel)));
+        var toolpath = run.Accept(result, texts);
+        run.Set(0, toolpath is null ? null : new ToolpathGoo(toolpath, setup));
+        run.SetList(1, texts);
+        if (toolpath is not null) run.Summarize($"{NumberFormatter.Format(toolpath.Count)} moves");
+    }
+
+    // Goo makes a new step each time it is asked: the path in it is what stays.
+    private static object Identity(Step step) => step is PathStep path ? path.Path : step;
+}

@@ -1,0 +1,39 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.GH.Plugin;
+using Caterpillar.Machines;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Components.Setup;
+
+/// <summary>A material from a profile.</summary>
+public sealed class MaterialComponent() : ProfileComponent("Material", "Material", "A material from one of the profiles, or from a file.")
+{
+    public override Guid ComponentGuid => new("b38a4d05-4122-429f-8b49-c7313ba87d9d");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Text("Name", "N", "Name of the profile, such as pla, petg or clay.", "pla");
+        ports.File("File", "F", "File of a profile of your own (JSON); it counts before the name.", "Material profile|*.json", optional: true);
+        ports.Text("Overrides", "O", "Values to change as key=value, for example nozzle_temperature_c=215; keys carry their unit.", access: GH_ParamAccess.list, optional: true);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new MaterialParam(), "Material", "M", "The material.");
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var texts = new List<string>();
+        var file = run.Maybe<string>(1);
+        var material = run.Accept(Profiles.Library.Material(string.IsNullOrEmpty(file) ? run.Get<string>(0) : run.PathTo(file!)), texts);
+        if (material is not null) material = run.Accept((new PrintSetup() with { Material = material }).With(run.List<string>(2)), texts)?.Material;
+        run.Set(0, material is null ? null : new MaterialGoo(material));
+        run.SetList(1, texts);
+    }
+}

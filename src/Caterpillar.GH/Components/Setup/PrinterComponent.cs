@@ -1,0 +1,36 @@
+using System;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.GH.Plugin;
+
+namespace Caterpillar.GH.Components.Setup;
+
+/// <summary>A printer from a profile.</summary>
+public sealed class PrinterComponent() : ProfileComponent("Printer", "Printer", "A printer from one of the profiles, or from a file.")
+{
+    public override Guid ComponentGuid => new("7974af61-1fa1-4de7-9ff5-cbf83ddab480");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Text("Name", "N", "Name of the profile, such as generic, ender3 or mk3s.", "generic");
+        ports.File("File", "F", "File of a profile of your own (JSON); it counts before the name.", "Printer profile|*.json", optional: true);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new PrinterParam(), "Printer", "P", "The printer.");
+        ports.Curve("Bed", "B", "Outline of the bed, in document units.");
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var file = run.Maybe<string>(1);
+        var result = Profiles.Library.Printer(string.IsNullOrEmpty(file) ? run.Get<string>(0) : run.PathTo(file!));
+        run.SetList(2, run.Report(result.Diagnostics));
+        run.Set(0, result.Value is null ? null : new PrinterGoo(result.Value));
+        run.Set(1, result.Value is { } printer ? RhinoGeometry.ToBed(printer, run.Units) : null);
+    }
+}

@@ -1,0 +1,34 @@
+using Caterpillar.GCode;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Goos;
+
+/// <summary>A G-code file on a wire, as one value: a Panel shows a sentence about it, the component G-code Text its lines.</summary>
+public sealed class GCodeGoo : ValueGoo<GCodeDocument>
+{
+    public GCodeGoo()
+    {
+    }
+
+    public GCodeGoo(GCodeDocument? document)
+        : base(document)
+    {
+    }
+
+    public override string TypeName => "G-code";
+
+    public override string TypeDescription => "A G-code file, byte for byte.";
+
+    public override IGH_Goo Duplicate() => new GCodeGoo(Value);
+
+    /// <summary>Text is G-code at a port for G-code.</summary>
+    public override bool CastFrom(object source)
+    {
+        if (base.CastFrom(source)) return true;
+        if ((source as string ?? (source as GH_String)?.Value) is not { } text) return false;
+        Value = GCodeDocument.FromText(text);
+        return true;
+    }
+
+    protected override string Describe(GCodeDocument value) => value.ToString();
+}

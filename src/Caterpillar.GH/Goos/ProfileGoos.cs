@@ -1,0 +1,145 @@
+using Caterpillar.Basics;
+using Caterpillar.GH.Plugin;
+using Caterpillar.Machines;
+using GH_IO.Serialization;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Goos;
+
+/// <summary>A printer on a wire. At a port for printers, text is the name of a profile.</summary>
+public sealed class PrinterGoo : ProfileGoo<Printer>
+{
+    public PrinterGoo()
+    {
+    }
+
+    public PrinterGoo(Printer? printer)
+        : base(printer)
+    {
+    }
+
+    public override string TypeName => "Printer";
+
+    public override string TypeDescription => "A printer: its space in mm, its limits and its G-code.";
+
+    public override IGH_Goo Duplicate() => new PrinterGoo(Value);
+
+    protected override string Describe(Printer value)
+        => $"Printer ({value.Title}, {NumberFormatter.Format(value.BuildVolume.X, 1)} × {NumberFormatter.Format(value.BuildVolume.Y, 1)} × {NumberFormatter.Format(value.BuildVolume.Z, 1)} mm, {value.Dialect.Title})";
+
+    private protected override Result<Printer> Find(ProfileLibrary library, string name) => library.Printer(name);
+
+    private protected override string ToJson(Printer value) => ProfileWriter.Write(value);
+
+    private protected override Result<Printer> FromJson(string json, string name) => ProfileReader.ReadPrinter(json, "definition", name);
+
+    private protected override string NameOf(Printer value) => value.Name;
+}
+
+/// <summary>A material on a wire. At a port for materials, text is the name of a profile.</summary>
+public sealed class MaterialGoo : ProfileGoo<Material>
+{
+    public MaterialGoo()
+    {
+    }
+
+    public MaterialGoo(Material? material)
+        : base(material)
+    {
+    }
+
+    public override string TypeName => "Material";
+
+    public override string TypeDescription => "A material: temperatures in °C, diameter in mm, flow.";
+
+    public override IGH_Goo Duplicate() => new MaterialGoo(Value);
+
+    protected override string Describe(Material value)
+        => $"Material ({value.Title}, {NumberFormatter.Format(value.FilamentDiameter, 3)} mm, {NumberFormatter.Format(value.NozzleTemperature, 1)} °C)";
+
+    private protected override Result<Material> Find(ProfileLibrary library, string name) => library.Material(name);
+
+    private protected override string ToJson(Material value) => ProfileWriter.Write(value);
+
+    private protected override Result<Material> FromJson(string json, string name) => ProfileReader.ReadMaterial(json, "definition", name);
+
+    private protected override string NameOf(Material value) => value.Name;
+}
+
+/// <summary>Print settings on a wire. At a port for settings, text is the name of a profile.</summary>
+public sealed class SettingsGoo : ProfileGoo<PrintSettings>
+{
+    public SettingsGoo()
+    {
+    }
+
+    public SettingsGoo(PrintSettings? settings)
+        : base(settings)
+    {
+    }
+
+    public override string TypeName => "Print Settings";
+
+    public override string TypeDescription => "How to print: heights and widths in mm, speeds in mm/s.";
+
+    public override IGH_Goo Duplicate() => new SettingsGoo(Value);
+
+    protected override string Describe(PrintSettings value)
+        => $"Print Settings ({value.Title}, layers of {NumberFormatter.Format(value.LayerHeight, 3)} mm, lines of {NumberFormatter.Format(value.LineWidth, 3)} mm, {NumberFormatter.Format(value.PrintSpeed, 1)} mm/s)";
+
+    private protected override Result<PrintSettings> Find(ProfileLibrary library, string name) => library.Settings(name);
+
+    private protected override string ToJson(PrintSettings value) => ProfileWriter.Write(value);
+
+    private protected override Result<PrintSettings> FromJson(string json, string name) => ProfileReader.ReadSettings(json, "definition", name);
+
+    private protected override string NameOf(PrintSettings value) => value.Name;
+}
+
+/// <summary>What printers, materials and settings have in common: a name, and a form in JSON in which a definition keeps them.</summary>
+public abstract class ProfileGoo<T> : ValueGoo<T>
+    where T : class
+{
+    protected ProfileGoo()
+    {
+    }
+
+    protected ProfileGoo(T? value)
+        : base(value)
+    {
+    }
+
+    public override bool CastFrom(object source)
+    {
+        if (base.CastFrom(source)) return true;
+        var name = source as string ?? (source as GH_String)?.Value;
+        if (name is null || Find(Profiles.Library, name).Value is not { } found) return false;
+        Value = found;
+        return true;
+    }
+
+    public override bool Write(GH_IWriter writer)
+    {
+        if (Value is null) return true;
+        writer.SetString("Name", NameOf(Value));
+        writer.SetString("Profile", ToJson(Value));
+        return true;
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        string name = "", json = "";
+        if (!reader.TryGetString("Profile", ref json)) return true;
+        reader.TryGetString("Name", ref name);
+        Value = FromJson(json, name).Value!;
+        return Value is not null;
+    }
+
+    private protected abstract Result<T> Find(ProfileLibrary library, string name);
+
+    private protected abstract string ToJson(T value);
+
+    private protected abstract Result<T> FromJson(string json, string name);
+
+    private protected abstract string NameOf(T value);
+}

@@ -1,0 +1,55 @@
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Goos;
+
+/// <summary>One entry of a design on a wire: a print path, a travel or an event. Print paths are steps too.</summary>
+public sealed class StepGoo : ValueGoo<Step>
+{
+    public StepGoo()
+    {
+    }
+
+    public StepGoo(Step? step)
+        : base(step)
+    {
+    }
+
+    public override string TypeName => "Step";
+
+    public override string TypeDescription => "A print path, a travel or an event, in the order of the design.";
+
+    public override IGH_Goo Duplicate() => new StepGoo(Value);
+
+    public override bool CastFrom(object source)
+    {
+        switch (source)
+        {
+            case PrintPathGoo { Value: not null } goo: Value = goo.ToStep(); return true;
+            case PrintPath path: Value = path; return true;
+            case PrinterEvent what: Value = what; return true;
+            default: return base.CastFrom(source);
+        }
+    }
+
+    public override bool CastTo<Q>(ref Q target)
+    {
+        if (Value is PathStep path && typeof(Q) == typeof(PrintPathGoo)) return Give(new PrintPathGoo(path), ref target);
+        return base.CastTo(ref target);
+    }
+
+    protected override string Describe(Step value) => value switch
+    {
+        PathStep path => new PrintPathGoo(path).ToString(),
+        TravelStep travel => $"Travel ({Basics.NumberFormatter.Format(travel.Points.Count)} points)",
+        EventStep what => what.Event.ToString(),
+        _ => "Step",
+    };
+
+    private static bool Give<Q>(object made, ref Q target)
+    {
+        if (made is not Q result) return false;
+        target = result;
+        return true;
+    }
+}

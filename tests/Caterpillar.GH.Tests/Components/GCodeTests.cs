@@ -1,0 +1,174 @@
+using System;
+using System.IO;
+using System.Linq;
+using Caterpillar.GCode;
+using Caterpillar.GH.Components.GCode;
+using Caterpillar.GH.Components.Slice;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Tests.Host;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using NUnit.Framework;
+
+namespace Caterpillar.GH.Tests.Components;
+
+public sealed class GCodeTests
+{
+    private const string Small = "M83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200\nG1 X20 Y20 E0.5\n";
+
+    private static PrintPath Line(double x, double length = 10) => new([new Vec3(x, 50, 0.2), new Vec3(x + length, 50, 0.2)], new Bead(0.08, 0.2, 40));
+
+    private static Toolpath Planned(double x = 50)
+        => new Canvas<PlanToolpathComponent>().Feed("Steps", Line(x)).Feed("Printer", "generic").Solve().One<Toolpath>("Toolpath");
+
+    [Test]
+    public void The_whole_way_from_a_solid_to_G_code_and_back()
+    {
+        var document = new GH_Document();
+        var slice = new Canvas<PlanarSlicerComponent>(document).Feed("Geometry", Shapes.Box(height: 1));
+        var plan = new Canvas<PlanToolpathComponent>(document).Feed("Printer", "ender3");
+        var write = new Canvas<GenerateGCodeComponent>(document);
+        var text = new Canvas<GCodeTextComponent>(document);
+        var decode = new Canvas<DecodeGCodeComponent>(document);
+        plan.Input("Steps").AddSource(slice.Output("Print Paths"));
+        write.Input("Toolpath").AddSource(plan.Output("Toolpath"));
+        text.Input("G-code").AddSource(write.Output("G-code"));
+        decode.Input("G-code").AddSource(write.Output("G-code"));
+        document.NewSolution(false);
+        Assert.That(document.Objects.OfType<IGH_ActiveObject>().SelectMany(o => o.RuntimeMessages(GH_RuntimeMessageLevel.Error)), Is.Empty);
+        Assert.That(text.All("Lines"), Has.Member("M82").And.Some.StartsWith("G1 "));
+        Assert.That(write.Output("G-code").VolatileData.get_Branch(0)[0]!.ToString(), Does.Contain("lines").And.Contain("bytes of G-code"));
+        var (planned, decoded) = (ToolpathTotals.Of(plan.One<Toolpath>("Toolpath")), decode.One<Toolpath>("Toolpath"));
+        var walls = decoded.Moves().Where(m => m.Kind == MoveKind.Print && m.Role == Role.OuterWall).Sum(m => m.Length);
+        Assert.That(walls, Is.EqualTo(plan.One<Toolpath>("Toolpath").Moves().Where(m => m.Role == Role.OuterWall && m.Kind == MoveKind.Print).Sum(m => m.Length)).Within(0.05));
+        Assert.That(decoded.Moves().Where(m => m.Kind == MoveKind.Print && m.Role != Role.Unspecified).Sum(m => m.Deposited), Is.EqualTo(planned.DepositedE).Within(1e-3));
+    }
+
+    [Test]
+    public void Steps_of_several_branches_follow_each_other()
+    {
+        var canvas = new Canvas<PlanToolpathComponent>().FeedTree("Steps", [Line(20)], [Line(40), new StepGoo(new DwellEvent(2))], [Line(60)]).Feed("Printer", "generic").Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        var toolpath = canvas.One<Toolpath>("Toolpath");
+        Assert.That(toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Start.X), Is.EqualTo(new[] { 20.0, 40, 60 }));
+        Assert.That(toolpath.Events.Any(e => e.Event is DwellEvent), Is.True);
+        Assert.That(canvas.Output("Toolpath").VolatileData.get_Branch(0)[0]!.ToString(), Does.StartWith("Toolpath (").And.Contain(" m printed)"));
+    }
+
+    [Test]
+    public void A_plan_as_drawn_adds_nothing_and_choices_take_their_names()
+    {
+        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), Line(40)).Feed("Printer", "generic").Feed("Policy", "as drawn").Feed("Sort", "none").Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That(canvas.One<Toolpath>("Toolpath").Moves().Select(m => m.Kind), Has.None.EqualTo(MoveKind.Retract));
+        Assert.That(canvas.Feed("Policy", "sideways").Solve().Errors, Is.EqualTo(new[] { "Data conversion failed from Text to Integer" }));
+        Assert.That(canvas.Feed("Policy", 7).Solve().Errors, Is.EqualTo(new[] { "{0}[0]: Policy has no choice 7; there are Printer, AsDrawn." }));
+    }
+
+    [Test]
+    public void A_plan_for_each_printer_of_a_list_and_null_for_the_bad_one()
+    {
+        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), null).Feed("Printer", "generic", null, "ender3", "nothing").Solve();
+        Assert.That(canvas.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { false, true, false, true }));
+        Assert.That(canvas.Warnings, Has.Member("{0}[0]: Steps has 1 null item, which is left out.").And.Member("{0}[1]: Printer is missing."));
+        Assert.That(canvas.Errors, Is.EqualTo(new[] { "Data conversion failed from Text to Printer" }));
+    }
+
+    [Test]
+    public void A_plan_needs_steps()
+    {
+        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Solve().Warnings, Is.EqualTo(new[] { "Input parameter S failed to collect data" }));
+        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Feed("Steps", null).Solve().Warnings, Has.Member("{0}[0]: Steps are missing."));
+    }
+
+    [Test]
+    public void What_would_hurt_the_machine_is_refused_and_only_a_reason_overrides_it()
+    {
+        var canvas = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", new ToolpathGoo(Planned(215), new PrintSetup())).Solve();
+        Assert.That(canvas.All("G-code"), Is.EqualTo(new object?[] { null }));
+        Assert.That(canvas.Errors, Has.Some.Contains("bed.outside").And.Some.Contains("write.refused"));
+        Assert.That(canvas.Component.Message, Is.EqualTo("refused"));
+        canvas.Feed("Override Reason", "the bed is larger than the profile says").Solve();
+        Assert.That(canvas.One<GCodeDocument>("G-code").Lines(1, 100).Select(l => l.Text), Has.Some.Contains("the bed is larger than the profile says"));
+    }
+
+    [Test]
+    public void A_toolpath_that_was_not_planned_needs_a_printer()
+    {
+        var canvas = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Planned(), null).Solve();
+        Assert.That(canvas.All("G-code"), Is.EqualTo(new object?[] { null, null }));
+        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "{0}[0]: Printer is missing: the toolpath was not planned for one.", "{0}[1]: Toolpath is missing." }));
+        canvas.Feed("Printer", "generic").Solve();
+        Assert.That(canvas.All("G-code").Select(g => g is null), Is.EqualTo(new[] { false, true }));
+    }
+
+    [Test]
+    public void G_code_for_a_list_and_a_tree()
+    {
+        var goo = new ToolpathGoo(Planned(), new PrintSetup());
+        Assert.That(new Canvas<GenerateGCodeComponent>().Feed("Toolpath", goo, goo).Solve().All("G-code"), Has.Count.EqualTo(2));
+        Assert.That(new Canvas<GenerateGCodeComponent>().FeedTree("Toolpath", [goo], [goo]).Solve().Paths("G-code"), Is.EqualTo(new[] { "{0}", "{1}" }));
+    }
+
+    [TestCase(1, 2, new[] { "M83", "G1 X10 Y10 Z0.2 F3000" })]
+    [TestCase(3, 100, new[] { "G1 X20 Y10 E0.5 F1200", "G1 X20 Y20 E0.5" })]
+    [TestCase(-1, 5, new[] { "G1 X20 Y20 E0.5" })]
+    [TestCase(50, 5, new string[0])]
+    [TestCase(1, 0, new string[0])]
+    public void A_window_of_lines(int start, int count, string[] lines)
+    {
+        var canvas = new Canvas<GCodeTextComponent>().Feed("G-code", Small).Feed("Start", start).Feed("Count", count).Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That(canvas.All("Lines").Where(l => !Equals(l, "")), Is.EqualTo(lines));
+    }
+
+    [Test]
+    public void A_window_that_makes_no_sense_is_an_error_and_trees_keep_their_branches()
+    {
+        var canvas = new Canvas<GCodeTextComponent>().FeedTree("G-code", [Small], [Small, null]).Feed("Start", 1).Feed("Count", 1).Solve();
+        Assert.That(canvas.Paths("Lines"), Is.EqualTo(new[] { "{0;0}", "{1;0}", "{1;1}" }));
+        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "{1}[1]: G-code is missing." }));
+        Assert.That(canvas.Feed("Start", 0).Solve().Errors, Has.Some.Contains("Start counts from 1"));
+        Assert.That(canvas.Feed("Start", 1).Feed("Count", -1).Solve().Errors, Has.Some.Contains("Count must be from 0 to 100000."));
+    }
+
+    [Test]
+    public void Text_and_files_are_decoded()
+    {
+        var canvas = new Canvas<DecodeGCodeComponent>().Feed("G-code", Small).Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That(ToolpathTotals.Of(canvas.One<Toolpath>("Toolpath")).PrintLength, Is.EqualTo(20).Within(1e-9));
+        var folder = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N"));
+        Directory.CreateDirectory(folder);
+        try
+        {
+            var file = Path.Combine(folder, "small.gcode");
+            File.WriteAllText(file, Small);
+            var files = new Canvas<DecodeGCodeComponent>();
+            files.Document.FilePath = Path.Combine(folder, "definition.gh");
+            files.Feed("File", "small.gcode", "none.gcode", null).Feed("Dialect", "klipper").Feed("Rule", "rising").Solve();
+            Assert.That(files.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { false, true, true }));
+            Assert.That(files.All("Dialect")[0], Is.EqualTo("klipper"));
+            Assert.That(files.Errors, Has.One.Contains("{0}[1]: There is no file ").And.One.Contains("none.gcode"));
+            Assert.That(files.Warnings, Has.Member("{0}[2]: File or G-code is missing."));
+            File.WriteAllText(file, Small + "G1 X30 E1\n");
+            files.Component.ExpireSolution(false);
+            files.Solve();
+            Assert.That(((Toolpath)files.All("Toolpath")[0]!).Count, Is.EqualTo(canvas.One<Toolpath>("Toolpath").Count + 1), "A changed file is read again.");
+        }
+        finally
+        {
+            Directory.Delete(folder, true);
+        }
+    }
+
+    [Test]
+    public void Decoding_reports_what_it_does_not_know_and_never_fails()
+    {
+        var canvas = new Canvas<DecodeGCodeComponent>().FeedTree("G-code", [Small], ["\u0001 what? G1 X1e999 %%", ""]).Solve();
+        Assert.That(canvas.All("Toolpath"), Has.Count.EqualTo(3).And.None.Null);
+        Assert.That(canvas.Feed("Dialect", "cobol").Solve().Errors, Has.Some.Contains("There is no dialect cobol; there are detect, slicer, "));
+    }
+}

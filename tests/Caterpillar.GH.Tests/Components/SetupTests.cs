@@ -1,0 +1,139 @@
+using System;
+using System.IO;
+using System.Linq;
+using Caterpillar.GH.Components.Setup;
+using Caterpillar.GH.Tests.Host;
+using Caterpillar.Machines;
+using Grasshopper;
+using NUnit.Framework;
+using Rhino;
+
+namespace Caterpillar.GH.Tests.Components;
+
+public sealed class SetupTests
+{
+    private string _folder = "";
+    private string _settings = "";
+
+    [SetUp]
+    public void SetUp()
+    {
+        _folder = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N"));
+        Directory.CreateDirectory(_folder);
+        _settings = Folders.Settings;
+        Folders.Settings = _folder;
+    }
+
+    [TearDown]
+    public void TearDown()
+    {
+        Folders.Settings = _settings;
+        Directory.Delete(_folder, true);
+    }
+
+    [Test]
+    public void A_printer_comes_by_name_as_item_list_and_tree()
+    {
+        Assert.That(new Canvas<PrinterComponent>().Solve().One<Printer>("Printer").Name, Is.EqualTo("generic"));
+        var list = new Canvas<PrinterComponent>().Feed("Name", "generic", "ender3").Solve();
+        Assert.That(list.All("Printer").Select(p => ((Printer)p!).Name), Is.EqualTo(new[] { "generic", "ender3" }));
+        Assert.That(list.Paths("Diagnostics"), Is.EqualTo(new[] { "{0;0}", "{0;1}" }));
+        var tree = new Canvas<PrinterComponent>().FeedTree("Name", ["ender3"], ["generic", "ender3"]).Solve();
+        Assert.That(tree.Paths("Printer"), Is.EqualTo(new[] { "{0}", "{1}" }));
+        Assert.That(tree.Errors, Is.Empty);
+    }
+
+    [Test]
+    public void A_wrong_name_is_an_error_with_advice_and_the_rest_goes_on()
+    {
+        var canvas = new Canvas<PrinterComponent>().Feed("Name", "ender33", null, "generic").Solve();
+        Assert.That(canvas.All("Printer").Select(p => p is null), Is.EqualTo(new[] { true, true, false }));
+        Assert.That(canvas.Errors, Has.One.StartsWith("{0}[0]: ").And.Contain("did you mean ender3?"));
+        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "{0}[1]: Name is missing." }));
+    }
+
+    [Test]
+    public void The_bed_is_in_document_units()
+    {
+        using var _ = new InDocument(UnitSystem.Centimeters);
+        var canvas = new Canvas<PrinterComponent>().Solve();
+        var box = canvas.One<Rg.Curve>("Bed").GetBoundingBox(true);
+        Assert.That((box.Max.X, box.Max.Y, box.Max.Z), Is.EqualTo((22.0, 22.0, 0.0)));
+        Assert.That(canvas.Remarks, Has.One.Contains("centimeters"));
+    }
+
+    [Test]
+    public void A_file_counts_before_the_name_and_stands_relative_to_the_definition()
+    {
+        File.WriteAllText(Path.Combine(_folder, "mine.json"), "{\"inherits\": \"generic\", \"title\": \"Mine\", \"build_volume_mm\": [100, 100, 100]}");
+        var canvas = new Canvas<PrinterComponent>();
+        canvas.Document.FilePath = Path.Combine(_folder, "definition.gh");
+        canvas.Feed("File", "mine.json").Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Mine"));
+        canvas.Feed("File", "none.json").Solve();
+        Assert.That(canvas.Errors, Has.One.Contains("none.json"));
+        Assert.That(canvas.All("Printer"), Is.EqualTo(new object?[] { null }));
+    }
+
+    [Test]
+    public void Profiles_of_the_user_lie_over_those_of_the_plug_in_and_are_watched()
+    {
+        var printers = Path.Combine(_folder, "Caterpillar", "printers");
+        Directory.CreateDirectory(printers);
+        File.WriteAllText(Path.Combine(printers, "generic.json"), "{\"inherits\": \"generic\", \"title\": \"Changed\"}");
+        var canvas = new Canvas<PrinterComponent>().Solve();
+        Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Changed"));
+        File.WriteAllText(Path.Combine(printers, "generic.json"), "{\"inherits\": \"generic\", \"title\": \"Again\"}");
+        var until = DateTime.UtcNow.AddSeconds(10);
+        while (canvas.Document.ScheduledCount == 0 && DateTime.UtcNow < until) System.Threading.Thread.Sleep(20);
+        if (canvas.Document.ScheduledCount == 0) Assert.Ignore("This file system does not report changes.");
+        System.Threading.Thread.Sleep(100);
+        canvas.Document.RunSchedule();
+        Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Again"));
+        canvas.Document.RemoveObject(canvas.Component, false);
+    }
+
+    [Test]
+    public void Overrides_change_a_material_and_bad_ones_name_their_key()
+    {
+        var canvas = new Canvas<MaterialComponent>().Feed("Overrides", "nozzle_temperature_c=215", "bed_temperature_c = 0").Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That((canvas.One<Material>("Material").NozzleTemperature, canvas.One<Material>("Material").BedTemperature), Is.EqualTo((215.0, 0.0)));
+        var bad = new Canvas<MaterialComponent>().Feed("Overrides", "nozzle_temperature=215", "nonsense").Solve();
+        Assert.That(bad.All("Material"), Is.EqualTo(new object?[] { null }));
+        Assert.That(bad.Errors, Has.Some.Contains("nozzle_temperature_c").And.Some.Contains("nonsense"));
+        Assert.That(bad.All("Diagnostics"), Has.Count.EqualTo(2));
+    }
+
+    [Test]
+    public void A_material_comes_by_name_as_list_and_tree()
+    {
+        var canvas = new Canvas<MaterialComponent>().FeedTree("Name", ["pla"], [null, "petg", "plaa"]).Solve();
+        Assert.That(canvas.All("Material").Select(m => (m as Material)?.Name), Is.EqualTo(new[] { "pla", null, "petg", null }));
+        Assert.That(canvas.Errors, Has.One.StartsWith("{1}[2]: "));
+    }
+
+    [Test]
+    public void Settings_take_the_values_given_and_keep_those_of_the_base()
+    {
+        var canvas = new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "standard").Feed("Layer Height", 0.1, 0.3).Feed("Overrides", "wall_count=4").Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        var settings = canvas.All("Settings").Cast<PrintSettings>().ToArray();
+        Assert.That(settings.Select(s => s.LayerHeight), Is.EqualTo(new[] { 0.1, 0.3 }));
+        Assert.That(settings.Select(s => s.WallCount), Is.EqualTo(new[] { 4, 4 }));
+        Assert.That(settings[0].PrintSpeed, Is.EqualTo(new Canvas<ConstructPrintSettingsComponent>().Solve().One<PrintSettings>("Settings").PrintSpeed));
+    }
+
+    [Test]
+    public void Settings_out_of_range_are_errors_of_their_item()
+    {
+        var canvas = new Canvas<ConstructPrintSettingsComponent>().FeedTree("Layer Height", [0.2], [-1, 0.3, double.NaN, "thick"]).Solve();
+        Assert.That(canvas.All("Settings").Select(s => (s as PrintSettings)?.LayerHeight), Is.EqualTo(new double?[] { 0.2, null, 0.3, null, 0.2 }));
+        Assert.That(canvas.Errors, Has.One.StartsWith("{1}[0]: ").And.One.StartsWith("{1}[2]: ").And.One.EqualTo("Data conversion failed from Text to Number"));
+    }
+
+    [Test]
+    public void An_unknown_base_is_a_failed_conversion()
+        => Assert.That(new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "no such settings").Solve().Errors, Is.EqualTo(new[] { "Data conversion failed from Text to Print Settings" }));
+}

@@ -1,0 +1,115 @@
+using System;
+using System.Linq;
+using Caterpillar.GH.Components.Slice;
+using Caterpillar.GH.Tests.Host;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using NUnit.Framework;
+using Rhino;
+
+namespace Caterpillar.GH.Tests.Components;
+
+public sealed class SlicerTests
+{
+    private static readonly PrintSettings Quick = new() { LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.6, WallCount = 1 };
+
+    private static Canvas<PlanarSlicerComponent> Slice(params object?[] geometry) => new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick).Feed("Geometry", geometry).Solve();
+
+    [TearDown]
+    public void TearDown() => GH_Document.EscapeKey = () => false;
+
+    [Test]
+    public void A_box_gives_a_branch_per_layer()
+    {
+        var canvas = Slice(Shapes.Box());
+        Assert.That(canvas.Errors.Concat(canvas.Warnings).Concat(canvas.Remarks), Is.Empty);
+        Assert.That(canvas.Paths("Print Paths"), Is.EqualTo(new[] { "{0;0;0}", "{0;0;1}", "{0;0;2}", "{0;0;3}" }));
+        Assert.That(canvas.All("Walls"), Has.Count.EqualTo(4));
+        Assert.That(canvas.All("Print Paths"), Has.Count.EqualTo(canvas.All("Walls").Count + canvas.All("Infill").Count));
+        var region = (Rg.Curve)canvas.All("Regions")[0]!;
+        Assert.That(region.GetLength(), Is.EqualTo(40).Within(1e-4));
+        Assert.That(canvas.Component.Message, Is.EqualTo("4 layers"));
+        Assert.That(canvas.Output("Print Paths").VolatileData.get_Branch(0)[0]!.ToString(), Does.StartWith("Print Path (OuterWall, ").And.EndsWith(", closed)"));
+    }
+
+    [Test]
+    public void A_solid_gives_the_same_as_its_mesh()
+    {
+        var (mesh, solid) = (Slice(Shapes.Box()), Slice(Shapes.Solid()));
+        Assert.That(solid.Errors, Is.Empty);
+        Assert.That(solid.All("Print Paths").Cast<PrintPath>().Select(p => p.Length), Is.EqualTo(mesh.All("Print Paths").Cast<PrintPath>().Select(p => p.Length)));
+    }
+
+    [Test]
+    public void Solids_of_a_list_are_one_print_and_branches_are_several()
+    {
+        var list = Slice(Shapes.Box(), Shapes.Box(130));
+        Assert.That(list.All("Walls").Cast<PrintPath>().Count(p => p.Role == Role.OuterWall), Is.EqualTo(8));
+        var tree = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick).FeedTree("Geometry", [Shapes.Box()], [Shapes.Box(130, height: 1)]).Solve();
+        Assert.That(tree.Paths("Walls"), Is.EqualTo(new[] { "{0;0;0}", "{0;0;1}", "{0;0;2}", "{0;0;3}", "{1;0;0}", "{1;0;1}" }));
+    }
+
+    [Test]
+    public void Null_and_flat_geometry_stop_only_their_branch()
+    {
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick)
+            .FeedTree("Geometry", [Shapes.Box(), null], [new Rg.LineCurve(new Rg.Point3d(0, 0, 0), new Rg.Point3d(1, 0, 0))], [null], [Shapes.Box()]).Solve();
+        Assert.That(canvas.All("Walls"), Has.Count.EqualTo(8));
+        Assert.That(canvas.Warnings, Has.Member("{0}[0]: Geometry has 1 null item, which is left out.").And.Some.Contains("Geometry is missing."));
+        Assert.That(canvas.Errors, Has.One.Contains("A LineCurve has no surface to slice"));
+    }
+
+    [Test]
+    public void A_gap_in_the_surface_is_a_warning_that_shows_its_edges()
+    {
+        var canvas = Slice(Shapes.OpenBox());
+        Assert.That(canvas.Warnings, Is.Not.Empty);
+        Assert.That(canvas.All("Open Edges").Cast<Rg.Curve>().Sum(e => e.GetLength()), Is.GreaterThanOrEqualTo(40));
+        Assert.That(canvas.All("Diagnostics"), Has.Some.Contains("open"));
+    }
+
+    [Test]
+    public void Geometry_in_other_units_is_scaled_to_mm_and_back()
+    {
+        using var _ = new InDocument(UnitSystem.Centimeters);
+        var canvas = Slice(Shapes.Box(10, 10, 1, 0.2));
+        Assert.That(canvas.All("Walls"), Has.Count.EqualTo(4));
+        Assert.That(((PrintPath)canvas.All("Walls")[0]!).Bounds.Max.X, Is.InRange(109, 110));
+        Assert.That(((Rg.Curve)canvas.All("Regions")[0]!).GetLength(), Is.EqualTo(4).Within(1e-4));
+        Assert.That(canvas.Remarks, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public void A_tolerance_of_zero_is_refused()
+        => Assert.That(Slice(Shapes.Box()).Feed("Tolerance", 0).Solve().Errors, Has.One.Contains("Tolerance must be greater than zero, not 0."));
+
+    [Test]
+    public void Nothing_to_print_is_an_error()
+        => Assert.That(Slice(Shapes.Box(size: 0.1)).Errors, Has.Some.Contains("slice.nothing"));
+
+    [Test]
+    public void The_last_solve_is_kept_until_something_changes()
+    {
+        var canvas = Slice(Shapes.Box());
+        var first = canvas.All("Walls")[0];
+        canvas.Component.ExpireSolution(false);
+        canvas.Solve();
+        Assert.That(canvas.All("Walls")[0], Is.SameAs(first));
+        canvas.Feed("Settings", Quick with { LineWidth = 0.7 }).Solve();
+        Assert.That(canvas.All("Walls")[0], Is.Not.SameAs(first));
+        canvas.Feed("Settings", Quick).Solve();
+        Assert.That(canvas.All("Walls")[0], Is.Not.SameAs(first), "Only the last solve is kept.");
+    }
+
+    [Test]
+    public void Escape_stops_the_solution()
+    {
+        GH_Document.EscapeKey = () => true;
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick with { LayerHeight = 0.02, FirstLayerHeight = 0.02, InfillPercent = 90 })
+            .Feed("Geometry", Shapes.Box(10, 10, 190, 200)).Solve();
+        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "Cancelled." }));
+        Assert.That(canvas.Document.AbortRequested, Is.True);
+        Assert.That(canvas.All("Walls"), Is.Empty);
+    }
+}

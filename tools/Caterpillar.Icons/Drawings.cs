@@ -1,0 +1,55 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Icons;
+
+/// <summary>The icons by name. Everything stays two pixels away from the edge.</summary>
+internal static class Drawings
+{
+    public static IReadOnlyDictionary<string, Action<Canvas>> All { get; } = new SortedDictionary<string, Action<Canvas>>(StringComparer.Ordinal)
+    {
+        ["Plugin"] = c => Caterpillar(c),
+        ["Component"] = c => c.Ring(12, 12, 8, 2.4, Ink.Green).Disc(12, 12, 2.5, Ink.Dark),
+        ["Printer"] = Printer,
+        ["Material"] = c => c.Ring(12, 12, 7.5, 4, Ink.Orange).Ring(12, 12, 4, 1, Ink.Dark).Ring(12, 12, 9.2, 1, Ink.Dark).Line(19, 13, 21, 20.5, 1.4, Ink.Orange),
+        ["ConstructPrintSettings"] = Sliders,
+        ["PlanarSlicer"] = c => c.Polygon(Ink.Light, 12, 3, 21, 19, 3, 19).Line(10.2, 7.5, 13.8, 7.5, 1.6, Ink.Green).Line(8, 11.5, 16, 11.5, 1.6, Ink.Green)
+            .Line(5.8, 15.5, 18.2, 15.5, 1.6, Ink.Green).Line(3.6, 19.5, 20.4, 19.5, 1.6, Ink.Green),
+        ["PlanToolpath"] = c => c.Polyline(2, Ink.Green, 4, 19, 10, 19, 10, 13).Polyline(1.2, Ink.Grey, 10, 13, 12, 6, 16, 6, 17, 12).Polyline(2, Ink.Green, 17, 12, 17, 19, 20.5, 19)
+            .Disc(4.5, 19, 2, Ink.Dark).Disc(19.5, 19, 2, Ink.Orange),
+        ["GenerateGCode"] = c => { Page(c); Nozzle(c, 12, 7); c.Line(8.5, 17, 15.5, 17, 1.8, Ink.Green); },
+        ["GCodeText"] = c => { Page(c); c.Line(8, 8, 14, 8, 1.3, Ink.Green).Line(8, 11, 16, 11, 1.3, Ink.Dark).Line(8, 14, 13, 14, 1.3, Ink.Dark).Line(8, 17, 16, 17, 1.3, Ink.Dark); },
+        ["DecodeGCode"] = c => { Page(c); c.Polyline(2, Ink.Green, 8, 17, 11, 10, 14, 14, 18, 7); },
+        ["DeconstructPrintPath"] = c => c.Polyline(2.4, Ink.Green, 4, 18, 9, 7, 15, 15, 20, 5).Disc(4.2, 18, 2, Ink.Dark).Disc(9, 7, 2, Ink.Dark).Disc(15, 15, 2, Ink.Dark).Disc(19.8, 5.2, 2, Ink.Dark),
+        ["PrintPathParam"] = c => c.Hexagon().Polyline(2.4, Ink.Green, 7, 16, 10.5, 8, 14, 15, 17, 8),
+        ["ToolpathParam"] = c => c.Hexagon().Polyline(1.8, Ink.Green, 7, 16, 17, 16, 17, 13, 7, 13, 7, 10, 17, 10).Disc(17, 9.5, 1.6, Ink.Orange),
+        ["PrinterParam"] = c => c.Hexagon().Polyline(1.6, Ink.Light, 8, 17, 8, 7.5, 16, 7.5, 16, 17, 8, 17).Line(12, 8, 12, 12, 2, Ink.Orange),
+        ["MaterialParam"] = c => c.Hexagon().Ring(12, 12, 4.5, 3, Ink.Orange),
+        ["SettingsParam"] = c => c.Hexagon().Line(7, 9, 17, 9, 1.4, Ink.Light).Line(7, 15, 17, 15, 1.4, Ink.Light).Disc(10, 9, 2, Ink.Green).Disc(14, 15, 2, Ink.Green),
+        ["GCodeParam"] = c => c.Hexagon().Rect(8.5, 6.5, 15.5, 17.5, Ink.Light).Line(10, 9, 14, 9, 1, Ink.Green).Line(10, 12, 14, 12, 1, Ink.Dark).Line(10, 15, 13, 15, 1, Ink.Dark),
+        ["StepParam"] = c => c.Hexagon().Polyline(1.8, Ink.Green, 7, 16, 10, 16, 10, 12.5, 13.5, 12.5, 13.5, 9, 17, 9),
+        ["ChoiceParam"] = c => c.Hexagon().Line(8, 9, 16, 9, 1.5, Ink.Light).Line(8, 12, 16, 12, 1.5, Ink.Green).Line(8, 15, 16, 15, 1.5, Ink.Light),
+    };
+
+    private static void Caterpillar(Canvas c) => c
+        .Disc(5.5, 16, 3.2, Ink.Green).Disc(9.5, 13, 3.4, Ink.Green).Disc(13.5, 16, 3.4, Ink.Green).Disc(17.5, 11.5, 4.2, Ink.Green)
+        .Disc(18.7, 10.5, 0.9, Ink.Dark).Line(16.5, 8, 15.5, 4.5, 1.2, Ink.Dark).Line(18.8, 7.6, 20, 4.5, 1.2, Ink.Dark).Line(3, 20.5, 21, 20.5, 1.4, Ink.Grey);
+
+    private static void Printer(Canvas c)
+    {
+        c.Polyline(2, Ink.Dark, 4, 20, 4, 4, 20, 4, 20, 20).Line(3.2, 20.2, 20.8, 20.2, 1.6, Ink.Dark).Line(5, 9, 19, 9, 1.2, Ink.Grey);
+        Nozzle(c, 12, 7);
+        c.Line(8, 18.4, 16, 18.4, 2, Ink.Green).Line(9, 16.2, 15, 16.2, 2, Ink.Green);
+    }
+
+    private static void Sliders(Canvas c)
+    {
+        double[] knobs = [8, 15, 11];
+        for (var i = 0; i < 3; i++) c.Line(4, 6 + 6 * i, 20, 6 + 6 * i, 1.6, Ink.Grey).Disc(knobs[i], 6 + 6 * i, 2.6, i == 1 ? Ink.Orange : Ink.Green);
+    }
+
+    private static void Page(Canvas c) => c.Polygon(Ink.Dark, 5, 3, 15, 3, 19, 7, 19, 21, 5, 21).Polygon(Ink.Light, 6, 4, 14.6, 4, 18, 7.4, 18, 20, 6, 20);
+
+    private static void Nozzle(Canvas c, double x, double y)
+        => c.Rect(x - 2.5, y, x + 2.5, y + 3, Ink.Orange).Polygon(Ink.Orange, x - 2.5, y + 3, x + 2.5, y + 3, x + 0.8, y + 6, x - 0.8, y + 6);
+}
