@@ -87,6 +87,7 @@ public static class Decoder
         var core = new DecoderCore(rules, options.Rule, axis);
         var lines = 0;
         var mark = false;
+        var checkpoints = document is null ? null : new List<Checkpoint>(document.Chunks.Count);
         long bytes = 0;
         ChunkPipeline.Run(
             chunks,
@@ -95,6 +96,7 @@ public static class Decoder
             (parser, done) =>
             {
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
+                checkpoints?.Add(new Checkpoint(lines, core.Save()));
                 core.Run(parser, lines);
                 lines += parser.Lines;
                 bytes = done;
@@ -110,7 +112,12 @@ public static class Decoder
         var diagnostics = core.Diagnostics.ToList();
         if (name.Length > 0) diagnostics = diagnostics.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }).ToList();
         return new Result<Decoding>(
-            new Decoding(document, toolpath, report, rules, detected?.Evidence ?? [], settings, core.IgnoredCommands.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal), options.Rule),
+            new Decoding(document, toolpath, report, rules, detected?.Evidence ?? [], settings, core.IgnoredCommands.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal), options.Rule)
+            {
+                Checkpoints = checkpoints?.ToArray() ?? [],
+                Axis = axis,
+                LastModeLine = core.LastModeLine,
+            },
             diagnostics);
     }
 }

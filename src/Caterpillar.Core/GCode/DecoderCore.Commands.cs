@@ -139,9 +139,13 @@ internal sealed partial class DecoderCore
         }
     }
 
+    /// <summary>The last line that changed a mode.</summary>
+    public int LastModeLine { get; private set; }
+
     // After each change of a mode: which rule of E holds, and whether the fast path does.
     private void Modes()
     {
+        LastModeLine = _line;
         var either = _relative || _m83;
         _relativeE = _rules.RelativeE switch
         {

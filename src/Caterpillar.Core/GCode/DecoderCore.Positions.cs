@@ -15,8 +15,11 @@ internal sealed partial class DecoderCore
     private double _startY;
     private double _startZ;
 
+    private bool _started;
+
     private void NoteStart()
     {
+        _started = true;
         _startX = _x + _shiftX;
         _startY = _y + _shiftY;
         _startZ = _z + _shiftZ;
@@ -47,7 +50,7 @@ internal sealed partial class DecoderCore
         }
         _wasPrint = false;
         // The way home is a move of the toolpath, though not of the file's own.
-        if (moves && _out.Count > 0) Emit(_x, _y, _z, 0, 0, MoveKind.Travel);
+        if (moves && _started) Emit(_x, _y, _z, 0, 0, MoveKind.Travel);
     }
 
     // G92: the place gets another name; the head stays.

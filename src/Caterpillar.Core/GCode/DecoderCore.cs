@@ -229,7 +229,7 @@ internal sealed partial class DecoderCore
 
     private void Emit(double x, double y, double z, double e, double deposited, MoveKind kind)
     {
-        if (_out.Count == 0) NoteStart();
+        if (!_started) NoteStart();
         _x = x;
         _y = y;
         _z = z;

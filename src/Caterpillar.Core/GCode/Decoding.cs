@@ -43,6 +43,14 @@ public sealed class Decoding
 
     public ExtrusionRule Rule { get; }
 
+    /// <summary>The state of the machine before each chunk of the document.</summary>
+    internal Checkpoint[] Checkpoints { get; init; } = [];
+
+    internal ExtrusionAxis Axis { get; init; } = ExtrusionAxis.None;
+
+    /// <summary>The last line that changes how E is read.</summary>
+    internal int LastModeLine { get; init; }
+
     /// <summary>For a panel: moves, layers and dialect.</summary>
     public override string ToString()
         => Basics.NumberFormatter.Format(Toolpath.Count) + " moves, " + Basics.NumberFormatter.Format(Toolpath.Layers.Count) + " layers, " + Dialect.Title;

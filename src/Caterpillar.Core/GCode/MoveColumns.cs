@@ -45,6 +45,17 @@ internal sealed class MoveColumns
         Forget(Columns);
     }
 
+    /// <summary>The arc of the last move, where it is one.</summary>
+    public Arc? LastArc => _arcMoves.Count > 0 && _arcMoves[_arcMoves.Count - 1] == Columns.Count - 1 ? _arcs[_arcs.Count - 1] : null;
+
+    /// <summary>Forgets the moves so far; only while they fit into one block.</summary>
+    public void Clear()
+    {
+        Columns.Count = 0;
+        _arcMoves.Clear();
+        _arcs.Clear();
+    }
+
     public IReadOnlyList<ToolpathBlock> ToBlocks()
     {
         if (Columns.Count > 0)

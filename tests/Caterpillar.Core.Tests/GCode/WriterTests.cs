@@ -108,7 +108,7 @@ public class WriterTests
         }
     }
 
-    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.All))]
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
     public void Decoded_files_written_anew_make_the_same_moves(string file)
     {
         var decoding = Decoder.Decode(GCodeFiles.Document(file), new DecodeOptions { Dialect = DialectTable.Slicer }).Value!;

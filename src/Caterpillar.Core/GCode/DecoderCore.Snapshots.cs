@@ -1,0 +1,107 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Saving and restoring the state, and reading one line at a time; for writing a file again.</summary>
+internal sealed partial class DecoderCore
+{
+    /// <summary>Columns of the moves of the last line read by <see cref="ReadLine"/>.</summary>
+    public Toolpaths.ToolpathColumns LastMoves => _out.Columns;
+
+    /// <summary>The geometry of the last line's arc, where it made one.</summary>
+    public Geometry.Arc? LastArc => _out.LastArc;
+
+    /// <summary>True when E words are increments now.</summary>
+    public bool IsRelativeE => _relativeE;
+
+    /// <summary>Reads a line and forgets what was before it; returns the number of moves it makes. <paramref name="commands"/> counts motion commands, also those that move nothing.</summary>
+    public int ReadLine(byte[] text, int start, int end, out int commands)
+    {
+        _out.Clear();
+        _events.Clear();
+        var before = Tally.Rapids + Tally.Feeds;
+        Execute(text, start, end);
+        commands = Tally.Rapids + Tally.Feeds - before;
+        return _out.Columns.Count;
+    }
+
+    public MachineSnapshot Save()
+    {
+        _state.E = _e;
+        return new MachineSnapshot
+        {
+            X = _x,
+            Y = _y,
+            Z = _z,
+            E = _e,
+            ShiftX = _shiftX,
+            ShiftY = _shiftY,
+            ShiftZ = _shiftZ,
+            A = _a,
+            B = _b,
+            Feed = _feed,
+            FeedFactor = _feedFactor,
+            Flow = _flow,
+            Speed = _speed,
+            NextTool = _nextTool,
+            ShadowE = _shadowE,
+            Tool = _tool,
+            Motion = _motion,
+            Plane = _plane,
+            Relative = _relative,
+            Inches = _inches,
+            M83 = _m83,
+            LastRelative = _lastRelative,
+            AbsoluteCenters = _absoluteCenters,
+            Shadow = _shadow,
+            Volumetric = _volumetric,
+            SwitchedOn = _switchedOn,
+            KnownX = _knownX,
+            KnownY = _knownY,
+            KnownZ = _knownZ,
+            Started = _started,
+            EByTool = _rules.SharedE ? [] : _tools.Select(t => new KeyValuePair<int, double>(t.Key, t.Value.E)).ToArray(),
+        };
+    }
+
+    public void Restore(MachineSnapshot from)
+    {
+        foreach (var pair in from.EByTool)
+        {
+            if (!_tools.TryGetValue(pair.Key, out var state)) _tools.Add(pair.Key, state = new ToolState());
+            state.E = pair.Value;
+        }
+        if (from.Tool != _tool) SelectTool(from.Tool);
+        _x = from.X;
+        _y = from.Y;
+        _z = from.Z;
+        _e = from.E;
+        _shiftX = from.ShiftX;
+        _shiftY = from.ShiftY;
+        _shiftZ = from.ShiftZ;
+        _a = from.A;
+        _b = from.B;
+        _feed = from.Feed;
+        _feedFactor = from.FeedFactor;
+        _flow = from.Flow;
+        _speed = from.Speed;
+        _nextTool = from.NextTool;
+        _motion = from.Motion;
+        _plane = from.Plane;
+        _relative = from.Relative;
+        _inches = from.Inches;
+        _m83 = from.M83;
+        _lastRelative = from.LastRelative;
+        _absoluteCenters = from.AbsoluteCenters;
+        _shadow = from.Shadow;
+        _shadowE = from.ShadowE;
+        _volumetric = from.Volumetric;
+        _switchedOn = from.SwitchedOn;
+        _knownX = from.KnownX;
+        _knownY = from.KnownY;
+        _knownZ = from.KnownZ;
+        _started = from.Started;
+        Modes();
+    }
+}

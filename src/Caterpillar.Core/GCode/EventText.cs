@@ -1,0 +1,53 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Events as lines of G-code.</summary>
+internal static class EventText
+{
+    public static IEnumerable<string> Lines(PrinterEvent what, DialectRules rules)
+    {
+        switch (what)
+        {
+            case NozzleTemperatureEvent nozzle:
+                yield return (nozzle.Wait ? "M109" : "M104") + (nozzle.Tool is { } of ? " T" + NumberFormatter.Format(of) : "") + " S" + NumberFormatter.Format(nozzle.Celsius, 1);
+                break;
+            case BedTemperatureEvent bed:
+                yield return (bed.Wait ? "M190 S" : "M140 S") + NumberFormatter.Format(bed.Celsius, 1);
+                break;
+            case FanEvent fan:
+                var speed = Math.Min(Math.Max(fan.Speed, 0), 1);
+                if (rules.Fan == FanScale.FractionOrByte) yield return "M106 S" + NumberFormatter.Format(speed, 3);
+                else yield return speed == 0 ? "M107" : "M106 S" + NumberFormatter.Format(speed * 255, 0);
+                break;
+            case ToolEvent tool:
+                yield return (rules.ToolByM6 ? "M6 T" : "T") + NumberFormatter.Format(tool.Tool);
+                break;
+            case AccelerationEvent acceleration:
+                yield return "M204 S" + NumberFormatter.Format(acceleration.Value, 0);
+                break;
+            case DwellEvent dwell:
+                yield return rules.DwellP == 1 ? "G4 P" + NumberFormatter.Format(dwell.Seconds, 3) : "G4 P" + NumberFormatter.Format(dwell.Seconds * 1000, 0);
+                break;
+            case PauseEvent pause:
+                if (pause.Message.Length > 0) yield return "; " + OneLine(pause.Message);
+                yield return rules.Pauses.Count > 0 ? rules.Pauses[0] : "M0";
+                break;
+            case HomeEvent home:
+                yield return home.X && home.Y && home.Z ? "G28" : "G28" + (home.X ? " X" : "") + (home.Y ? " Y" : "") + (home.Z ? " Z" : "");
+                break;
+            case CommentEvent comment:
+                yield return comment.Text.Length > 0 ? "; " + OneLine(comment.Text) : ";";
+                break;
+            case RawEvent raw:
+                foreach (var line in raw.Line.Split('\n')) yield return line.TrimEnd('\r');
+                break;
+        }
+    }
+
+    private static string OneLine(string text) => text.Replace('\r', ' ').Replace('\n', ' ');
+}

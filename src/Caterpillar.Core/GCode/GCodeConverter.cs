@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+
+namespace Caterpillar.GCode;
+
+/// <summary>What a file is converted to. Null keeps what the file has.</summary>
+public sealed record ConvertOptions
+{
+    public DialectRules? Dialect { get; init; }
+
+    /// <summary>E as increments (true) or as sums (false).</summary>
+    public bool? RelativeE { get; init; }
+
+    /// <summary>E in mm³ (true) or in mm of filament (false); needs the diameter of the filament.</summary>
+    public bool? Volumetric { get; init; }
+
+    /// <summary>mm; where it is null, what the file says.</summary>
+    public double? FilamentDiameter { get; init; }
+
+    /// <summary>Arcs become chords. They also do where the target has no arcs.</summary>
+    public bool ExpandArcs { get; init; }
+
+    /// <summary>Largest distance of a chord from its arc, mm.</summary>
+    public double ChordTolerance { get; init; } = 0.01;
+
+    /// <summary>Inches become millimetres. They also do where the target has no inches.</summary>
+    public bool Millimetres { get; init; }
+
+    /// <summary>Retraction in the unit of E that stands for G10 and G11 where the target has none, and its speed in mm/s; 0 leaves them out.</summary>
+    public double RetractionLength { get; init; }
+
+    public double RetractionSpeed { get; init; } = 35;
+}
+
+/// <summary>The target of a conversion, worked out.</summary>
+internal sealed record ConvertTarget(
+    DialectRules Dialect, bool? RelativeE, double EFactor, bool ExpandArcs, double ChordTolerance, bool Millimetres, double RetractionLength, double RetractionSpeed)
+{
+    public byte ExtruderLetter(ExtrusionAxis axis)
+        => axis.Letter == 0 ? (byte)0
+            : Dialect.ExtruderLetters.IndexOf(((char)axis.Letter).ToString(), StringComparison.Ordinal) >= 0 ? axis.Letter
+            : Dialect.ExtruderLetters.Length > 0 ? (byte)Dialect.ExtruderLetters[0] : (byte)0;
+}
+
+/// <summary>Writes a decoded file for another firmware or in another notation: lines that mean the same stay as they are, the others change in the file's own style.</summary>
+public static class GCodeConverter
+{
+    /// <summary>Converts a file that was decoded with its document.</summary>
+    /// <returns>What was noticed; with errors nothing was written.</returns>
+    /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static IReadOnlyList<Diagnostic> Convert(Decoding decoding, ConvertOptions options, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (decoding is null) throw new ArgumentNullException(nameof(decoding));
+        if (options is null) throw new ArgumentNullException(nameof(options));
+        if (decoding.Document is null) throw new ArgumentException("A conversion needs the document of the file.", nameof(decoding));
+        var dialect = options.Dialect ?? decoding.Dialect;
+        var problems = new DiagnosticList();
+        var factor = 1.0;
+        if (options.Volumetric is { } volumetric)
+        {
+            var now = decoding.Toolpath.Tools[0].VolumePerE;
+            var area = options.FilamentDiameter is { } d ? Math.PI / 4 * d * d : now is { } known && known != 1 ? known : (double?)null;
+            if (area is null || !(area > 0))
+            {
+                problems.Add(Severity.Error, "gcode.diameter_unknown", "Volumes need the diameter of the filament, which the file does not say.");
+                return problems.ToList();
+            }
+            var from = now == 1 ? 1 : area.Value;
+            factor = from / (volumetric ? 1 : area.Value);
+        }
+        if (!decoding.Axis.HasAmounts && decoding.Axis == ExtrusionAxis.Switched && dialect.Name != decoding.Dialect.Name)
+            problems.Add(Severity.Warning, "gcode.no_amounts", "The file switches its extruder by M101 and M103 and says no amounts of E; they cannot be made up.");
+        if (decoding.Axis.HasAmounts && dialect.ExtruderLetters.Length == 0)
+            problems.Add(Severity.Warning, "gcode.no_extruder", dialect.Title + " has no word for extrusion: it is left out.");
+        var target = new ConvertTarget(
+            dialect, options.RelativeE, factor, options.ExpandArcs, options.ChordTolerance, options.Millimetres || !dialect.Inches, options.RetractionLength, options.RetractionSpeed);
+        var splicer = new Splicer(decoding, target, stream);
+        splicer.Run(decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), progress, cancel);
+        problems.AddRange(splicer.Diagnostics.ToList());
+        return problems.ToList();
+    }
+
+    /// <inheritdoc cref="Convert" path="/summary"/>
+    public static Result<GCodeDocument> ToDocument(Decoding decoding, ConvertOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        using var memory = new MemoryStream();
+        var problems = Convert(decoding, options, memory, progress, cancel);
+        var failed = new Result<GCodeDocument>(null, problems);
+        return failed.HasErrors ? failed : new Result<GCodeDocument>(GCodeDocument.FromBytes(memory.ToArray(), decoding.Document!.Name), problems);
+    }
+}

@@ -1,0 +1,39 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Writes a decoded file again with an edited toolpath: untouched lines byte for byte, changed ones in the file's own style, and at the splices the state that the rest of the file expects.</summary>
+public static class GCodeEditor
+{
+    /// <summary>Writes the file with the moves of <paramref name="edited"/>, which comes from the decoding's toolpath by edits that keep the order of its moves.</summary>
+    /// <returns>What was noticed; with errors nothing was written.</returns>
+    /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static IReadOnlyList<Diagnostic> Write(Decoding decoding, Toolpath edited, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (decoding is null) throw new ArgumentNullException(nameof(decoding));
+        if (edited is null) throw new ArgumentNullException(nameof(edited));
+        if (decoding.Document is null) throw new ArgumentException("Writing a file again needs its document.", nameof(decoding));
+        var plan = SplicePlan.Of(decoding, edited);
+        if (!plan.InOrder || edited.Source != MoveSource.Lines)
+            return [new Diagnostic(Severity.Error, "gcode.reordered", "The moves are not in the order of the file's lines; write the toolpath as new G-code instead.")];
+        var splicer = new Splicer(decoding, null, stream);
+        splicer.Run(edited, plan, progress, cancel);
+        return splicer.Diagnostics.ToList();
+    }
+
+    /// <inheritdoc cref="Write" path="/summary"/>
+    public static Result<GCodeDocument> ToDocument(Decoding decoding, Toolpath edited, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        using var memory = new MemoryStream();
+        var problems = Write(decoding, edited, memory, progress, cancel);
+        var failed = new Result<GCodeDocument>(null, problems);
+        return failed.HasErrors ? failed : new Result<GCodeDocument>(GCodeDocument.FromBytes(memory.ToArray(), decoding.Document!.Name), problems);
+    }
+}

@@ -1,0 +1,218 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Changes words of a line in place, in the style of its file, so that it does what is wanted from a given state.</summary>
+internal sealed class LineRewriter(LineStyle style, DialectRules rules, byte extruder, byte sourceExtruder)
+{
+    private const double NoChange = 1e-9;
+    private readonly List<Edit> _edits = [];
+    private readonly ParsedLine _line = new();
+    private byte[] _out = new byte[256];
+
+    public byte[] Bytes => _out;
+
+    public int Count { get; private set; }
+
+    /// <summary>Makes <paramref name="wanted"/> of the line between <paramref name="start"/> and <paramref name="end"/>; <paramref name="owed"/> is what rounding of E has left.</summary>
+    public void Rewrite(byte[] text, int start, int end, Wanted wanted, MachineSnapshot state, bool relativeE, double owed)
+    {
+        _line.Scan(text, start, end);
+        _edits.Clear();
+        Motion(wanted, state);
+        var unit = state.Inches ? 25.4 : 1;
+        Axis(text, 'X', wanted.X - state.ShiftX, state.X, unit, state.Relative);
+        Axis(text, 'Y', wanted.Y - state.ShiftY, state.Y, unit, state.Relative);
+        Axis(text, 'Z', wanted.Z - state.ShiftZ, state.Z, unit, state.Relative);
+        Centers(wanted, state, unit);
+        Extruder(wanted, state, unit, relativeE, owed);
+        Feed(wanted, state, unit);
+        Apply(text, start, end);
+    }
+
+    private static int Rank(byte letter) => letter switch
+    {
+        (byte)'G' => 0,
+        (byte)'X' => 1,
+        (byte)'Y' => 2,
+        (byte)'Z' => 3,
+        (byte)'I' => 5,
+        (byte)'J' => 6,
+        (byte)'K' => 7,
+        (byte)'R' => 8,
+        (byte)'P' => 9,
+        (byte)'F' => 11,
+        _ => 10,
+    };
+
+    private void Motion(Wanted wanted, MachineSnapshot state)
+    {
+        var code = wanted.Arc is { } arc ? (arc.Sweep < 0 ? 2 : 3) : -1;
+        for (var i = 0; i < _line.Count; i++)
+        {
+            if (_line.Letters[i] != 'G' || !_line.HasValue[i] || !(_line.Values[i] is 0 or 1 or 2 or 3)) continue;
+            if (code < 0 && _line.Values[i] > 1) code = 1;
+            if (code >= 0 && code != _line.Values[i]) Replace(i, code, 0);
+            return;
+        }
+        // A line that repeats the last motion.
+        if (code < 0) code = state.Motion is 0 or 1 ? state.Motion : 1;
+        if (rules.ModalMotion == ModalMotionRule.Never || state.Motion != code) Insert((byte)'G', code, 0);
+    }
+
+    private void Axis(byte[] text, char letter, double target, double current, double unit, bool relative)
+    {
+        var word = _line.Find(letter);
+        var tolerance = Half(style.DecimalsXyz) * unit;
+        if (word >= 0)
+        {
+            var says = relative ? current + _line.Values[word] * unit : _line.Values[word] * unit;
+            if (Math.Abs(says - target) <= NoChange) return;
+            var own = LineStyle.Decimals(text, _line.NumberAt[word], _line.NumberEnd[word], out _, out _);
+            Replace(word, (relative ? target - current : target) / unit, Math.Min(Math.Max(own, Decimals(style.DecimalsXyz, unit)), 12));
+        }
+        else if (Math.Abs(target - current) > tolerance)
+        {
+            Insert((byte)letter, (relative ? target - current : target) / unit, Decimals(style.DecimalsXyz, unit));
+        }
+    }
+
+    private void Centers(Wanted wanted, MachineSnapshot state, double unit)
+    {
+        if (wanted.Arc is not { } arc)
+        {
+            foreach (var letter in "IJKRP") Delete(letter);
+            return;
+        }
+        var center = arc.Center - new Vec3(state.ShiftX, state.ShiftY, state.ShiftZ);
+        var from = state.AbsoluteCenters ? Vec3.Zero : new Vec3(state.X, state.Y, state.Z);
+        Center('I', (center.X - from.X) / unit, arc.Plane != ArcPlane.YZ, unit);
+        Center('J', (center.Y - from.Y) / unit, arc.Plane != ArcPlane.ZX, unit);
+        Center('K', (center.Z - from.Z) / unit, arc.Plane != ArcPlane.XY, unit);
+        Delete('R');
+        var turns = Math.Ceiling(Math.Abs(arc.Sweep) / 360 - 1e-9);
+        if (turns <= 1) Delete('P');
+        else if (_line.Find('P') < 0) Insert((byte)'P', turns, 0);
+        // A full circle says its end, so that the other words cannot be mistaken.
+        if (_line.Find('R') >= 0 && _line.Find('X') < 0 && arc.Plane != ArcPlane.YZ) Insert((byte)'X', (state.Relative ? wanted.X - state.ShiftX - state.X : wanted.X - state.ShiftX) / unit, style.DecimalsXyz);
+    }
+
+    private void Center(char letter, double value, bool inPlane, double unit)
+    {
+        var word = _line.Find(letter);
+        if (!inPlane)
+        {
+            Delete(letter);
+            return;
+        }
+        if (word < 0)
+        {
+            if (Math.Abs(value) > NoChange || _line.Find('R') >= 0) Insert((byte)letter, value, Decimals(style.DecimalsXyz + 1, unit));
+        }
+        else if (Math.Abs(_line.Values[word] - value) > NoChange)
+        {
+            Replace(word, value, Decimals(style.DecimalsXyz + 1, unit));
+        }
+    }
+
+    private void Extruder(Wanted wanted, MachineSnapshot state, double unit, bool relativeE, double owed)
+    {
+        if (extruder == 0) return;
+        var word = _line.Find((char)extruder);
+        // An extruder of another letter goes.
+        if (sourceExtruder != extruder && sourceExtruder != 0) Delete((char)sourceExtruder);
+        if (word < 0 && Math.Abs(wanted.E) < NoChange) return;
+        var value = ((relativeE ? 0 : state.E) + wanted.E + owed) / unit;
+        if (word >= 0) Replace(word, value, Decimals(style.DecimalsE, unit));
+        else Insert(extruder, value, Decimals(style.DecimalsE, unit));
+    }
+
+    private void Feed(Wanted wanted, MachineSnapshot state, double unit)
+    {
+        if (!(wanted.Speed > 0)) return;
+        var word = _line.Find('F');
+        var feed = wanted.Speed * 60 / state.FeedFactor;
+        var says = word >= 0 ? _line.Values[word] * unit : state.Feed;
+        if (Math.Abs(says - feed) <= 1e-9 * feed) return;
+        if (word >= 0) Replace(word, feed / unit, style.DecimalsF);
+        else Insert((byte)'F', feed / unit, style.DecimalsF);
+    }
+
+    // An inch is coarser.
+    private static int Decimals(int decimals, double unit) => unit > 1 ? decimals + 2 : decimals;
+
+    private static double Half(int decimals) => 0.5 * NumberFormatter.FromUnits(1, decimals);
+
+    private void Replace(int word, double value, int decimals) => _edits.Add(new Edit(_line.NumberAt[word], _line.NumberEnd[word], 0, value, decimals));
+
+    private void Delete(char letter)
+    {
+        var word = _line.Find(letter);
+        if (word < 0) return;
+        var from = word > 0 ? _line.NumberEnd[word - 1] : _line.LetterAt[word];
+        _edits.Add(new Edit(from, _line.NumberEnd[word], 255, 0, 0));
+    }
+
+    // Behind the last word that comes before it in the usual order.
+    private void Insert(byte letter, double value, int decimals)
+    {
+        var at = _line.CodeStart;
+        for (var i = 0; i < _line.Count; i++)
+        {
+            if (Rank(_line.Letters[i]) <= Rank(letter)) at = _line.NumberEnd[i];
+        }
+        _edits.Add(new Edit(at, at, letter, value, decimals));
+    }
+
+    private void Apply(byte[] text, int start, int end)
+    {
+        _edits.Sort(static (a, b) => a.Start != b.Start ? a.Start.CompareTo(b.Start) : Order(a).CompareTo(Order(b)));
+        if (_out.Length < end - start + 512) _out = new byte[(end - start + 512) * 2];
+        Count = 0;
+        var at = start;
+        var stop = _line.ChecksumAt >= 0 ? _line.ChecksumAt : end;
+        foreach (var edit in _edits)
+        {
+            Copy(text, at, edit.Start);
+            if (edit.Letter == 255)
+            {
+                at = Math.Max(edit.End, at);
+                continue;
+            }
+            if (edit.Letter != 0)
+            {
+                if (!style.NoSpace && Count > 0 && _out[Count - 1] > ' ') _out[Count++] = (byte)' ';
+                _out[Count++] = style.LowerCase ? (byte)(edit.Letter | 0x20) : edit.Letter;
+            }
+            Count = style.Write(_out, Count, edit.Value, edit.Decimals);
+            at = Math.Max(edit.End, at);
+            // A word that is put in front of others needs a blank behind it.
+            if (edit.Letter != 0 && !style.NoSpace && at < stop && text[at] > ' ' && text[at] != ';') _out[Count++] = (byte)' ';
+        }
+        Copy(text, at, stop);
+        if (_line.ChecksumAt < 0) return;
+        var sum = 0;
+        for (var i = 0; i < Count; i++) sum ^= _out[i];
+        _out[Count++] = (byte)'*';
+        Count = NumberFormatter.WriteUnits(_out, Count, sum, 0);
+        var rest = stop + 1;
+        while (rest < end && (uint)(text[rest] - '0') <= 9) rest++;
+        Copy(text, rest, end);
+    }
+
+    private static int Order(Edit edit) => edit.Letter is 0 or 255 ? -1 : Rank(edit.Letter);
+
+    private void Copy(byte[] text, int from, int to)
+    {
+        if (to <= from) return;
+        Buffer.BlockCopy(text, from, _out, Count, to - from);
+        Count += to - from;
+    }
+
+    // Letter 0 replaces a number, 255 deletes, others are put in.
+    private readonly record struct Edit(int Start, int End, byte Letter, double Value, int Decimals);
+}

@@ -1,0 +1,278 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// Writes a decoded file again. Two machines read along: one the file as it was, one what is written; a line stays as it is when it makes the wanted move from the state that the written lines
+/// have led to, otherwise its words are changed or a line that states the missing mode is put in front. Chunks that nothing touches are copied whole.
+/// </summary>
+internal sealed partial class Splicer
+{
+    private const double NoChange = 1e-9;
+
+    private readonly Decoding _decoding;
+    private readonly GCodeDocument _document;
+    private readonly LineStyle _style;
+    private readonly DecoderCore _in;
+    private readonly DecoderCore _now;
+    private readonly DialectRules _rules;
+    private readonly byte _extruder;
+    private readonly LineRewriter _rewriter;
+    private readonly ParsedLine _line = new();
+    private readonly List<Wanted> _wanted = [];
+    private readonly SplicedText _text;
+    private readonly double _tolerance;
+    private readonly double _toleranceE;
+    private double _owed;
+    private int _number;
+
+    public Splicer(Decoding decoding, ConvertTarget? target, Stream stream)
+    {
+        _decoding = decoding;
+        _document = decoding.Document!;
+        _style = LineStyle.Of(_document);
+        _target = target;
+        _rules = target?.Dialect ?? decoding.Dialect;
+        _extruder = target?.ExtruderLetter(decoding.Axis) ?? decoding.Axis.Letter;
+        _in = new DecoderCore(decoding.Dialect, decoding.Rule, decoding.Axis);
+        _now = new DecoderCore(_rules, decoding.Rule, target is null ? decoding.Axis : ExtrusionAxis.Of(_extruder, decoding.Axis));
+        _rewriter = new LineRewriter(_style, _rules, _extruder, decoding.Axis.Letter);
+        _text = new SplicedText(stream, _style);
+        _tolerance = 0.5001 * NumberFormatter.FromUnits(1, _style.DecimalsXyz);
+        _toleranceE = target is null ? NoChange : 0.5001 * NumberFormatter.FromUnits(1, _style.DecimalsE);
+    }
+
+    public DiagnosticList Diagnostics { get; } = new();
+
+    /// <summary>Writes the file with the moves of an edited toolpath.</summary>
+    public void Run(Toolpath edited, SplicePlan plan, IProgress<double>? progress, CancellationToken cancel)
+    {
+        _cursor = new MoveCursor(edited);
+        _events = plan.NewEvents;
+        var synced = true;
+        for (var chunk = 0; chunk < _document.Chunks.Count; chunk++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            var piece = _document.Chunks[chunk];
+            var lines = _decoding.Checkpoints[chunk].Line;
+            if (synced && _target is null && !plan.IsDirty(chunk) && _text.IsPlain)
+            {
+                FlushComments(true);
+                _text.Copy(piece.Text, piece.Start, piece.End);
+            }
+            else
+            {
+                var next = chunk + 1 < _document.Chunks.Count ? _decoding.Checkpoints[chunk + 1].Line : int.MaxValue;
+                _cursor.SkipTo(lines + 1);
+                if (synced)
+                {
+                    _in.Restore(_decoding.Checkpoints[chunk].State);
+                    if (_target is null || chunk == 0) _now.Restore(_decoding.Checkpoints[chunk].State);
+                }
+                Lines(piece, lines, chunk == 0);
+                synced = _target is null && next != int.MaxValue && InStep(next);
+            }
+            progress?.Report((chunk + 1.0) / _document.Chunks.Count);
+        }
+        FlushComments(true);
+        End();
+        _text.Flush();
+    }
+
+    private bool InStep(int line)
+    {
+        var matters = !(_in.IsRelativeE && _now.IsRelativeE && line > _decoding.LastModeLine);
+        if (!_in.Save().ReadsAlike(_now.Save(), matters)) return false;
+        _owed = 0;
+        return true;
+    }
+
+    private void Lines(GCodeChunk chunk, int before, bool first)
+    {
+        var text = chunk.Text;
+        var at = chunk.Start;
+        if (first)
+        {
+            var mark = TextEncoding.MarkLength(chunk);
+            _text.Copy(text, at, at + mark);
+            at += mark;
+        }
+        for (_number = before + 1; at < chunk.End; _number++)
+        {
+            var end = LineEnds.Find(text, at, chunk.End);
+            var next = LineEnds.Skip(text, end, chunk.End);
+            Line(text, at, end, next);
+            at = next;
+        }
+    }
+
+    private void Line(byte[] text, int start, int end, int next)
+    {
+        var moves = _in.ReadLine(text, start, end, out var commands);
+        if (moves == 0 && commands == 0)
+        {
+            _line.Scan(text, start, end);
+            if (_line.Shape == LineShape.Blank)
+            {
+                _comments.Add((text, start, end, next));
+                return;
+            }
+            FlushComments(true);
+            Other(text, start, end, next);
+            return;
+        }
+        Take(moves);
+        if (moves > 0 && _wanted.Count == 0)
+        {
+            FlushComments(false);
+            Removed(text, start, end);
+            return;
+        }
+        FlushComments(true);
+        Inserted();
+        if (commands == 0) Other(text, start, end, next);
+        else if (_wanted.Count == 1) One(text, start, end, next, _wanted[0]);
+        else if (_wanted.Count == 0) NoMove(text, start, end, next);
+        else foreach (var wanted in _wanted) Fresh(wanted);
+    }
+
+    // One move: the line as it is, the line behind a line of state, or the line with other words.
+    private void One(byte[] text, int start, int end, int next, Wanted wanted)
+    {
+        wanted = Scaled(wanted);
+        var before = _now.Save();
+        StateE(wanted, ref before);
+        if (Does(text, start, end, wanted) && !MustRewrite(text, start, end))
+        {
+            _text.Line(text, start, end, next);
+            return;
+        }
+        if (_target is null && _now.LastMoves.Count == 1 && EndsRight(wanted))
+        {
+            _now.Restore(before);
+            if (Bridge(text, start, end, wanted, ref before) && Does(text, start, end, wanted))
+            {
+                _text.Line(text, start, end, next);
+                return;
+            }
+        }
+        _now.Restore(before);
+        if (ModesFirst(text, start, end)) before = _now.Save();
+        if (wanted.Arc is not null && !CanArc(wanted, before))
+        {
+            Fresh(wanted);
+            return;
+        }
+        _rewriter.Rewrite(text, start, end, wanted, before, _now.IsRelativeE, _owed);
+        _now.ReadLine(_rewriter.Bytes, 0, _rewriter.Count, out _);
+        Owe(wanted);
+        _text.Line(_rewriter.Bytes, 0, _rewriter.Count, text, end, next);
+    }
+
+    // Lines of state that let the rest of the file stay as it is: G92 E where E is absolute, F where it is inherited.
+    private bool Bridge(byte[] text, int start, int end, Wanted wanted, ref MachineSnapshot before)
+    {
+        _line.Scan(text, start, end);
+        var done = false;
+        var original = _in.LastMoves;
+        var unchanged = original.Count == 1 && Math.Abs(original.E[0] - wanted.E) <= NoChange;
+        var extruder = _decoding.Axis.Letter;
+        if (!_now.IsRelativeE && unchanged && extruder != 0 && _line.Find((char)extruder) >= 0)
+        {
+            var unit = before.Inches ? 25.4 : 1;
+            var e = _line.Get((char)extruder, 0) * unit - wanted.E;
+            if (Math.Abs(e - before.E) > NoChange)
+            {
+                State("G92", (char)extruder, e / unit, Math.Max(_style.DecimalsE, 5));
+                _owed = 0;
+                done = true;
+            }
+        }
+        if (wanted.Speed > 0 && _line.Find('F') < 0 && Math.Abs(wanted.Speed - before.Speed) > 1e-9 * wanted.Speed)
+        {
+            State("G1", 'F', wanted.Speed * 60 / before.FeedFactor / (before.Inches ? 25.4 : 1), _style.DecimalsF);
+            done = true;
+        }
+        if (done) before = _now.Save();
+        return done;
+    }
+
+    private bool Does(byte[] text, int start, int end, Wanted wanted)
+    {
+        if (_now.ReadLine(text, start, end, out _) != 1) return false;
+        var c = _now.LastMoves;
+        return EndsRight(wanted) && Math.Abs(c.E[0] - wanted.E) <= _toleranceE && (!(wanted.Speed > 0) || Math.Abs(c.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed);
+    }
+
+    private bool EndsRight(Wanted wanted)
+    {
+        var c = _now.LastMoves;
+        return Math.Abs(c.X[0] - wanted.X) <= NoChange && Math.Abs(c.Y[0] - wanted.Y) <= NoChange && Math.Abs(c.Z[0] - wanted.Z) <= NoChange && Alike(_now.LastArc, wanted.Arc);
+    }
+
+    // Modes in the line of a motion hold for its words: they are stated in front, so that the words can be worked out.
+    private bool ModesFirst(byte[] text, int start, int end)
+    {
+        _line.Scan(text, start, end);
+        var any = false;
+        for (var i = 0; i < _line.Count; i++)
+        {
+            if (_line.Letters[i] != 'G' || !_line.HasValue[i] || !IsMode(_line.Values[i])) continue;
+            Command("G" + NumberFormatter.Format(_line.Values[i], 1));
+            any = true;
+        }
+        return any;
+    }
+
+    private static bool IsMode(double code) => code is 17 or 18 or 19 or 20 or 21 or 90 or 91 or 90.1 or 91.1;
+
+    private bool Alike(Geometry.Arc? a, Geometry.Arc? b)
+    {
+        if (a is not { } x || b is not { } y) return a is null && b is null;
+        var d = x.Center - y.Center;
+        var off = x.Plane switch { Geometry.ArcPlane.XY => d.WithZ(0), Geometry.ArcPlane.ZX => new Geometry.Vec3(d.X, 0, d.Z), _ => new Geometry.Vec3(0, d.Y, d.Z) };
+        return x.Plane == y.Plane && off.Length <= 2 * _tolerance && Math.Abs(x.Sweep - y.Sweep) < 1;
+    }
+
+    // What rounding left of E; carried on to the next line that is written anew.
+    private void Owe(Wanted wanted)
+    {
+        var c = _now.LastMoves;
+        var made = c.Count == 1 ? c.E[0] : 0;
+        _owed += wanted.E - made;
+        if (Math.Abs(_owed) > 1) _owed = 0;
+    }
+
+    // A motion command that moves nothing: it may set F; where it would move now, only that stays.
+    private void NoMove(byte[] text, int start, int end, int next)
+    {
+        var before = _now.Save();
+        if (_now.ReadLine(text, start, end, out _) == 0)
+        {
+            _text.Line(text, start, end, next);
+            return;
+        }
+        _now.Restore(before);
+        _line.Scan(text, start, end);
+        if (_line.TryGet('F', out var feed)) State("G1", 'F', feed, _style.DecimalsF);
+    }
+
+    // Modes that stand in a line whose move is cut out stay.
+    private void Removed(byte[] text, int start, int end)
+    {
+        _line.Scan(text, start, end);
+        _text.Dropped(_line);
+        if (_line.Shape != LineShape.Code) return;
+        for (var i = 0; i < _line.Count; i++)
+        {
+            if (_line.Letters[i] == 'G' && _line.HasValue[i] && IsMode(_line.Values[i]))
+                Command("G" + NumberFormatter.Format(_line.Values[i], 1));
+        }
+    }
+}

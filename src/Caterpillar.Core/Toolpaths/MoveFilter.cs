@@ -1,0 +1,44 @@
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Chooses moves of a toolpath. Every condition that is given must hold; without any, all moves are meant.</summary>
+public sealed record MoveFilter
+{
+    /// <summary>Roles of strands; null for all.</summary>
+    public IReadOnlyCollection<Role>? Roles { get; init; }
+
+    /// <summary>What the machine does; null for all.</summary>
+    public IReadOnlyCollection<MoveKind>? Kinds { get; init; }
+
+    /// <summary>First and last number of the layer in its object (<see cref="Layer.Index"/>); null for no limit. Moves without a layer are outside as soon as one is given.</summary>
+    public int? FirstLayer { get; init; }
+
+    public int? LastLayer { get; init; }
+
+    /// <summary>Names of objects; null for all.</summary>
+    public IReadOnlyCollection<string>? Objects { get; init; }
+
+    /// <summary>Number of the tool; null for all.</summary>
+    public int? Tool { get; init; }
+
+    /// <summary>A box in mm in which the move ends; null for everywhere.</summary>
+    public Bounds? Region { get; init; }
+
+    /// <summary>Printing moves only.</summary>
+    public static MoveFilter Prints { get; } = new() { Kinds = [MoveKind.Print] };
+
+    public bool Matches(Move move, Layer? layer)
+        => (Roles is null || Roles.Contains(move.Role))
+            && (Kinds is null || Kinds.Contains(move.Kind))
+            && (FirstLayer is null || (layer is not null && layer.Index >= FirstLayer))
+            && (LastLayer is null || (layer is not null && layer.Index <= LastLayer))
+            && (Objects is null || (layer is not null && Objects.Contains(layer.Object)))
+            && (Tool is null || move.Tool == Tool)
+            && (Region is null || Region.Value.Contains(move.End));
+
+    /// <summary>True when the move of a toolpath is chosen.</summary>
+    internal bool Matches(Toolpath toolpath, Move move) => Matches(move, move.Layer >= 0 ? toolpath.Layers[move.Layer] : null);
+}

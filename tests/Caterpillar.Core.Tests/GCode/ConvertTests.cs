@@ -1,0 +1,128 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+using Decoder = Caterpillar.GCode.Decoder;
+
+namespace Caterpillar.Tests.GCode;
+
+/// <summary>A converted file makes the same print.</summary>
+public class ConvertTests
+{
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
+    public void Relative_and_absolute_E_make_the_same_moves(string file)
+    {
+        var decoding = Decode(GCodeFiles.Document(file), DialectTable.Slicer);
+        if (!decoding.Report.HasAmounts) return;
+        foreach (var relative in new[] { true, false })
+        {
+            var back = Decode(Convert(decoding, new ConvertOptions { RelativeE = relative }), DialectTable.Slicer);
+            SameMoves(decoding.Toolpath, back.Toolpath, 1);
+        }
+    }
+
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
+    public void Another_dialect_makes_the_same_moves(string file)
+    {
+        var decoding = Decode(GCodeFiles.Document(file), DialectTable.Slicer);
+        if (!decoding.Report.HasAmounts) return;
+        // Relative motion and arcs in it are refused by Klipper, so its arcs are chords there.
+        foreach (var name in new[] { "marlin2", "reprapfirmware", "smoothie" })
+        {
+            var dialect = DialectTable.Find(name)!;
+            var back = Decode(Convert(decoding, new ConvertOptions { Dialect = dialect, RelativeE = true }), dialect);
+            var totals = ToolpathTotals.Of(back.Toolpath);
+            var expected = ToolpathTotals.Of(decoding.Toolpath);
+            Assert.That(totals.PrintLength, Is.EqualTo(expected.PrintLength).Within(1e-3 * expected.PrintLength), name);
+            Assert.That(back.Report.EUsed, Is.EqualTo(decoding.Report.EUsed).Within(1e-4), name);
+        }
+    }
+
+    [Test]
+    public void Lines_that_mean_the_same_stay()
+    {
+        const string Text = "; head\nG21\nG90\nM82 ; absolute\nG92 E0\nG1 X1 Y1 Z.2 F1800\nG1 X5 E.5 ; a\nG1 X9 E1\nM106 S255\n";
+        Assert.That(ConvertText(Text, new ConvertOptions { RelativeE = true }, "slicer"), Is.EqualTo(
+            "; head\nG21\nG90\nG92 E0\nG1 X1 Y1 Z.2 F1800\nM83\nG1 X5 E.5 ; a\nG1 X9 E.5\nM106 S255\n"));
+    }
+
+    [Test]
+    public void An_A_axis_becomes_E()
+    {
+        const string Text = "G21\nG90\nG1 X1 Y1 Z.2 F1800\nG1 X5 A.5\nG92 A0\nG1 X9 A1\n";
+        Assert.That(ConvertText(Text, new ConvertOptions { Dialect = DialectTable.Marlin2, RelativeE = false }, "cnc"), Is.EqualTo(
+            "G21\nG90\nG1 X1 Y1 Z.2 F1800\nG1 X5 E.5\nG92 E0\nG1 X9 E1\n"));
+    }
+
+    [Test]
+    public void Volumes_become_lengths()
+    {
+        const string Text = "M83\nG1 X1 Y1 Z.2 F1800\nG1 X5 E2.40528\n; use_volumetric_e = 1\n";
+        Assert.That(ConvertText(Text, new ConvertOptions { Volumetric = false, FilamentDiameter = 1.75 }, "slicer"), Does.Contain("G1 X5 E1\n"));
+    }
+
+    [Test]
+    public void Dwells_pauses_tools_and_bare_G92_are_translated()
+    {
+        const string Text = "M83\nG28\nG1 X10 Y0 Z1 F600\nG4 P1500\nM0\nT1\nG92\nG1 X5 E1\n";
+        Assert.That(ConvertText(Text, new ConvertOptions { Dialect = DialectTable.RepRapFirmware }, "klipper"), Does.Contain("G92 X0 Y0 Z0 E0\n"));
+        Assert.That(ConvertText(Text, new ConvertOptions { Dialect = DialectTable.Cnc }, "marlin2"), Does.Contain("G4 P1.5\n").And.Contain("M6 T1\n"));
+        Assert.That(ConvertText(Text, new ConvertOptions { Dialect = DialectTable.RepRapFirmware }, "slicer"), Does.Contain("M0\n"));
+        Assert.That(ConvertText(Text, new ConvertOptions { Dialect = DialectTable.Klipper }, "slicer"), Does.Contain("PAUSE\n"));
+    }
+
+    [Test]
+    public void Arcs_and_inches_are_expanded_where_the_target_has_none()
+    {
+        const string Text = "G20\nG90\nM83\nG1 X1 Y0 Z0.1 F60\nG3 X0 Y1 I-1 J0 E0.1\nG2 X1 Y0 R1 E0.1\nG91\nG3 X-1 Y1 I-1 J0 E0.1\n";
+        var text = ConvertText(Text, new ConvertOptions { Dialect = DialectTable.Klipper }, "slicer");
+        Assert.That(text, Does.Not.Contain("G20").And.Not.Contain("R1"));
+        var expected = Decode(GCodeDocument.FromText(Text), DialectTable.Slicer).Report;
+        var back = Decode(GCodeDocument.FromText(text), DialectTable.Klipper).Report;
+        Assert.That(back.PrintLength, Is.EqualTo(expected.PrintLength).Within(0.05));
+        Assert.That(back.EUsed, Is.EqualTo(expected.EUsed).Within(1e-4));
+    }
+
+    [Test]
+    public void Firmware_retraction_becomes_a_length()
+    {
+        const string Text = "M83\nG1 X1 Y1 Z.2 F1800\nG1 X5 E1\nG10\nG1 X9\nG11\nG1 X12 E1\n";
+        var text = ConvertText(Text, new ConvertOptions { Dialect = DialectTable.Sailfish, RetractionLength = 1.5, RetractionSpeed = 40 }, "slicer");
+        Assert.That(text, Does.Contain("G1 E-1.5 F2400\n").And.Contain("G1 E1.5 F2400\n"));
+        Assert.That(Decode(GCodeDocument.FromText(text), DialectTable.Sailfish).Report.EUsed, Is.EqualTo(2).Within(1e-6));
+    }
+
+    private static void SameMoves(Toolpath expected, Toolpath actual, double factor)
+    {
+        var a = Visible(expected).ToArray();
+        var b = Visible(actual).ToArray();
+        Assert.That(b, Has.Length.EqualTo(a.Length));
+        double sumA = 0, sumB = 0;
+        for (var i = 0; i < a.Length; i++)
+        {
+            sumA += a[i].E * factor;
+            sumB += b[i].E;
+            if (a[i].End.DistanceTo(b[i].End) > 1e-3 || Math.Abs(sumA - sumB) > 2e-5 || a[i].Kind != b[i].Kind || Math.Abs(a[i].Speed - b[i].Speed) > 1e-3 || a[i].Layer != b[i].Layer)
+                Assert.Fail($"move {i}: {a[i]} became {b[i]}, sums {sumA} and {sumB}");
+        }
+    }
+
+    // Amounts that are less than a printed unit may vanish.
+    private static IEnumerable<Move> Visible(Toolpath toolpath) => toolpath.Moves().Where(m => Math.Abs(m.E) > 1.1e-5 || m.Length > 1e-3 && m.E == 0);
+
+    private static GCodeDocument Convert(Decoding decoding, ConvertOptions options)
+    {
+        var result = GCodeConverter.ToDocument(decoding, options);
+        Assert.That(result.Value, Is.Not.Null, string.Join("\n", result.Diagnostics));
+        return result.Value!;
+    }
+
+    private static string ConvertText(string text, ConvertOptions options, string dialect)
+        => Encoding.ASCII.GetString(Convert(Decode(GCodeDocument.FromText(text), DialectTable.Find(dialect)!), options).ToBytes());
+
+    private static Decoding Decode(GCodeDocument document, DialectRules dialect) => Decoder.Decode(document, new DecodeOptions { Dialect = dialect }).Value!;
+}
