@@ -68,7 +68,7 @@ internal sealed class EntryTree
                 var point = _order[i];
                 if (_dead[point]) continue;
                 var square = (_points[point] - from).LengthSquared;
-                if (square > bestSquare || (square == bestSquare && point > best)) continue;
+                if (best >= 0 && (square > bestSquare || (square == bestSquare && point > best))) continue;
                 best = point;
                 bestSquare = square;
             }

@@ -191,7 +191,14 @@ internal sealed class StepPlanner
         var tool = _emitter.ToolRules;
         var e = tool.EOf(extrude.Volume);
         if (e < 0) _emitter.Retract(-e, extrude.Speed > 0 ? extrude.Speed : tool.RetractSpeed);
-        else if (e > 0) _emitter.Prime(e, extrude.Speed > 0 ? extrude.Speed : tool.RestoreSpeed);
+        else if (e > 0) Prime(e, extrude.Speed > 0 ? extrude.Speed : tool.RestoreSpeed);
+    }
+
+    private void Prime(double e, double speed)
+    {
+        _emitter.Prime(e, speed);
+        _travel.Primed();
+        _prepared = false;
     }
 
     private void SwitchTool(int tool)

@@ -19,8 +19,11 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
     public void Printed(PrintPath path)
     {
         _last = path;
-        _hasPrinted[emitter.Tool] = true;
+        Primed();
     }
+
+    /// <summary>The tool has pushed out material: it can ooze.</summary>
+    public void Primed() => _hasPrinted[emitter.Tool] = true;
 
     /// <summary>Retracts before a way of some length, where the rules want it and it has not been done.</summary>
     public void RetractFor(double length)
@@ -141,7 +144,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
     private void Down(Vec3 to)
     {
         var length = emitter.IsPlaced ? emitter.Position.DistanceTo(to) : 0;
-        if (!rules.RestoreDuringDescent || emitter.Retracted <= 0 || !(length > 0))
+        if (!rules.RestoreDuringDescent || emitter.Retracted <= 0 || !(to.Z < emitter.Position.Z))
         {
             emitter.Travel(to, rules.LiftSpeed);
             return;

@@ -171,6 +171,13 @@ public class SortingTests
     }
 
     [Test]
+    public void Distances_beyond_all_numbers_are_sorted_too()
+    {
+        PrintPath[] paths = [Line(-1e300, 0, -9e299, 0), Line(1e300, 0, 9e299, 0), Line(0, 1e300, 0, 9e299)];
+        Assert.That(PathSorter.Order(paths, new SortOptions(SortRule.Tour)).Select(o => o.Index), Is.EquivalentTo(new[] { 0, 1, 2 }));
+    }
+
+    [Test]
     public void Paths_that_may_not_be_turned_keep_their_direction_in_a_tour()
     {
         var random = new Random(17);
