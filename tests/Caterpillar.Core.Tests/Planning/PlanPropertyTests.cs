@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
@@ -107,6 +108,23 @@ public class PlanPropertyTests
             }
         }
 
+    }
+
+    [Test]
+    public void What_is_written_decodes_to_the_same_kinds_and_amounts()
+    {
+        foreach (var (steps, rules, _) in Designs(40))
+        {
+            var oneTool = steps.Where(s => s is not PathStep { Path.Tool: 1 }).ToList();
+            var planned = PlanningTests.Plan(oneTool, rules with { Tools = [rules.Tools[0]] }).Toolpath;
+            var decoded = Decoder.Decode(GCodeWriter.ToBytes(planned)).Value!.Toolpath;
+            // The first way leads from an unknown place.
+            var before = planned.Moves().SkipWhile(m => m.Kind == MoveKind.Travel).ToArray();
+            var after = decoded.Moves().SkipWhile(m => m.Kind == MoveKind.Travel).ToArray();
+            Assert.That(after.Select(m => m.Kind), Is.EqualTo(before.Select(m => m.Kind)));
+            Assert.That(after.Select(m => m.E), Is.EqualTo(before.Select(m => m.E)).Within(1.1e-5));
+            Assert.That(after.Select(m => m.Deposited), Is.EqualTo(before.Select(m => m.Deposited)).Within(2e-5));
+        }
     }
 
     [Test]
