@@ -12,6 +12,7 @@ internal static class Verbs
         new DecodeVerb(),
         new SectionsVerb(),
         new TurtleVerb(),
+        new CurvesVerb(),
         new PictureVerb(),
         new PrintersVerb(),
     ];

@@ -5,6 +5,19 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Curves;
 
+/// <summary>Which user curves planning may exchange.</summary>
+public enum CurveSorting : byte
+{
+    /// <summary>None: they are printed in the order given.</summary>
+    None,
+
+    /// <summary>Those of the same layer; layers keep the order in which they first appear.</summary>
+    WithinLayers,
+
+    /// <summary>All of them, for rules that order layers or heights themselves.</summary>
+    All,
+}
+
 /// <summary>How user curves become paths, and the settings of curves that have none of their own.</summary>
 public sealed record CurveOptions
 {
@@ -38,8 +51,8 @@ public sealed record CurveOptions
     /// <summary>Paths whose ends are nearer than this, in mm, are joined where everything else about them is equal; 0 for none.</summary>
     public double MergeTolerance { get; init; }
 
-    /// <summary>True allows planning to sort the curves within their layers; otherwise they are printed in their order.</summary>
-    public bool Sortable { get; init; }
+    /// <summary>What planning may sort; curves are printed in their order unless asked otherwise.</summary>
+    public CurveSorting Sorting { get; init; }
 
     /// <summary>The settings of a profile: width, height, shape and subdivision distance.</summary>
     public static CurveOptions From(PrintSettings settings)

@@ -24,7 +24,13 @@ public static class CurvePaths
         for (var i = 0; i < steps.Length; i++)
         {
             var path = paths.Value[i];
-            steps[i] = new PathStep(path, options is { Sortable: true } ? new StepGroup(path.Layer?.Index ?? 0) : null);
+            StepGroup? group = options?.Sorting switch
+            {
+                CurveSorting.WithinLayers => new StepGroup(path.Layer?.Index ?? -1),
+                CurveSorting.All => new StepGroup(0),
+                _ => null,
+            };
+            steps[i] = new PathStep(path, group);
         }
         return new Result<IReadOnlyList<Step>>(steps, paths.Diagnostics);
     }

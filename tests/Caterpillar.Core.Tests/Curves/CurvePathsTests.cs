@@ -37,8 +37,10 @@ public class CurvePathsTests
             Assert.That(step.Path.Points, Is.EqualTo(new[] { curves[i].Curve.Start, curves[i].Curve.End }));
             Assert.That(step.Group, Is.Null);
         }
-        var sortable = CurvePaths.ToSteps(curves, new CurveOptions { Sortable = true }).Value!;
+        var sortable = CurvePaths.ToSteps(curves, new CurveOptions { Sorting = CurveSorting.All }).Value!;
         Assert.That(((PathStep)sortable[3]).Group, Is.EqualTo(new StepGroup(0)));
+        var layered = CurvePaths.ToSteps([curves[0] with { Layer = new Layer(7, 1) }], new CurveOptions { Sorting = CurveSorting.WithinLayers }).Value!;
+        Assert.That(((PathStep)layered[0]).Group, Is.EqualTo(new StepGroup(7)));
     }
 
     [Test]

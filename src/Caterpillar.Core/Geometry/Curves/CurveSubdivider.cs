@@ -59,6 +59,7 @@ public static class CurveSubdivider
         public Subdivision Polyline(PolylineCurve curve)
         {
             var source = curve.Polyline.Raw;
+            if (curve.Polyline.IsClosed == curve.IsClosed && KeepsAll(source, curve.IsClosed)) return new Subdivision(source, curve.IsClosed, AllLinear(curve.Polyline.SegmentCount), null);
             var count = curve.Polyline.SegmentCount + 1;
             var points = new Vec3[count];
             var used = 0;
@@ -74,6 +75,25 @@ public static class CurveSubdivider
             foreach (var i in kept) _points.Add(points[i]);
             for (var i = 1; i < kept.Count; i++) _linear.Add(true);
             return Finish(curve.IsClosed);
+        }
+
+        // True when no point repeats the one before it or lies on a straight run.
+        private bool KeepsAll(Vec3[] points, bool closed)
+        {
+            if (closed && points.Length < 4) return false;
+            for (var i = 1; i < points.Length; i++)
+            {
+                if (points[i] == points[i - 1] || (i > 1 && LinearRuns.IsStraight(points, i - 2, i, options.LinearTolerance))) return false;
+            }
+            var last = points.Length - 1;
+            return !closed || (points[0] != points[last] && !LinearRuns.IsStraight([points[last - 1], points[last], points[0]], 0, 2, options.LinearTolerance));
+        }
+
+        private static bool[] AllLinear(int count)
+        {
+            var linear = new bool[count];
+            for (var i = 0; i < count; i++) linear[i] = true;
+            return linear;
         }
 
         public void Linear(List<CurveSpan> spans, int first, int end)

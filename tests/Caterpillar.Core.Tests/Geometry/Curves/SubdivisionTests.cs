@@ -198,6 +198,9 @@ public class SubdivisionTests
         // The seam in the middle of a side stays.
         var square = new PolylineCurve([new(1, 0), new(2, 0), new(2, 2), new(0, 2), new(0, 0)], closed: true);
         Assert.That(CurveSubdivider.Subdivide(square, SubdivisionOptions.ByDistance(1)).Points, Has.Count.EqualTo(5));
+        // A point on the way back to it goes.
+        var five = new PolylineCurve([new(0, 0), new(2, 0), new(2, 2), new(0, 2), new(0, 1)], closed: true);
+        Assert.That(CurveSubdivider.Subdivide(five, SubdivisionOptions.ByDistance(1)).Points, Has.Count.EqualTo(4));
     }
 
     [Test]

@@ -1,0 +1,158 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Curves;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Cli.Commands;
+
+/// <summary>Prints curves as they are drawn, in their order.</summary>
+internal sealed class CurvesVerb : Verb
+{
+    private readonly Argument<string> _file = new("FILE") { Description = "Curves: points as CSV or JSON, lines of OBJ, paths of SVG, also gzipped; - is standard input." };
+
+    private readonly Option<string?> _out = new("--output", "-o")
+    {
+        Description = "G-code file; - is standard output. Without it the file's name with .gcode in the current folder.", HelpName = "FILE",
+    };
+
+    private readonly CurveSettingOptions _strand = new();
+    private readonly DivisionOptions _division = new();
+
+    private readonly Option<string> _sort = new("--sort")
+    {
+        Description = "Order: none (as given), orient (only turned around), nearest, layer, z or tour.", DefaultValueFactory = _ => "none",
+    };
+
+    private readonly Option<string?> _move = new("--move") { Description = "Shifts the curves, mm; or \"center\" puts them in the middle of the bed.", HelpName = "X,Y[,Z]|center" };
+
+    private readonly Option<string[]> _map = new("--map")
+    {
+        Description = "Lets a coordinate drive another word, scaled: X=A*2.86 turns A by 2.86 degrees for a mm of X; Y=Y*0.5 scales Y. Done last.", HelpName = "AXIS=WORD*SCALE",
+    };
+
+    private readonly Option<string> _plan = new("--plan") { Description = "\"printer\": with the printer's retraction and lifts; \"drawn\": nothing but the curves.", DefaultValueFactory = _ => "printer" };
+
+    private readonly Option<bool> _json = new("--json") { Description = "Print what was planned and written as JSON." };
+
+    private readonly Option<string?> _maxSize = new("--max-size") { Description = "Largest file that the printer takes, in MB; a larger one is not written.", HelpName = "MB" };
+
+    private readonly Option<string?> _reason = new("--override") { Description = "Writes in spite of what the checks found; the reason stays in the file as a comment.", HelpName = "REASON" };
+
+    private readonly SetupOptions _setup = new();
+
+    public CurvesVerb()
+        : base("curves", "User curves to G-code, printed as drawn and in their order.")
+    {
+        _sort.AcceptOnlyFromAmong("none", "orient", "nearest", "layer", "z", "tour");
+        _plan.AcceptOnlyFromAmong("drawn", "printer");
+        Arguments.Add(_file);
+        Options.Add(_out);
+        _strand.AddTo(this);
+        _division.AddTo(this);
+        foreach (Option option in new Option[] { _sort, _move, _map, _plan, _json, _maxSize, _reason }) Options.Add(option);
+        _setup.AddTo(this);
+    }
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var file = arguments.GetValue(_file)!;
+        var target = arguments.GetValue(_out) ?? (file == "-" ? "curves" : Path.GetFileNameWithoutExtension(file)) + ".gcode";
+        if (target != "-" && file != "-" && Path.GetFullPath(target) == Path.GetFullPath(file)) throw new CliException(ExitCode.Usage, "The G-code would replace the curves.");
+        var json = arguments.GetValue(_json);
+        if (json && target == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
+        var mappings = (arguments.GetValue(_map) ?? []).Select(AxisMappings.Parse).ToArray();
+        var limit = Words.OptionalNumber(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6;
+        var setup = _setup.Resolve(arguments, session);
+        var sort = SortOf(arguments.GetValue(_sort)!);
+        // Whether curves may be sorted is asked here, not in the settings for sliced parts.
+        setup = setup with { Settings = setup.Settings with { SortPaths = sort != SortRule.None } };
+        var options = _division.Of(arguments, _strand.Of(arguments, setup)) with
+        {
+            Sorting = sort switch { SortRule.None => CurveSorting.None, SortRule.Layer or SortRule.Z => CurveSorting.All, _ => CurveSorting.WithinLayers },
+        };
+        var reading = new CurveReadOptions
+        {
+            WidthReference = setup.Printer.NozzleDiameter,
+            HeightReference = setup.Settings.LayerHeight,
+            SpeedReference = setup.Settings.PrintSpeed,
+            UnitLength = _strand.UnitOf(arguments),
+        };
+        var (steps, count) = Steps(file, reading, options, arguments.GetValue(_move), setup, session);
+        var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;
+        var plan = Planned(steps, setup, new PlanOptions { Policy = policy, Sort = new SortOptions(sort) }, session);
+        var toolpath = plan.Toolpath;
+        foreach (var mapping in mappings) toolpath = mapping.Apply(toolpath, null, session.Cancel);
+        var written = Write(toolpath, setup, arguments, target, limit, session);
+        if (json) session.WriteText("-", text => text.Write(CurvesReport.ToJson(file, target, count, plan, written)));
+        return ExitCode.Done;
+    }
+
+    // What each stage holds is free for the next one: files can be large.
+    private static (IReadOnlyList<Step> Steps, int Count) Steps(string file, CurveReadOptions reading, CurveOptions options, string? move, PrintSetup setup, Session session)
+    {
+        var curves = Moved(Curves(file, reading, session), move, setup.Printer);
+        return (session.Long("Dividing", progress => session.Need(CurvePaths.ToSteps(curves, options, progress, session.Cancel))), curves.Count);
+    }
+
+    private static IReadOnlyList<UserCurve> Curves(string file, CurveReadOptions reading, Session session)
+    {
+        var bytes = session.ReadBytes(file);
+        return session.Long("Reading", progress => session.Need(CurveReader.Read(bytes, Session.NameOf(file), reading, progress, session.Cancel)));
+    }
+
+    private static Plan Planned(IReadOnlyList<Step> steps, PrintSetup setup, PlanOptions planning, Session session)
+        => session.Long("Planning", progress => session.Need(Planner.PlanWithReport(steps, setup, planning, progress, session.Cancel)));
+
+    private WrittenGCode Write(Toolpath toolpath, PrintSetup setup, ParseResult arguments, string target, double? limit, Session session)
+    {
+        WrittenGCode? written = null;
+        session.Write(target, stream =>
+        {
+            var result = session.Long("Writing", progress => SafeWriter.Write(toolpath, setup, stream, arguments.GetValue(_reason), progress, session.Cancel));
+            written = session.Need(result, ExitCode.Refused);
+            if (written.Bytes > limit)
+            {
+                throw new CliException(ExitCode.Refused,
+                    $"{target}: {NumberFormatter.Format(written.Bytes / 1e6, 2)} MB in {NumberFormatter.Format(written.Lines)} lines is more than the printer takes; nothing was written.");
+            }
+        });
+        return written!;
+    }
+
+    private static IReadOnlyList<UserCurve> Moved(IReadOnlyList<UserCurve> curves, string? words, Printer printer)
+    {
+        if (words is null) return curves;
+        Vec3 shift;
+        if (words == "center")
+        {
+            var bounds = curves.Aggregate(Bounds.Empty, (b, c) => b.Include(c.Curve.Bounds));
+            shift = (printer.BuildBounds.Center - bounds.Center).WithZ(0);
+        }
+        else
+        {
+            var numbers = words.Split(',').Select(w => Words.Number(w, "--move", double.NegativeInfinity)).ToArray();
+            if (numbers.Length is not (2 or 3)) throw new CliException(ExitCode.Usage, "--move: give X,Y or X,Y,Z in mm, or center.");
+            shift = new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
+        }
+        var map = Affine.Move(shift);
+        return curves.Select(c => c with { Curve = c.Curve.Transformed(map) }).ToArray();
+    }
+
+    private static SortRule SortOf(string word) => word switch
+    {
+        "orient" => SortRule.Orient,
+        "nearest" => SortRule.Nearest,
+        "layer" => SortRule.Layer,
+        "z" => SortRule.Z,
+        "tour" => SortRule.Tour,
+        _ => SortRule.None,
+    };
+}
