@@ -30,6 +30,13 @@ internal static class Program
             File.WriteAllBytes(Path.Combine(folder, name), bytes);
             Console.WriteLine($"{name}: {bytes.Length} bytes");
         }
+        var curves = Path.Combine(folder, "..", "curves");
+        Directory.CreateDirectory(curves);
+        foreach (var (name, make) in ExampleCurves.All)
+        {
+            File.WriteAllBytes(Path.Combine(curves, name), make());
+            Console.WriteLine($"curves/{name}");
+        }
         return 0;
     }
 
