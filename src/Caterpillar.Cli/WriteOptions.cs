@@ -45,15 +45,25 @@ internal sealed class WriteOptions
     /// <exception cref="CliException">A check refused.</exception>
     public int Write(ParseResult arguments, Session session, Toolpath toolpath, PrintSetup setup, string file)
     {
+        WriteGCode(arguments, session, toolpath, setup, file);
+        return ExitCode.Done;
+    }
+
+    /// <summary>The same, for what wants to know more about the file; one of more than <paramref name="mostBytes"/> is not written.</summary>
+    /// <exception cref="CliException">A check refused, or the file would be too large.</exception>
+    public WrittenGCode WriteGCode(ParseResult arguments, Session session, Toolpath toolpath, PrintSetup setup, string file, double mostBytes = double.PositiveInfinity)
+    {
         WrittenGCode? written = null;
         session.Write(file, stream =>
         {
             var result = session.Long("Writing", progress => SafeWriter.Write(toolpath, setup, stream, arguments.GetValue(_reason), progress, session.Cancel));
             session.Print(result.Diagnostics);
             written = result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
+            if (written.Bytes > mostBytes)
+                throw new CliException(ExitCode.Refused, $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than allowed; nothing was written.");
         });
         if (file != "-") session.Messages.WriteLine($"{file}: {Count(written!.Lines)} lines, {Count(written.Bytes)} bytes");
-        return ExitCode.Done;
+        return written!;
     }
 
     private static string Count(long number) => NumberFormatter.Format(number);

@@ -1,10 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.Checks;
 using Caterpillar.Curves;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -17,11 +15,6 @@ namespace Caterpillar.Cli.Commands;
 internal sealed class CurvesVerb : Verb
 {
     private readonly Argument<string> _file = new("FILE") { Description = "Curves: points as CSV or JSON, lines of OBJ, paths of SVG, also gzipped; - is standard input." };
-
-    private readonly Option<string?> _out = new("--output", "-o")
-    {
-        Description = "G-code file; - is standard output. Without it the file's name with .gcode in the current folder.", HelpName = "FILE",
-    };
 
     private readonly CurveSettingOptions _strand = new();
     private readonly DivisionOptions _division = new();
@@ -44,9 +37,8 @@ internal sealed class CurvesVerb : Verb
 
     private readonly Option<string?> _maxSize = new("--max-size") { Description = "Largest file that the printer takes, in MB; a larger one is not written.", HelpName = "MB" };
 
-    private readonly Option<string?> _reason = new("--override") { Description = "Writes in spite of what the checks found; the reason stays in the file as a comment.", HelpName = "REASON" };
-
     private readonly SetupOptions _setup = new();
+    private readonly WriteOptions _write = new();
 
     public CurvesVerb()
         : base("curves", "User curves to G-code, printed as drawn and in their order.")
@@ -54,22 +46,21 @@ internal sealed class CurvesVerb : Verb
         _sort.AcceptOnlyFromAmong("none", "orient", "nearest", "layer", "z", "tour");
         _plan.AcceptOnlyFromAmong("drawn", "printer");
         Arguments.Add(_file);
-        Options.Add(_out);
+        _write.AddTo(this);
         _strand.AddTo(this);
         _division.AddTo(this);
-        foreach (Option option in new Option[] { _sort, _move, _map, _plan, _json, _maxSize, _reason }) Options.Add(option);
+        foreach (Option option in new Option[] { _sort, _move, _map, _plan, _json, _maxSize }) Options.Add(option);
         _setup.AddTo(this);
     }
 
     public override int Run(ParseResult arguments, Session session)
     {
         var file = arguments.GetValue(_file)!;
-        var target = arguments.GetValue(_out) ?? (file == "-" ? "curves" : Path.GetFileNameWithoutExtension(file)) + ".gcode";
-        if (target != "-" && file != "-" && Path.GetFullPath(target) == Path.GetFullPath(file)) throw new CliException(ExitCode.Usage, "The G-code would replace the curves.");
+        var target = _write.FileFor(arguments, file);
         var json = arguments.GetValue(_json);
         if (json && target == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
         var mappings = (arguments.GetValue(_map) ?? []).Select(AxisMappings.Parse).ToArray();
-        var limit = Words.OptionalNumber(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6;
+        var limit = Words.OptionalNumber(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6 ?? double.PositiveInfinity;
         var setup = _setup.Resolve(arguments, session);
         var sort = SortOf(arguments.GetValue(_sort)!);
         // Whether curves may be sorted is asked here, not in the settings for sliced parts.
@@ -90,7 +81,7 @@ internal sealed class CurvesVerb : Verb
         var plan = Planned(steps, setup, new PlanOptions { Policy = policy, Sort = new SortOptions(sort) }, session);
         var toolpath = plan.Toolpath;
         foreach (var mapping in mappings) toolpath = mapping.Apply(toolpath, null, session.Cancel);
-        var written = Write(toolpath, setup, arguments, target, limit, session);
+        var written = _write.WriteGCode(arguments, session, toolpath, setup, target, limit);
         if (json) session.WriteText("-", text => text.Write(CurvesReport.ToJson(file, target, count, plan, written)));
         return ExitCode.Done;
     }
@@ -110,22 +101,6 @@ internal sealed class CurvesVerb : Verb
 
     private static Plan Planned(IReadOnlyList<Step> steps, PrintSetup setup, PlanOptions planning, Session session)
         => session.Long("Planning", progress => session.Need(Planner.PlanWithReport(steps, setup, planning, progress, session.Cancel)));
-
-    private WrittenGCode Write(Toolpath toolpath, PrintSetup setup, ParseResult arguments, string target, double? limit, Session session)
-    {
-        WrittenGCode? written = null;
-        session.Write(target, stream =>
-        {
-            var result = session.Long("Writing", progress => SafeWriter.Write(toolpath, setup, stream, arguments.GetValue(_reason), progress, session.Cancel));
-            written = session.Need(result, ExitCode.Refused);
-            if (written.Bytes > limit)
-            {
-                throw new CliException(ExitCode.Refused,
-                    $"{target}: {NumberFormatter.Format(written.Bytes / 1e6, 2)} MB in {NumberFormatter.Format(written.Lines)} lines is more than the printer takes; nothing was written.");
-            }
-        });
-        return written!;
-    }
 
     private static IReadOnlyList<UserCurve> Moved(IReadOnlyList<UserCurve> curves, string? words, Printer printer)
     {

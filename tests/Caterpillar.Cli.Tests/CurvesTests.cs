@@ -1,0 +1,96 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Newtonsoft.Json.Linq;
+using NUnit.Framework;
+
+namespace Caterpillar.Cli.Tests;
+
+public class CurvesTests : CliFixture
+{
+    private const string Two = "x,y,z\n100,10,0.2\n140,10,0.2\n\n10,10,0.2\n50,10,0.2\n";
+
+    [Test]
+    public void Curves_are_printed_in_their_order_unless_sorting_is_asked_for()
+    {
+        File.WriteAllText("lines.csv", Two);
+        var run = Run("curves", "lines.csv", "--json");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(Prints("lines.gcode").Select(l => l.Split(' ')[1]), Is.EqualTo(new[] { "X140", "X50" }));
+        var report = JObject.Parse(run.Text);
+        Assert.That(((double)report["printed_mm"]!, (int)report["curves"]!, (int)report["retractions"]!), Is.EqualTo((80.0, 2, 1)));
+        Assert.That((long)report["bytes"]!, Is.EqualTo(new FileInfo("lines.gcode").Length));
+        Run("curves", "lines.csv", "-o", "turned.gcode", "--sort", "orient");
+        Assert.That(Prints("turned.gcode").Select(l => l.Split(' ')[1]), Is.EqualTo(new[] { "X140", "X10" }));
+    }
+
+    [Test]
+    public void Percentages_and_shapes_set_the_strand()
+    {
+        File.WriteAllText("line.csv", "0,0,0.4\n100,0,0.4\n");
+        Run("curves", "line.csv", "--move", "10,10", "--width", "200%", "--height", "0.4", "--shape", "rectangle", "--multiplier", "101.7%", "--speed", "20", "--set", "nozzle_diameter_mm=0.4");
+        // The E per mm of the sample in the Caterpillar paper.
+        var e = Prints("line.gcode").Single().Split(' ').Single(w => w[0] == 'E');
+        Assert.That(double.Parse(e[1..], System.Globalization.CultureInfo.InvariantCulture) / 100, Is.EqualTo(0.1353).Within(1e-4));
+    }
+
+    [Test]
+    public void A_coordinate_can_turn_the_platform()
+    {
+        File.WriteAllText("line.csv", "10,10,0.2\n40,10,0.2\n");
+        var run = Run("curves", "line.csv", "--plan", "drawn", "--map", "X=A*2");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(Prints("line.gcode").Single(), Does.StartWith("G1 A80 E"));
+    }
+
+    [Test]
+    public void Pens_draw_arcs_without_extruding()
+    {
+        var svg = Encoding.ASCII.GetBytes("<svg width='100mm' height='100mm' viewBox='0 0 100 100'><circle cx='50' cy='50' r='20'/></svg>");
+        var run = Run(svg, ["curves", "-", "--printer", "pen_plotter", "--arcs", "--strokes"]);
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(run.Text, Does.Contain("G2 X30 I-20 J0").Or.Contain("G3 X30 I-20 J0"));
+        Assert.That(run.Text, Does.Not.Contain(" E"));
+    }
+
+    [TestCase("--map", "X=Y*2")]
+    [TestCase("--map", "X*2")]
+    [TestCase("--width", "thick")]
+    [TestCase("--tolerance", "-1")]
+    [TestCase("--sort", "random")]
+    [TestCase("--move", "1")]
+    [TestCase("--min-length", "2", "--max-length", "1")]
+    [TestCase("--json", "-o", "-")]
+    public void Wrong_usage_is_said_and_does_nothing(params string[] words)
+    {
+        File.WriteAllText("lines.csv", Two);
+        var run = Run(["curves", "lines.csv", .. words]);
+        Assert.That((run.Code, run.Text), Is.EqualTo((2, "")), run.Messages);
+        Assert.That(Files(), Is.EqualTo(new[] { "lines.csv" }));
+    }
+
+    [Test]
+    public void Bad_curves_are_named_with_line_and_column()
+    {
+        File.WriteAllText("bad.csv", "x,y\n1,2\n1,nan\n");
+        var run = Run("curves", "bad.csv");
+        Assert.That(run.Code, Is.EqualTo(1));
+        Assert.That(run.Messages, Does.StartWith("bad.csv:3:3: error curves.not_finite"));
+        Assert.That(Files(), Is.EqualTo(new[] { "bad.csv" }));
+    }
+
+    [Test]
+    public void Files_too_large_and_curves_off_the_bed_are_refused()
+    {
+        File.WriteAllText("lines.csv", Two);
+        Assert.That(Run("curves", "lines.csv", "--max-size", "0.0001").Code, Is.EqualTo(3));
+        Assert.That(Run("curves", "lines.csv", "--move", "-50,0").Code, Is.EqualTo(3));
+        Assert.That(Files(), Is.EqualTo(new[] { "lines.csv" }));
+        Assert.That(Run("curves", "lines.csv", "--move", "-50,0", "--override", "the bed is longer").Code, Is.Zero);
+    }
+
+    private static string[] Prints(string file) => File.ReadLines(file)
+        .SkipWhile(l => !l.StartsWith("M83", StringComparison.Ordinal)).Skip(1).SkipWhile(l => !l.StartsWith("M83", StringComparison.Ordinal))
+        .Where(l => l.StartsWith("G1 ", StringComparison.Ordinal) && l.Contains(" E") && !l.StartsWith("G1 E", StringComparison.Ordinal)).ToArray();
+}
