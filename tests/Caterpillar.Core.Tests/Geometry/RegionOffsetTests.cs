@@ -64,7 +64,7 @@ public class RegionOffsetTests
     public void Round_offsets_agree_with_buffers_of_NetTopologySuite()
     {
         var random = new Random(3);
-        for (var k = 0; k < (Fast ? 300 : 20); k++)
+        for (var k = 0; k < (Fast ? 150 : 20); k++)
         {
             var region = k % 3 == 0 ? Region.From(RegionReference.Random(random, 12, 10), FillRule.EvenOdd)
                 : Region.From(new[] { RegionReference.Star(random, 10 + k % 50, 0, 0, 4, 10), RegionReference.Star(random, 12, 1, 1, 1, 5) }, FillRule.EvenOdd);
@@ -85,13 +85,15 @@ public class RegionOffsetTests
     public void Offsets_are_what_sweeping_every_edge_and_corner_gives(JoinStyle join)
     {
         var random = new Random(12);
-        for (var k = 0; k < (Fast ? 80 : 8) / (join == JoinStyle.Round ? 2 : 1); k++)
+        for (var k = 0; k < (Fast ? 60 : 12) / (join == JoinStyle.Round ? 2 : 1); k++)
         {
-            var region = (k % 4) switch
+            var region = (k % 6) switch
             {
                 0 => Region.From(RegionReference.Random(random, 14, 10), FillRule.EvenOdd),
                 1 => Region.From(RegionReference.Star(random, 60, 0, 0, 8, 8.2)),
                 2 => Region.From(RegionReference.Star(random, 60, 0, 0, 3, 10)),
+                3 => Region.From(RegionReference.Star(random, 120, 0, 0, 2, 2.02)),
+                4 => Region.Rectangle(-10, -10, 10, 10).Subtract(Region.From(RegionReference.Star(random, 90, 1, 0, 1.8, 1.9))),
                 _ => Region.From(new[] { RegionReference.Star(random, 80, 0, 0, 8, 9), RegionReference.Star(random, 40, 0, 0, 4, 5) }, FillRule.EvenOdd),
             };
             foreach (var d in new[] { 0.15, -0.15, 0.5, -0.5, 1.5, -1.5 })
@@ -161,6 +163,23 @@ public class RegionOffsetTests
             }
         }
         Assert.That(hash, Is.EqualTo(9385899997536600835UL));
+    }
+
+    [Test]
+    public void Insets_leave_out_what_is_too_thin_and_the_rest_says_where()
+    {
+        // Two blocks with a neck of 1 mm between them.
+        var dumbbell = Region.Rectangle(0, 0, 10, 10).Union(Region.Rectangle(14, 0, 24, 10)).Union(Region.Rectangle(9, 4.5, 15, 5.5));
+        Assert.That(dumbbell.Inset(0.2, 0.5).Area, Is.EqualTo(2 * 9.6 * 9.6 + 0.6 * 4.4).Within(1e-3));
+        Assert.That(dumbbell.Inset(0.2, 0.7).Area, Is.EqualTo(2 * 9.6 * 9.6).Within(1e-3));
+        Assert.That(dumbbell.Inset(0.2, 0).Area, Is.EqualTo(dumbbell.Offset(-0.2).Area));
+        Assert.That(dumbbell.NarrowerThan(0.9).IsEmpty);
+        var neck = dumbbell.NarrowerThan(1.1).WithoutSpecks(0.01);
+        Assert.That(neck.Area, Is.EqualTo(4).Within(1e-3));
+        Assert.That(neck.Bounds.Min.X, Is.EqualTo(10).Within(1e-3));
+        Assert.That(() => dumbbell.Inset(-1, 0), Throws.ArgumentException.With.Property("ParamName").EqualTo("distance"));
+        Assert.That(() => dumbbell.Inset(1, -1), Throws.ArgumentException.With.Property("ParamName").EqualTo("thinnest"));
+        Assert.That(() => dumbbell.NarrowerThan(double.NaN), Throws.ArgumentException.With.Property("ParamName").EqualTo("width"));
     }
 
     [Test]
