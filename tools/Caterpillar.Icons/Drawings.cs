@@ -13,6 +13,18 @@ internal static class Drawings
         ["Printer"] = Printer,
         ["Material"] = c => c.Ring(12, 12, 7.5, 4, Ink.Orange).Ring(12, 12, 4, 1, Ink.Dark).Ring(12, 12, 9.2, 1, Ink.Dark).Line(19, 13, 21, 20.5, 1.4, Ink.Orange),
         ["ConstructPrintSettings"] = Sliders,
+        ["Turtle"] = c => Turtle(c, 12, 12, 1),
+        ["TurtleProgram"] = c => { Page(c); c.Line(8, 8, 15, 8, 1.3, Ink.Dark).Line(8, 11, 13, 11, 1.3, Ink.Dark); Turtle(c, 12, 15.5, 0.45); },
+        ["TurtlePreview"] = c => { c.Polyline(2, Ink.Orange, 4, 19, 4.5, 12, 11, 12); Turtle(c, 15, 12, 0.75); },
+        ["LSystem"] = c => c.Line(12, 20.5, 12, 12, 2.2, Ink.Green).Polyline(1.8, Ink.Green, 6, 6, 12, 12, 18, 6).Polyline(1.4, Ink.Green, 4, 9.5, 7.5, 7.5, 8.5, 3.5).Polyline(1.4, Ink.Green, 20, 9.5, 16.5, 7.5, 15.5, 3.5),
+        ["TurtleMove"] = c => c.Line(4, 12, 16, 12, 2.2, Ink.Green).Polygon(Ink.Dark, 14, 7, 21, 12, 14, 17),
+        ["TurtleRotate"] = c => c.Ring(12, 12, 7.5, 2.2, Ink.Green).Polygon(Ink.Dark, 11, 2.5, 17.5, 5.5, 11, 8.5),
+        ["TurtlePen"] = c => c.Polygon(Ink.Orange, 16, 3.5, 20.5, 8, 10.5, 18, 6, 13.5).Polygon(Ink.Dark, 6, 13.5, 10.5, 18, 4, 20),
+        ["TurtleExtrusion"] = c => { Nozzle(c, 12, 4); c.Polygon(Ink.Green, 4, 14, 20, 11.5, 20, 18.5, 4, 16.5); },
+        ["TurtleEvent"] = c => c.Polygon(Ink.Orange, 13.5, 3, 6, 13, 11, 13, 9.5, 21, 18, 10, 12.5, 10),
+        ["TurtleRepeat"] = c => c.Polyline(2, Ink.Green, 5, 13, 5, 7, 17, 7).Polyline(2, Ink.Green, 19, 11, 19, 17, 7, 17).Polygon(Ink.Dark, 15, 3.5, 20, 7, 15, 10.5).Polygon(Ink.Dark, 9, 13.5, 4, 17, 9, 20.5),
+        ["TurtleProgramParam"] = c => { c.Hexagon().Line(8, 7.5, 16, 7.5, 1.3, Ink.Light); Turtle(c, 12, 13.5, 0.5); },
+        ["TurtleCommandParam"] = c => c.Hexagon().Line(7, 12, 14, 12, 1.8, Ink.Green).Polygon(Ink.Light, 13, 8.5, 18, 12, 13, 15.5),
         ["PlanarSlicer"] = c => c.Polygon(Ink.Light, 12, 3, 21, 19, 3, 19).Line(10.2, 7.5, 13.8, 7.5, 1.6, Ink.Green).Line(8, 11.5, 16, 11.5, 1.6, Ink.Green)
             .Line(5.8, 15.5, 18.2, 15.5, 1.6, Ink.Green).Line(3.6, 19.5, 20.4, 19.5, 1.6, Ink.Green),
         ["PlanToolpath"] = c => c.Polyline(2, Ink.Green, 4, 19, 10, 19, 10, 13).Polyline(1.2, Ink.Grey, 10, 13, 12, 6, 16, 6, 17, 12).Polyline(2, Ink.Green, 17, 12, 17, 19, 20.5, 19)
@@ -34,6 +46,10 @@ internal static class Drawings
     private static void Caterpillar(Canvas c) => c
         .Disc(5.5, 16, 3.2, Ink.Green).Disc(9.5, 13, 3.4, Ink.Green).Disc(13.5, 16, 3.4, Ink.Green).Disc(17.5, 11.5, 4.2, Ink.Green)
         .Disc(18.7, 10.5, 0.9, Ink.Dark).Line(16.5, 8, 15.5, 4.5, 1.2, Ink.Dark).Line(18.8, 7.6, 20, 4.5, 1.2, Ink.Dark).Line(3, 20.5, 21, 20.5, 1.4, Ink.Grey);
+
+    // The triangle of the previews, its sharp corner forward.
+    private static void Turtle(Canvas c, double x, double y, double size)
+        => c.Polygon(Ink.Green, x - 5 * size, y - 7 * size, x - 5 * size, y + 7 * size, x + 8.5 * size, y).Disc(x - 1.5 * size, y, 2.2 * size, Ink.Dark);
 
     private static void Printer(Canvas c)
     {

@@ -83,7 +83,7 @@ public sealed class MetadataTests
     public void Singular_and_plural_follow_access(Type type)
     {
         // Words that are the same in both, or mean many things as one value.
-        string[] collective = ["Geometry", "Settings", "Diagnostics", "Infill"];
+        string[] collective = ["Geometry", "Settings", "Diagnostics", "Infill", "Generations", "Script"];
         foreach (var port in PluginTypes.Make<GH_Component>(type).Params)
         {
             if (collective.Contains(port.Name)) continue;

@@ -1,0 +1,62 @@
+using System;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Turtles;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Components.Design;
+
+/// <summary>Grows an L-system into a turtle program.</summary>
+public sealed class LSystemComponent() : CaterpillarComponent(
+    "L-System", "LSys", "Grows a word by rules and makes a turtle program of it: F draws, f goes without drawing, + - ^ & \\ / | turn, [ ] branch and come back.", Panel.Design)
+{
+    // A word beyond this is shown shortened.
+    private const int ShownLetters = 100_000;
+
+    public override Guid ComponentGuid => new("e90b7d86-5a0c-4f1e-b6a4-1d4f9e7c3a14");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Text("Axiom", "A", "Word of generation 0, for example F.");
+        ports.Text("Rules", "R", "Rules, for example F -> F[+F]F[-F]F; 0.3 F -> FF draws by chance; A(l) : l > 1 -> F(l)A(l*0.7) has values.", access: GH_ParamAccess.list);
+        ports.Integer("Generations", "G", "Number of times that the word is rewritten.");
+        ports.Number("Angle", "An", "Turn of + - ^ & \\ /, in degrees.", 90);
+        ports.Integer("Seed", "Sd", "Seed of the choices by chance, from 0.", 0);
+        ports.Number("Step", "St", "Length of F and f, in mm.", 1);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new TurtleProgramParam(), "Program", "P", "The grown word as a turtle program.");
+        ports.Text("Text", "T", "The grown word; its beginning where it is very long.");
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var axiom = run.Get<string>(0);
+        var rules = run.List<string>(1);
+        var generations = run.Get<int>(2);
+        if (generations < 0) throw new InputProblem("Generations must be 0 or more.");
+        var interpretation = LSystemInterpretation.Standard(run.Finite(5), run.Finite(3));
+        var seed = run.Get<int>(4);
+        var system = LSystem.Parse(axiom, rules);
+        if (system.Value is null)
+        {
+            run.SetList(2, run.Report(system.Diagnostics));
+            run.SetNulls();
+            return;
+        }
+        var word = run.Work("L-System", (progress, cancel) => system.Value.Grow(generations, seed, LSystem.DefaultMaxSymbols, progress, cancel));
+        run.SetList(2, run.Report(word.Diagnostics));
+        if (word.Value is null)
+        {
+            run.SetNulls();
+            return;
+        }
+        run.Set(0, new TurtleProgramGoo(TurtleProgram.FromWord(word.Value, interpretation)));
+        var text = word.Value.ToString();
+        run.Set(1, text.Length > ShownLetters ? text.Substring(0, ShownLetters) + "…" : text);
+    }
+}

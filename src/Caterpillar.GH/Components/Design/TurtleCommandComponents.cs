@@ -1,0 +1,240 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Turtles;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
+
+namespace Caterpillar.GH.Components.Design;
+
+/// <summary>Base of the components that make one command.</summary>
+public abstract class TurtleCommandComponent(string name, string nickname, string description)
+    : CaterpillarComponent(name, nickname, description, Panel.Design, GH_Exposure.secondary)
+{
+    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new TurtleCommandParam(), "Command", "C", "The command.");
+
+    private protected sealed override void Solve(Run run) => run.Set(0, new TurtleCommandGoo(Command(run)));
+
+    private protected abstract TurtleCommand Command(Run run);
+
+    private protected static TurtleCommand Together(List<TurtleCommand> commands) => commands.Count == 1 ? commands[0] : TurtleCommand.Repeat(1, commands);
+}
+
+/// <summary>What Move does.</summary>
+public enum TurtleMoveKind
+{
+    Forward,
+    Backward,
+    WithoutPrinting,
+    ForwardAndUp,
+    Lift,
+    LiftWorld,
+    GoTo,
+    Jump,
+    Arc,
+    Circle,
+    Polygon,
+}
+
+/// <summary>A move of the turtle.</summary>
+public sealed class TurtleMoveComponent() : TurtleCommandComponent("Move", "Move", "A move of the turtle. With the pen down it prints, except for lifts, jumps and moves without printing.")
+{
+    public override Guid ComponentGuid => new("3a5d0f91-8c7e-4d54-9d0e-7b2f6c1a4e15");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Choice("Kind", "K", "Which move.", TurtleMoveKind.Forward);
+        ports.Number("Distance", "D", "Distance, radius of arcs and circles, or side of polygons, in mm.", 10);
+        ports.Number("Height", "H", "Way along up, in mm: of Forward And Up, and what an arc climbs; lifts take the distance.", 0);
+        ports.Add(new Param_Point(), "Point", "Pt", "Point to go or jump to, in document units.", optional: true);
+        ports.Number("Angle", "A", "Turn of an arc, in degrees; positive to the left.", 90);
+        ports.Integer("Count", "N", "Number of segments of arcs and circles (0: as many as they need), or of sides of polygons.", 0);
+    }
+
+    private protected override TurtleCommand Command(Run run)
+    {
+        var d = run.Finite(1);
+        var h = run.Finite(2);
+        var n = run.Get<int>(5);
+        switch (run.Choice<TurtleMoveKind>(0))
+        {
+            case TurtleMoveKind.Forward: return TurtleCommand.Of(TurtleAction.Forward, d);
+            case TurtleMoveKind.Backward: return TurtleCommand.Of(TurtleAction.Backward, d);
+            case TurtleMoveKind.WithoutPrinting: return TurtleCommand.Of(TurtleAction.Move, d);
+            case TurtleMoveKind.ForwardAndUp: return TurtleCommand.Of(TurtleAction.ForwardLift, d, h);
+            case TurtleMoveKind.Lift: return TurtleCommand.Of(TurtleAction.Lift, d);
+            case TurtleMoveKind.LiftWorld: return TurtleCommand.Of(TurtleAction.LiftWorld, d);
+            case TurtleMoveKind.Arc: return TurtleCommand.Of(TurtleAction.Arc, d, run.Finite(4), h, n);
+            case TurtleMoveKind.Circle: return TurtleCommand.Of(TurtleAction.Circle, d, n);
+            case TurtleMoveKind.Polygon: return TurtleCommand.Of(TurtleAction.Polygon, n, d);
+        }
+        var point = RhinoGeometry.ToVec(run.MaybeValue<Rg.Point3d>(3) ?? throw new InputProblem("Point is missing."), run.Units);
+        return TurtleCommand.Of(run.Choice<TurtleMoveKind>(0) == TurtleMoveKind.GoTo ? TurtleAction.Position : TurtleAction.Jump, point.X, point.Y, point.Z);
+    }
+}
+
+/// <summary>How Rotate turns.</summary>
+public enum TurtleRotateKind
+{
+    Turn,
+    SetHeading,
+    ChangeHeading,
+}
+
+/// <summary>A turn of the turtle.</summary>
+public sealed class TurtleRotateComponent() : TurtleCommandComponent(
+    "Rotate", "Rotate", "Turns the turtle: positive yaw to the left, positive pitch raises the nose, positive roll lifts the left side. Yaw comes first, then pitch, then roll.")
+{
+    public override Guid ComponentGuid => new("c1b64e0a-37f5-4a0b-8f66-2f6d8f0b5d16");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Number("Yaw", "Y", "Turn about up, in degrees.", 0);
+        ports.Number("Pitch", "P", "Turn about left, in degrees.", 0);
+        ports.Number("Roll", "R", "Turn about forward, in degrees.", 0);
+        ports.Choice("Kind", "K", "Turn about its own axes, set the heading from the axes of the world, or add to the angles of the heading.", TurtleRotateKind.Turn);
+    }
+
+    private protected override TurtleCommand Command(Run run)
+    {
+        var (yaw, pitch, roll) = (run.Finite(0), run.Finite(1), run.Finite(2));
+        switch (run.Choice<TurtleRotateKind>(3))
+        {
+            case TurtleRotateKind.SetHeading: return TurtleCommand.Of(TurtleAction.Heading, yaw, pitch, roll);
+            case TurtleRotateKind.ChangeHeading: return TurtleCommand.Of(TurtleAction.ChangeHeading, yaw, pitch, roll);
+        }
+        var turns = new List<TurtleCommand>();
+        if (yaw != 0 || (pitch == 0 && roll == 0)) turns.Add(TurtleCommand.Of(TurtleAction.Yaw, yaw));
+        if (pitch != 0) turns.Add(TurtleCommand.Of(TurtleAction.Pitch, pitch));
+        if (roll != 0) turns.Add(TurtleCommand.Of(TurtleAction.Roll, roll));
+        return Together(turns);
+    }
+}
+
+/// <summary>Pen up or down.</summary>
+public sealed class TurtlePenComponent() : TurtleCommandComponent("Pen", "Pen", "Puts the pen down, so that moves print, or lifts it. Nothing is retracted; that is planning's.")
+{
+    public override Guid ComponentGuid => new("5e2c9f37-d1a8-4f39-9b7d-b0d7a3f24c17");
+
+    private protected override void Inputs(InputPorts ports) => ports.Boolean("Down", "D", "True prints, false does not.", true);
+
+    private protected override TurtleCommand Command(Run run) => TurtleCommand.Of(run.Get<bool>(0) ? TurtleAction.PenDown : TurtleAction.PenUp);
+}
+
+/// <summary>How an amount of extrusion is said.</summary>
+public enum TurtleExtrusionKind
+{
+    FilamentPerMm,
+    Area,
+    WidthAndHeight,
+}
+
+/// <summary>How much the turtle extrudes, and how fast it goes.</summary>
+public sealed class TurtleExtrusionComponent() : TurtleCommandComponent("Extrusion", "Extrusion", "How much moves extrude from here on, and how fast they are.")
+{
+    public override Guid ComponentGuid => new("a84f1b2d-6e3c-47d0-8a19-5c9e0d7f1b18");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Choice("Kind", "K", "mm of filament per mm of path, cross-section of the strand in mm², or its width and height in mm.", TurtleExtrusionKind.FilamentPerMm);
+        ports.Number("Value", "V", "The amount: mm per mm, mm², or the width in mm.", 0.05);
+        ports.Number("Height", "H", "Height of the strand, in mm; 0 where it is not known.", 0);
+        ports.OptionalNumber("Speed", "S", "Speed from here on, in mm/s; as before without it.");
+    }
+
+    private protected override TurtleCommand Command(Run run)
+    {
+        var value = run.Finite(1);
+        var height = run.Finite(2);
+        if (value < 0 || height < 0) throw new InputProblem("Value and Height must be 0 or more.");
+        var commands = new List<TurtleCommand>
+        {
+            run.Choice<TurtleExtrusionKind>(0) switch
+            {
+                TurtleExtrusionKind.FilamentPerMm => TurtleCommand.Of(TurtleAction.Density, value),
+                TurtleExtrusionKind.Area => TurtleCommand.Of(TurtleAction.Area, value, height),
+                _ => TurtleCommand.Of(TurtleAction.Bead, value, height > 0 ? height : throw new InputProblem("Height must be greater than zero where the width is given.")),
+            },
+        };
+        if (run.MaybeValue<double>(3) is not null) commands.Add(TurtleCommand.Of(TurtleAction.Speed, run.Positive(3)));
+        return Together(commands);
+    }
+}
+
+/// <summary>What Event does.</summary>
+public enum TurtleEventKind
+{
+    Extrude,
+    Dwell,
+    Pause,
+    NozzleTemperature,
+    BedTemperature,
+    Fan,
+    Tool,
+    Comment,
+    RawLine,
+    Layer,
+    NextLayer,
+    Colour,
+    Name,
+    Push,
+    Pop,
+}
+
+/// <summary>Something that the printer does besides moving, or a tag.</summary>
+public sealed class TurtleEventComponent() : TurtleCommandComponent("Event", "Event", "Something that the printer does besides moving, a tag of what follows, or a branching point.")
+{
+    public override Guid ComponentGuid => new("f3d7c8e1-0b5a-4c92-a7e4-9a1c6b2d8f19");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Choice("Kind", "K", "What happens.", TurtleEventKind.Dwell);
+        ports.Number("Value", "V", "mm of filament, milliseconds, °C (waits until reached), fan 0 to 1, number of a tool or layer, or thickness of the next layer in mm.", 0);
+        ports.Text("Text", "T", "Comment, raw line, message of a pause, name, or colour as #rrggbb.", "");
+    }
+
+    private protected override TurtleCommand Command(Run run)
+    {
+        var value = run.Finite(1);
+        var text = run.Get<string>(2);
+        return run.Choice<TurtleEventKind>(0) switch
+        {
+            TurtleEventKind.Extrude => TurtleCommand.Of(TurtleAction.Extrude, value),
+            TurtleEventKind.Dwell => TurtleCommand.Of(TurtleAction.Dwell, value),
+            TurtleEventKind.Pause => TurtleCommand.Of(TurtleAction.Pause, text),
+            TurtleEventKind.NozzleTemperature => TurtleCommand.Of(TurtleAction.NozzleTemperature, value),
+            TurtleEventKind.BedTemperature => TurtleCommand.Of(TurtleAction.BedTemperature, value),
+            TurtleEventKind.Fan => TurtleCommand.Of(TurtleAction.Fan, value),
+            TurtleEventKind.Tool => TurtleCommand.Of(TurtleAction.Tool, value),
+            TurtleEventKind.Comment => TurtleCommand.Of(TurtleAction.Comment, text),
+            TurtleEventKind.RawLine => TurtleCommand.Of(TurtleAction.Raw, text),
+            TurtleEventKind.Layer => TurtleCommand.Of(TurtleAction.Layer, value),
+            TurtleEventKind.NextLayer => TurtleCommand.Of(TurtleAction.NextLayer, value),
+            TurtleEventKind.Colour => TurtleCommand.Of(TurtleAction.Color, text),
+            TurtleEventKind.Name => TurtleCommand.Of(TurtleAction.Name, text),
+            TurtleEventKind.Push => TurtleCommand.Of(TurtleAction.Push),
+            _ => TurtleCommand.Of(TurtleAction.Pop),
+        };
+    }
+}
+
+/// <summary>Commands several times.</summary>
+public sealed class TurtleRepeatComponent() : TurtleCommandComponent("Repeat", "Repeat", "Commands several times, as one command.")
+{
+    public override Guid ComponentGuid => new("08e5b6a9-4f2d-4e71-b3c8-d4f6a7012e1a");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new TurtleCommandParam(), "Commands", "C", "Commands in order.", GH_ParamAccess.list);
+        ports.Integer("Count", "N", "Number of times.", 4);
+    }
+
+    private protected override TurtleCommand Command(Run run)
+    {
+        var count = run.Get<int>(1);
+        return TurtleCommand.Repeat(count >= 0 ? count : throw new InputProblem("Count must be 0 or more."), run.List<TurtleCommand>(0));
+    }
+}

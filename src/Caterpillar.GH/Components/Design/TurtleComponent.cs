@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using Caterpillar.Turtles;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
+
+namespace Caterpillar.GH.Components.Design;
+
+/// <summary>Carries out turtle programs.</summary>
+public sealed class TurtleComponent() : CaterpillarComponent("Turtle", "Turtle", "Carries out a turtle program: print paths, and all steps in order for planning.", Panel.Design)
+{
+    public override Guid ComponentGuid => new("b7f06a52-91de-4f7b-8a2a-40d9c55f3c12");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new TurtleProgramParam(), "Program", "P", "Program to carry out; text that is a script is one too.");
+        ports.Add(new Param_Plane(), "Start Plane", "Pl", "Where the turtle stands at first, in document units: X is forward, Y left. The world's origin without it.", optional: true);
+        ports.Number("Filament Diameter", "D", "Diameter of the filament, in mm, by which mm of filament become strands.", 1.75);
+        ports.Boolean("Every Pose", "E", "True gives the pose and triangle behind every command, false the last only.", false);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "What is deposited, in order.", GH_ParamAccess.list);
+        ports.Add(new StepParam(), "Steps", "S", "Paths, drawn travels and events, in order.", GH_ParamAccess.list);
+        ports.Add(new Param_Plane(), "Planes", "Pl", "Poses of the turtle, in document units.", GH_ParamAccess.list);
+        ports.Curve("Triangles", "T", "The turtle as triangles, their sharp corners forward, in document units.", GH_ParamAccess.list);
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var program = run.Get<TurtleProgram>(0);
+        var units = run.Units;
+        var options = new TurtleOptions
+        {
+            Start = run.MaybeValue<Rg.Plane>(1) is { } plane ? ToFrame(plane, units) : Frame.World,
+            Extrusion = new ExtrusionLaw(ExtrusionUnit.Mm, run.Positive(2)),
+            KeepPoses = run.Get<bool>(3),
+        };
+        var result = run.Cached([program, options.Start, options.Extrusion.FilamentDiameter, options.KeepPoses], () => run.Work("Turtle", (progress, cancel) =>
+        {
+            var done = program.Run(options, null, progress, cancel);
+            return new Done(done.Value?.ToSteps() ?? [], done.Value is null ? [] : options.KeepPoses ? done.Value.Poses : [done.Value.Pose], done.Diagnostics);
+        }));
+        run.SetList(4, run.Report(result.Diagnostics));
+        run.SetList(0, result.Steps.OfType<PathStep>().Select(s => new PrintPathGoo(s.Path)));
+        run.SetList(1, result.Steps.Select(s => new StepGoo(s)));
+        run.SetList(2, result.Poses.Select(p => RhinoGeometry.ToPlane(p, units)));
+        run.SetList(3, result.Poses.Select(p => TurtleShape.Outline(p, 2, units)));
+    }
+
+    private static Frame ToFrame(Rg.Plane plane, DocumentUnits units)
+        => Frame.FromAxes(RhinoGeometry.ToVec(plane.Origin, units), new Vec3(plane.XAxis.X, plane.XAxis.Y, plane.XAxis.Z), new Vec3(plane.YAxis.X, plane.YAxis.Y, plane.YAxis.Z));
+
+    private sealed record Done(IReadOnlyList<Step> Steps, IReadOnlyList<Frame> Poses, IReadOnlyList<Basics.Diagnostic> Diagnostics);
+}

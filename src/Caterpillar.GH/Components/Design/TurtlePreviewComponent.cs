@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using System.Drawing;
+using System.Linq;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Params;
+using Caterpillar.Toolpaths;
+using Caterpillar.Turtles;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
+using Rhino.Display;
+
+namespace Caterpillar.GH.Components.Design;
+
+/// <summary>Shows a turtle on its way.</summary>
+public sealed class TurtlePreviewComponent() : CaterpillarComponent(
+    "Turtle Preview", "TPrev", "Shows the turtle as a triangle at a part of its way, and what it has printed until there.", Panel.Design, GH_Exposure.secondary)
+{
+    private readonly List<Drawn> _drawn = [];
+
+    public override Guid ComponentGuid => new("0c2ee4b5-6d4e-4b27-9f3f-0f5f5a6e2d13");
+
+    public override Rg.BoundingBox ClippingBox
+    {
+        get
+        {
+            if (Hidden) return Rg.BoundingBox.Empty;
+            var box = base.ClippingBox;
+            foreach (var drawn in _drawn) box.Union(drawn.Box);
+            return box;
+        }
+    }
+
+    private protected override bool DrawsItself => true;
+
+    public override void ClearData()
+    {
+        _drawn.Clear();
+        base.ClearData();
+    }
+
+    public override void DrawViewportWires(IGH_PreviewArgs args)
+    {
+        base.DrawViewportWires(args);
+        if (Hidden || Locked) return;
+        foreach (var drawn in _drawn)
+        {
+            foreach (var run in drawn.Printed) args.Display.DrawCurve(run, Attributes.Selected ? args.WireColour_Selected : Color.FromArgb(214, 110, 40), 2);
+            args.Display.DrawCurve(drawn.Outline, Attributes.Selected ? args.WireColour_Selected : Color.FromArgb(30, 120, 60), 2);
+        }
+    }
+
+    public override void DrawViewportMeshes(IGH_PreviewArgs args)
+    {
+        base.DrawViewportMeshes(args);
+        if (Hidden || Locked) return;
+        foreach (var drawn in _drawn) args.Display.DrawMeshShaded(drawn.Face, new DisplayMaterial(Attributes.Selected ? args.WireColour_Selected : Color.FromArgb(60, 170, 90)));
+    }
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new StepParam(), "Steps", "S", "Steps of the turtle, or print paths.", GH_ParamAccess.list);
+        ports.Number("Position", "t", "Part of the way by length, 0 to 1.", 1);
+        ports.Number("Size", "Sz", "Half the width of the triangle, in mm.", 2);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Curve("Triangle", "T", "The turtle as a closed triangle, its sharp corner forward, in document units.");
+        ports.Add(new Param_Plane(), "Plane", "Pl", "Pose of the turtle, in document units: X along its way, Y left.");
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var steps = run.List<Step>(0);
+        if (steps.Count == 0) throw new InputProblem("Steps are missing.") { IsMissing = true };
+        var part = run.Finite(1);
+        if (part is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
+        var size = run.Positive(2);
+        var units = run.Units;
+        var way = run.Cached(steps.Cast<object?>().ToArray(), () => new TurtleWay(steps));
+        var pose = way.PoseAt(part);
+        var printed = way.PrintedUntil(part).Select(r => new Rg.PolylineCurve(r.Select(p => RhinoGeometry.ToPoint(p, units)))).ToList();
+        var outline = TurtleShape.Outline(pose, size, units);
+        var box = outline.GetBoundingBox(true);
+        foreach (var curve in printed) box.Union(curve.GetBoundingBox(true));
+        _drawn.Add(new Drawn(printed, outline, TurtleShape.Face(pose, size, units), box));
+        run.Set(0, outline);
+        run.Set(1, RhinoGeometry.ToPlane(pose, units));
+    }
+
+    private sealed record Drawn(IReadOnlyList<Rg.PolylineCurve> Printed, Rg.PolylineCurve Outline, Rg.Mesh Face, Rg.BoundingBox Box);
+}
