@@ -21,13 +21,6 @@ public static class Mapping
         return path.Layer is { } layer ? mapped.With(layer: Image(layer, map)) : mapped;
     }
 
-    /// <summary>The path with chords in place of its arcs, within <paramref name="tolerance"/> mm of them.</summary>
-    public static PrintPath WithoutArcs(this PrintPath path, double tolerance = 0.01)
-    {
-        if (path is null) throw new ArgumentNullException(nameof(path));
-        return path.HasArcs ? Mapped(path, Affine.Identity, false, tolerance) : path;
-    }
-
     /// <summary>The image of a toolpath. The material of a printed move follows its length; retractions, primes and speeds stay.</summary>
     /// <inheritdoc cref="Transformed(PrintPath, Affine, double)" path="/param"/>
     public static Toolpath Transformed(this Toolpath toolpath, Affine map, double tolerance = 0.01)

@@ -84,7 +84,7 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
         if (Value is null) return null;
         var units = DocumentUnits.Current;
         // The image of an arc is no arc.
-        var straight = Value.WithoutArcs();
+        var straight = PathArcs.Expand(Value);
         var points = new List<Vec3>(straight.Points.Count);
         foreach (var point in straight.Points) points.Add(RhinoGeometry.ToVec(xmorph.MorphPoint(RhinoGeometry.ToPoint(point, units)), units));
         var beads = new List<Bead>(straight.SegmentCount);

@@ -76,13 +76,4 @@ public sealed class MappingTests
         var ratio = 3 / (System.Math.PI * 10);
         foreach (var move in image.Moves()) Assert.That(move.Deposited, Is.EqualTo(ratio * move.Length).Within(1e-9));
     }
-
-    [Test]
-    public void Arcs_become_chords_within_the_tolerance()
-    {
-        var chords = HalfCircle().WithoutArcs(0.001);
-        Assert.That(chords.HasArcs, Is.False);
-        Assert.That(chords.Length, Is.EqualTo(HalfCircle().Length).Within(0.01));
-        Assert.That(chords.Points.Take(chords.Points.Count - 1).Select(p => p.LengthXY), Has.All.EqualTo(10).Within(1e-9));
-    }
 }
