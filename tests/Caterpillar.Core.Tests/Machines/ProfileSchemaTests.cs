@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Caterpillar.Machines;
+using Newtonsoft.Json.Linq;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Machines;
+
+public class ProfileSchemaTests
+{
+    private static string Folder => Path.Combine(TestData.Repository, "printers");
+
+    public static IEnumerable<string> ProfileFiles()
+        => Directory.GetFiles(Folder, "*.json", SearchOption.AllDirectories).Select(f => f.Substring(Folder.Length + 1).Replace('\\', '/'))
+            .Where(f => !f.StartsWith("schema/", StringComparison.Ordinal)).OrderBy(f => f, StringComparer.Ordinal);
+
+    [TestCase("printer")]
+    [TestCase("material")]
+    [TestCase("settings")]
+    public void The_schema_is_current(string kind) => Current(Path.Combine(Folder, "schema", kind + ".schema.json"), Schema(kind));
+
+    [Test]
+    public void The_manual_is_current() => Current(Path.Combine(TestData.Repository, "docs", "profiles.md"), ProfileManual.Write(new ProfileLibrary()));
+
+    [TestCaseSource(nameof(ProfileFiles))]
+    public void Every_profile_obeys_the_schema_that_it_names(string file)
+    {
+        var profile = JObject.Parse(File.ReadAllText(Path.Combine(Folder, file)));
+        var named = Path.GetFullPath(Path.Combine(Folder, Path.GetDirectoryName(file)!, (string)profile["$schema"]!));
+        var kind = file.StartsWith("materials/", StringComparison.Ordinal) ? "material" : file.StartsWith("settings/", StringComparison.Ordinal) ? "settings" : "printer";
+        Assert.That(Path.GetFileName(named), Is.EqualTo(kind + ".schema.json"));
+        Assert.That(Problems(profile, JObject.Parse(Schema(kind)), file), Is.Empty);
+    }
+
+    [TestCase("""{ "nozle": 1 }""")]
+    [TestCase("""{ "nozzle_diameter_mm": "0.4" }""")]
+    [TestCase("""{ "nozzle_diameter_mm": 0 }""")]
+    [TestCase("""{ "decimals_e": 2.5 }""")]
+    [TestCase("""{ "origin": "middle" }""")]
+    [TestCase("""{ "build_volume_mm": [1, 2] }""")]
+    [TestCase("""{ "tool_offsets_mm": [[0, 0, "x"]] }""")]
+    [TestCase("""{ "start_template": [3] }""")]
+    public void The_schema_refuses_what_the_reader_refuses(string json)
+    {
+        Assert.That(Problems(JObject.Parse(json), JObject.Parse(Schema("printer")), ""), Is.Not.Empty);
+        Assert.That(ProfileReader.ReadPrinter(json, "f", "n").Value, Is.Null);
+    }
+
+    [Test]
+    public void Keys_are_snake_case_and_unique_over_the_three_kinds()
+    {
+        var keys = ProfileKeys.Printer.Concat(ProfileKeys.Material).Concat(ProfileKeys.Settings).Select(k => k.Name).ToArray();
+        Assert.That(keys, Is.All.Match("^[a-z][a-z0-9]*(_[a-z0-9]+)*$"));
+        Assert.That(keys.Where(k => k != "title"), Is.Unique);
+        Assert.That(keys.Count(k => k == "title"), Is.EqualTo(3));
+    }
+
+    [Test]
+    public void Every_property_of_the_records_has_its_key()
+    {
+        Assert.That(Properties(typeof(Printer)), Is.EqualTo(ProfileKeys.Printer.Count));
+        Assert.That(Properties(typeof(Material)), Is.EqualTo(ProfileKeys.Material.Count));
+        Assert.That(Properties(typeof(PrintSettings)), Is.EqualTo(ProfileKeys.Settings.Count));
+
+        // All but the name, which is that of the file.
+        static int Properties(Type type) => type.GetProperties().Count(p => p.CanWrite && p.Name != "Name");
+    }
+
+    private static string Schema(string kind) => kind switch { "printer" => ProfileSchema.Printer, "material" => ProfileSchema.Material, _ => ProfileSchema.Settings };
+
+    private static void Current(string file, string expected)
+    {
+        if (Environment.GetEnvironmentVariable("CATERPILLAR_RENEW") == "1")
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(file)!);
+            File.WriteAllText(file, expected, new UTF8Encoding(false));
+        }
+        Assert.That(File.Exists(file) ? File.ReadAllText(file) : "", Is.EqualTo(expected), "CATERPILLAR_RENEW=1 writes the file anew.");
+    }
+
+    // The part of JSON schema that the schemas use.
+    private static IEnumerable<string> Problems(JToken value, JObject schema, string path)
+    {
+        if (schema["enum"] is JArray words)
+        {
+            if (!words.Any(w => JToken.DeepEquals(w, value))) yield return path + ": not one of the words";
+            yield break;
+        }
+        var kind = (string?)schema["type"];
+        var fits = kind switch
+        {
+            "object" => value.Type == JTokenType.Object,
+            "array" => value.Type == JTokenType.Array,
+            "string" => value.Type == JTokenType.String,
+            "boolean" => value.Type == JTokenType.Boolean,
+            "integer" => value.Type == JTokenType.Integer,
+            _ => value.Type is JTokenType.Integer or JTokenType.Float,
+        };
+        if (!fits)
+        {
+            yield return path + ": no " + kind;
+            yield break;
+        }
+        if (schema["minimum"] is { } min && (double)value < (double)min) yield return path + ": too small";
+        if (schema["maximum"] is { } max && (double)value > (double)max) yield return path + ": too large";
+        if (schema["minLength"] is { } length && ((string)value!).Length < (int)length) yield return path + ": too short";
+        if (schema["minItems"] is { } few && ((JArray)value).Count < (int)few) yield return path + ": too few";
+        if (schema["maxItems"] is { } many && ((JArray)value).Count > (int)many) yield return path + ": too many";
+        if (value is JArray list && schema["items"] is JObject item)
+        {
+            foreach (var problem in list.SelectMany((v, i) => Problems(v, item, path + "[" + i + "]"))) yield return problem;
+        }
+        if (value is not JObject entries) yield break;
+        foreach (var entry in entries.Properties())
+        {
+            if (schema["properties"]![entry.Name] is not JObject known) yield return path + ": unknown key " + entry.Name;
+            else foreach (var problem in Problems(entry.Value, known, path + "." + entry.Name)) yield return problem;
+        }
+    }
+}
