@@ -33,6 +33,10 @@ internal static class Drawings
         ["GCodeText"] = c => { Page(c); c.Line(8, 8, 14, 8, 1.3, Ink.Green).Line(8, 11, 16, 11, 1.3, Ink.Dark).Line(8, 14, 13, 14, 1.3, Ink.Dark).Line(8, 17, 16, 17, 1.3, Ink.Dark); },
         ["DecodeGCode"] = c => { Page(c); c.Polyline(2, Ink.Green, 8, 17, 11, 10, 14, 14, 18, 7); },
         ["DeconstructPrintPath"] = c => c.Polyline(2.4, Ink.Green, 4, 18, 9, 7, 15, 15, 20, 5).Disc(4.2, 18, 2, Ink.Dark).Disc(9, 7, 2, Ink.Dark).Disc(15, 15, 2, Ink.Dark).Disc(19.8, 5.2, 2, Ink.Dark),
+        ["SortPaths"] = c => c.Line(3.5, 6, 9, 6, 2.2, Ink.Green).Line(9, 6, 15, 12, 1.2, Ink.Grey).Line(15, 12, 20.5, 12, 2.2, Ink.Green).Line(15, 12, 9, 18, 1.2, Ink.Grey)
+            .Line(3.5, 18, 9, 18, 2.2, Ink.Green).Disc(9, 6, 1.7, Ink.Dark).Disc(15, 12, 1.7, Ink.Dark).Disc(9, 18, 1.7, Ink.Dark),
+        ["GapBead"] = c => c.Polygon(Ink.Grey, 3, 21, 3, 17, 9, 12, 15, 15.5, 21, 11, 21, 21).Polygon(Ink.Green, 3, 16, 9, 11, 15, 14.5, 21, 10, 21, 7, 3, 7)
+            .Line(3, 5, 21, 5, 1.4, Ink.Dark),
         ["PrintPathParam"] = c => c.Hexagon().Polyline(2.4, Ink.Green, 7, 16, 10.5, 8, 14, 15, 17, 8),
         ["ToolpathParam"] = c => c.Hexagon().Polyline(1.8, Ink.Green, 7, 16, 17, 16, 17, 13, 7, 13, 7, 10, 17, 10).Disc(17, 9.5, 1.6, Ink.Orange),
         ["PrinterParam"] = c => c.Hexagon().Polyline(1.6, Ink.Light, 8, 17, 8, 7.5, 16, 7.5, 16, 17, 8, 17).Line(12, 8, 12, 12, 2, Ink.Orange),

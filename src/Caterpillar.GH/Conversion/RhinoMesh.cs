@@ -60,6 +60,24 @@ internal static class RhinoMesh
         return TriMesh.Create(vertices, triangles);
     }
 
+    /// <summary>The triangles of several meshes as one surface; null for none.</summary>
+    /// <exception cref="InputProblem">A mesh is empty or not valid.</exception>
+    public static TriMesh? ToTriangles(IReadOnlyList<Rg.Mesh> meshes, DocumentUnits units)
+    {
+        if (meshes.Count == 0) return null;
+        if (meshes.Count == 1) return ToTriangles(meshes[0], units);
+        var vertices = new List<Vec3>();
+        var triangles = new List<int>();
+        foreach (var mesh in meshes)
+        {
+            var part = ToTriangles(mesh, units);
+            var first = vertices.Count;
+            vertices.AddRange(part.Vertices);
+            foreach (var index in part.Indices) triangles.Add(first + index);
+        }
+        return TriMesh.Create(vertices, triangles);
+    }
+
     private static Rg.Mesh Joined(Rg.Mesh?[]? parts)
     {
         if (parts is null) throw new InputProblem("Rhino could not mesh the geometry.");

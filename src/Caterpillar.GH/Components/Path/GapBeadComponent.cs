@@ -1,0 +1,60 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Machines;
+using Caterpillar.Shaping;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Components.Path;
+
+/// <summary>Gives print paths beads that fill the gap to what is underneath.</summary>
+public sealed class GapBeadComponent() : CaterpillarComponent(
+    "Gap Bead", "Gap", "Gives print paths beads that fill the gap to what is underneath: earlier paths of the list, a surface, or the bed.", Panel.Path)
+{
+    // Deviation of the facets of a curved surface, mm.
+    private const double Tolerance = 0.05;
+
+    public override Guid ComponentGuid => new("7c3b1f86-2d94-4c0e-8f6a-0e5a9d41b2c7");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in the order in which they are printed; each finds the ones before it underneath.", GH_ParamAccess.list);
+        ports.Geometry("Geometry", "G", "Objects below the paths, in document units: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list, optional: true);
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings from which the limits follow; without them the standard ones.", optional: true);
+        ports.OptionalNumber("Least Gap", "Min", "Smaller gaps are printed as if they were this high, in mm; without it a quarter of the layer height.");
+        ports.OptionalNumber("Greatest Gap", "Max", "Larger gaps are printed as if they were this high, in mm; without it twice the layer height.");
+        ports.Number("Width", "W", "Width of the strands in mm; 0 takes it from each bead.", 0);
+        ports.Boolean("Bed", "B", "True where the bed, at Z = 0, is underneath too.", true);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "The same paths with other beads; segments over an uneven gap are divided.", GH_ParamAccess.list);
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var goos = run.List<PrintPathGoo>(0);
+        if (goos.Count == 0) throw new InputProblem("Print Paths are missing.") { IsMissing = true };
+        var paths = goos.Select(g => g.Value).ToArray();
+        var units = run.Units;
+        var meshes = run.List<IGH_GeometricGoo>(1).Select(g => RhinoMesh.ToMesh(g.ScriptVariable()!, Tolerance, units)).ToList();
+        var gap = GapBead.For(run.Maybe<PrintSettings>(2) ?? new PrintSettings()) with { Width = run.Finite(5), Bed = run.Get<bool>(6) ? 0 : null };
+        if (run.MaybeValue<double>(3) is not null) gap = gap with { MinGap = run.Positive(3) };
+        if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };
+        if (gap.MinGap > gap.MaxGap) throw new InputProblem("Least Gap must not be above Greatest Gap.");
+        var result = run.Cached([.. paths, .. meshes.Select(m => (object)m.DataCRC(0)), gap, units.ToMillimetres], () =>
+        {
+            var below = gap with { Surface = RhinoMesh.ToTriangles(meshes, units) };
+            return run.Work("Measuring gaps", (progress, cancel) => below.Apply(paths, progress, cancel));
+        });
+        run.SetList(1, run.Report(result.Diagnostics));
+        if (result.Value is { } shaped) run.SetList(0, shaped.Select((path, i) => goos[i].With(path)));
+    }
+}
