@@ -1,0 +1,53 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Bench;
+
+/// <summary>Input of the benchmarks, made anew each time.</summary>
+internal static class Samples
+{
+    /// <summary>A closed contour with waves, counter-clockwise.</summary>
+    public static Polyline Contour(int vertices)
+        => new(Enumerable.Range(0, vertices).Select(i =>
+        {
+            var angle = 360.0 * i / vertices;
+            var (sin, cos) = Angle.SinCos(angle);
+            var radius = 40 + 3 * Angle.Sin(9 * angle) + 0.4 * Angle.Sin(71 * angle);
+            return new Vec3(100 + radius * cos, 100 + radius * sin);
+        }), closed: true);
+
+    /// <summary>The bumpy sphere of 499,848 triangles: radius 40 mm with waves of 4 %, standing on Z = 0.</summary>
+    public static TriMesh BumpySphere(int around = 708, int rings = 354)
+    {
+        const double Radius = 40;
+        var points = new List<Vec3> { new(0, 0, 2 * Radius) };
+        for (var t = 1; t < rings; t++)
+        {
+            var (st, ct) = Angle.SinCos(180.0 * t / rings);
+            for (var i = 0; i < around; i++)
+            {
+                var p = 360.0 * i / around;
+                var (sp, cp) = Angle.SinCos(p);
+                var r = Radius * (1 + 0.04 * Angle.Sin(8 * p) * Angle.Sin(10 * 180.0 * t / rings) * st);
+                points.Add(new Vec3(r * st * cp, r * st * sp, Radius + r * ct));
+            }
+        }
+        points.Add(new Vec3(0, 0, 0));
+        var triangles = new List<int>();
+        for (var i = 0; i < around; i++)
+        {
+            var j = (i + 1) % around;
+            triangles.AddRange([0, 1 + i, 1 + j]);
+            for (var t = 0; t + 2 < rings; t++)
+            {
+                int a = 1 + t * around + i, b = 1 + t * around + j, c = a + around, d = b + around;
+                triangles.AddRange([a, c, d, a, d, b]);
+            }
+            triangles.AddRange([1 + (rings - 2) * around + i, points.Count - 1, 1 + (rings - 2) * around + j]);
+        }
+        return TriMesh.Create(points, triangles);
+    }
+}
