@@ -1,13 +1,9 @@
 using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
-using Caterpillar.Checks;
-using Caterpillar.Machines;
 using Caterpillar.Planning;
-using Caterpillar.Toolpaths;
 using Caterpillar.Turtles;
 
 namespace Caterpillar.Cli.Commands;
@@ -17,17 +13,15 @@ internal sealed class TurtleVerb : Verb
 {
     private readonly Argument<string> _script = new("SCRIPT") { Description = "Turtle program (docs/turtle.md is the manual of the language); - is standard input." };
 
-    private readonly Option<string?> _out = new("--output", "-o") { Description = "G-code file; - is standard output. Without it the script's name with .gcode in the current folder.", HelpName = "FILE" };
-
     private readonly Option<string[]> _values = new("--var") { Description = "Value of a parameter of the script (param NAME = …).", HelpName = "NAME=VALUE" };
 
     private readonly Option<int> _seed = new("--seed") { Description = "Seed of random().", DefaultValueFactory = _ => 0 };
 
     private readonly Option<string> _plan = new("--plan") { Description = "\"drawn\": exactly what the turtle did; \"printer\": with the printer's retraction and lifts.", DefaultValueFactory = _ => "drawn" };
 
-    private readonly Option<string?> _reason = new("--override") { Description = "Writes in spite of what the checks found; the reason stays in the file as a comment.", HelpName = "REASON" };
-
     private readonly Option<bool> _commands = new("--commands") { Description = "List the commands of the language." };
+
+    private readonly WriteOptions _write = new();
 
     private readonly SetupOptions _setup = new();
 
@@ -37,11 +31,10 @@ internal sealed class TurtleVerb : Verb
         _script.Arity = ArgumentArity.ZeroOrOne;
         _plan.AcceptOnlyFromAmong("drawn", "printer");
         Arguments.Add(_script);
-        Options.Add(_out);
+        _write.AddTo(this);
         Options.Add(_values);
         Options.Add(_seed);
         Options.Add(_plan);
-        Options.Add(_reason);
         Options.Add(_commands);
         _setup.AddTo(this);
     }
@@ -54,6 +47,7 @@ internal sealed class TurtleVerb : Verb
             return ExitCode.Done;
         }
         var file = arguments.GetValue(_script) ?? throw new CliException(ExitCode.Usage, "A script is missing. See: caterpillar turtle --help");
+        var target = _write.FileFor(arguments, file);
         var variables = Variables(arguments.GetValue(_values) ?? []);
         var setup = _setup.Resolve(arguments, session);
         var script = session.Need(TurtleScript.Compile(Encoding.UTF8.GetString(session.ReadBytes(file)), Session.NameOf(file)));
@@ -62,16 +56,7 @@ internal sealed class TurtleVerb : Verb
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;
         var toolpath = session.Long("Planning", progress => session.Need(Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = policy }, progress, session.Cancel)));
         if (toolpath.Count == 0) throw new CliException(ExitCode.BadInput, $"{Session.NameOf(file)}: the program draws nothing.");
-        Write(toolpath, setup, arguments, file, session);
-        return ExitCode.Done;
-    }
-
-    private void Write(Toolpath toolpath, PrintSetup setup, ParseResult arguments, string file, Session session)
-    {
-        var target = arguments.GetValue(_out) ?? (file == "-" ? "turtle" : Path.GetFileNameWithoutExtension(file)) + ".gcode";
-        var reason = arguments.GetValue(_reason);
-        if (target != "-" && Path.GetFullPath(target) == Path.GetFullPath(file)) throw new CliException(ExitCode.Usage, "The G-code would replace the script.");
-        session.Write(target, stream => session.Long("Writing", progress => session.Need(SafeWriter.Write(toolpath, setup, stream, reason, progress, session.Cancel), ExitCode.Refused)));
+        return _write.Write(arguments, session, toolpath, setup, target);
     }
 
     private static Dictionary<string, double> Variables(IEnumerable<string> values)
@@ -81,7 +66,7 @@ internal sealed class TurtleVerb : Verb
         {
             var cut = text.IndexOf('=');
             if (cut < 1 || !NumberReader.TryParse(text[(cut + 1)..].Trim(), out var value)) throw new CliException(ExitCode.Usage, $"--var {text}: write NAME=VALUE with a number.");
-            variables[text[..cut].Trim()] = value;
+            if (!variables.TryAdd(text[..cut].Trim(), value)) throw new CliException(ExitCode.Usage, $"--var {text}: this name has a value already.");
         }
         return variables;
     }
