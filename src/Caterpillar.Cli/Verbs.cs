@@ -10,6 +10,7 @@ internal static class Verbs
     [
         new SliceVerb(),
         new DecodeVerb(),
+        new ConvertVerb(),
         new SectionsVerb(),
         new TurtleVerb(),
         new CurvesVerb(),

@@ -194,7 +194,8 @@ internal sealed partial class Splicer
                 done = true;
             }
         }
-        if (wanted.Speed > 0 && _line.Find('F') < 0 && Math.Abs(wanted.Speed - before.Speed) > 1e-9 * wanted.Speed)
+        var sameSpeed = original.Count == 1 && Math.Abs(original.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed;
+        if (sameSpeed && wanted.Speed > 0 && _line.Find('F') < 0 && Math.Abs(wanted.Speed - before.Speed) > 1e-9 * wanted.Speed)
         {
             State("G1", 'F', wanted.Speed * 60 / before.FeedFactor / (before.Inches ? 25.4 : 1), _style.DecimalsF);
             done = true;
