@@ -1,0 +1,44 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Shaping;
+
+/// <summary>Fields as formulas in text.</summary>
+public static class FieldText
+{
+    private static readonly string[] Variables = ["x", "y", "z", "r", "theta", "s", "u", "path", "θ"];
+
+    /// <summary>
+    /// Compiles a field over <c>x</c>, <c>y</c>, <c>z</c> (mm), <c>r</c> (mm) and <c>theta</c> (or <c>θ</c>, degrees, −180 to 180) about a vertical axis, <c>s</c> (way along the path,
+    /// mm), <c>u</c> (the same from 0 to 1) and <c>path</c> (number of the path, from 0). For example <c>0.5 + 0.5 * sin(6 * theta + 20 * z)</c>.
+    /// </summary>
+    /// <param name="text">The formula; 0 to 1 is what modulations expect.</param>
+    /// <param name="axis">Where the vertical axis stands, mm.</param>
+    /// <param name="source">File and key of the text, for messages.</param>
+    /// <returns>The field; none with an error that gives the formula and the column.</returns>
+    public static Result<Field> Compile(string text, Vec3 axis = default, SourceLocation? source = null)
+    {
+        if (text is null) throw new ArgumentNullException(nameof(text));
+        var set = new FormulaSet(Variables, source);
+        var formula = set.Compile(text, "field");
+        if (formula is null) return new Result<Field>(null, set.Problems);
+        return new Result<Field>(
+            place =>
+            {
+                var context = set.Rent();
+                var values = context.Values;
+                var d = place.Position - axis;
+                values[0] = place.Position.X;
+                values[1] = place.Position.Y;
+                values[2] = place.Position.Z;
+                values[3] = d.LengthXY;
+                values[4] = values[8] = Angle.Atan2(d.Y, d.X);
+                values[5] = place.Distance;
+                values[6] = place.Length > 0 ? place.Distance / place.Length : 0;
+                values[7] = place.Path;
+                return set.Evaluate(formula, context);
+            },
+            set.Problems);
+    }
+}

@@ -1,0 +1,53 @@
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Expressions;
+
+namespace Caterpillar.Shaping;
+
+/// <summary>Compiles the formulas of a deformation or a field over the same variables, and evaluates them from any thread.</summary>
+internal sealed class FormulaSet
+{
+    private readonly string[] _variables;
+    private readonly SourceLocation _source;
+    private FormulaContext? _free;
+
+    public FormulaSet(string[] variables, SourceLocation? source)
+    {
+        _variables = variables;
+        _source = source ?? new SourceLocation();
+    }
+
+    /// <summary>One for each formula that has a mistake.</summary>
+    public List<Diagnostic> Problems { get; } = [];
+
+    /// <summary>A formula, or none with an error that names it and gives the column.</summary>
+    /// <param name="text">The formula.</param>
+    /// <param name="what">What the formula is for; the key of its diagnostics.</param>
+    public Formula? Compile(string text, string what)
+    {
+        var place = _source with { Key = _source.Key is null ? what : _source.Key + "." + what };
+        if (text.Trim().Length == 0)
+        {
+            Problems.Add(new Diagnostic(Severity.Error, "formula.empty", $"The formula of {what} is empty.", place));
+            return null;
+        }
+        var compiled = Formula.Compile(text, _variables, place);
+        foreach (var problem in compiled.Diagnostics) Problems.Add(problem with { Message = $"{problem.Message} (formula of {what}: \"{text.Trim()}\")" });
+        if (compiled.Value is not { UsesRandom: true } formula) return compiled.Value;
+        // Its value would hang on the order of evaluations.
+        Problems.Add(new Diagnostic(Severity.Error, "formula.random", $"The formula of {what} draws random numbers; random(seed) has one value for each seed.", place));
+        return null;
+    }
+
+    /// <summary>A context with its values to set; no other thread has it until it is given back.</summary>
+    public FormulaContext Rent() => Interlocked.Exchange(ref _free, null) ?? new FormulaContext(new double[_variables.Length]);
+
+    /// <summary>The value of a formula; the context is given back.</summary>
+    public double Evaluate(Formula formula, FormulaContext context)
+    {
+        var value = formula.Evaluate(context);
+        Volatile.Write(ref _free, context);
+        return value;
+    }
+}
