@@ -7,7 +7,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>Lists the profiles, or shows one as JSON with all its keys.</summary>
+/// <summary>Lists the profiles, shows one as JSON with all its keys, or makes one of a header and a footer.</summary>
 internal sealed class PrintersVerb : Verb
 {
     private readonly Argument<string?> _name = new("NAME")
@@ -18,19 +18,40 @@ internal sealed class PrintersVerb : Verb
 
     private readonly Option<bool> _keys = new("--keys") { Description = "List the keys of profiles with their room and meaning." };
 
+    private readonly Option<string[]> _import = new("--import")
+    {
+        Description = "Make a printer profile of G-code before and behind a print, such as the headers and footers of ExtruderTurtle; - for an empty footer.",
+        HelpName = "HEADER FOOTER",
+        Arity = new ArgumentArity(2, 2),
+        AllowMultipleArgumentsPerToken = true,
+    };
+
+    private readonly Option<string?> _like = new("--like") { Description = "With --import: a similar printer for all that the files do not tell.", HelpName = "NAME|FILE" };
+
+    private readonly Option<string> _output = new("--output", "-o") { Description = "Where the JSON goes; standard output without it.", HelpName = "FILE.json", DefaultValueFactory = _ => "-" };
+
+    private readonly Option<string?> _material = new("--material-output") { Description = "With --import: a material profile with the temperatures of the header.", HelpName = "FILE.json" };
+
     public PrintersVerb()
         : base("printers", "Profiles of printers, materials and settings.")
     {
         Arguments.Add(_name);
         Options.Add(_keys);
+        Options.Add(_import);
+        Options.Add(_like);
+        Options.Add(_output);
+        Options.Add(_material);
     }
 
     public override int Run(ParseResult arguments, Session session)
     {
         var name = arguments.GetValue(_name);
-        if (arguments.GetValue(_keys)) session.WriteText("-", WriteKeys);
-        else if (name is not null) Show(name, session);
-        else session.WriteText("-", text => WriteList(text, session));
+        var output = arguments.GetValue(_output)!;
+        if (arguments.GetValue(_import) is { Length: 2 } files) PrinterImport.Run(files[0], files[1], arguments.GetValue(_like), output, arguments.GetValue(_material), session);
+        else if (arguments.GetValue(_like) is not null || arguments.GetValue(_material) is not null) throw new CliException(ExitCode.Usage, "--like and --material-output go with --import.");
+        else if (arguments.GetValue(_keys)) session.WriteText(output, WriteKeys);
+        else if (name is not null) Show(name, output, session);
+        else session.WriteText(output, text => WriteList(text, session));
         return ExitCode.Done;
     }
 
@@ -73,7 +94,7 @@ internal sealed class PrintersVerb : Verb
         TextTable.Write(text, rows);
     }
 
-    private static void Show(string name, Session session)
+    private static void Show(string name, string output, Session session)
     {
         var profiles = session.Profiles;
         if (name.StartsWith("material/", System.StringComparison.Ordinal)) Material(name["material/".Length..]);
@@ -86,7 +107,7 @@ internal sealed class PrintersVerb : Verb
         void Printer(string which) => Out(ProfileWriter.Write(session.Need(profiles.Printer(which), Code(which))));
         void Material(string which) => Out(ProfileWriter.Write(session.Need(profiles.Material(which), Code(which))));
         void Settings(string which) => Out(ProfileWriter.Write(session.Need(profiles.Settings(which), Code(which))));
-        void Out(string json) => session.WriteText("-", text => text.Write(json));
+        void Out(string json) => session.WriteText(output, text => text.Write(json));
         int Code(string which) => File.Exists(which) ? ExitCode.BadInput : ExitCode.Usage;
     }
 

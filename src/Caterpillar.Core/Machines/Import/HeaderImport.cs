@@ -1,0 +1,111 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Machines;
+
+/// <summary>
+/// Makes a printer of the header and footer files of ExtruderTurtle: G-code before and behind a print, with fixed numbers or with <c>{x}</c>, <c>{y}</c>, <c>{z}</c>, <c>{feedrate}</c>,
+/// <c>{hotend_temp}</c> and <c>{bed_temp}</c>. The lines become templates; temperatures come from the material, and the mode of E, the size of the bed and the place of the nozzle are
+/// taken from what the lines say. Files of other programs of this kind work too.
+/// </summary>
+public static class HeaderImport
+{
+    // What ExtruderTurtle fills in where a program does not say (setup).
+    private const double DefaultNozzle = 205, DefaultBed = 60;
+
+    /// <summary>Imports the text of two files.</summary>
+    /// <param name="header">Lines before the print.</param>
+    /// <param name="footer">Lines behind it; may be empty.</param>
+    /// <param name="name">Name of the new profiles.</param>
+    /// <param name="like">A similar printer for all that the files do not tell, such as nozzle, speeds and head; the generic one where null.</param>
+    /// <param name="headerFile">Name of the header in messages.</param>
+    /// <param name="footerFile">Name of the footer in messages.</param>
+    /// <returns>
+    /// The printer; none with an error where the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>, <c>header.no_command</c>,
+    /// <c>header.merge_conflict</c>, <c>header.unknown_name</c>) with their place and stay as comments; remarks say what was guessed.
+    /// </returns>
+    public static Result<ImportedPrinter> Read(
+        string header, string footer, string name = "imported", Printer? like = null, string headerFile = "header", string footerFile = "footer")
+    {
+        if (header is null) throw new ArgumentNullException(nameof(header));
+        if (footer is null) throw new ArgumentNullException(nameof(footer));
+        if (string.IsNullOrWhiteSpace(name)) throw new ArgumentException("A profile needs a name.", nameof(name));
+        var problems = new DiagnosticList();
+        var head = HeaderText.Read(header, headerFile, problems);
+        var foot = HeaderText.Read(footer, footerFile, problems);
+        var facts = head.Facts;
+        if (head.Lines.Count == 0) problems.Add(Severity.Warning, "header.empty", "The header has no lines.", new SourceLocation(headerFile));
+        if (facts.Inches) problems.Add(Severity.Error, "header.inches", "The header leaves the machine in inches (G20); toolpaths are in mm.", new SourceLocation(headerFile));
+        if (problems.HasErrors) return new Result<ImportedPrinter>(null, problems.ToList());
+
+        var start = new HeaderTemplate(head, headerFile, problems);
+        var startLines = start.Start(facts);
+        var endLines = new HeaderTemplate(foot, footerFile, problems).End(facts);
+        var (volume, origin) = Bed(facts, like ?? new Printer(), headerFile, problems);
+        var nozzle = facts.NozzleTemperature ?? (start.Used.Contains("hotend_temp") ? DefaultNozzle : 0);
+        var bed = facts.BedTemperature ?? (start.Used.Contains("bed_temp") ? DefaultBed : 0);
+        var printer = (like ?? new Printer()) with
+        {
+            Name = name,
+            Title = name,
+            BuildVolume = volume,
+            Origin = origin,
+            ExtrusionMode = facts.RelativeE == false ? ExtrusionMode.Absolute : ExtrusionMode.Relative,
+            MinExtrusionTemperature = facts.MinExtrusionTemperature ?? (nozzle > 0 ? (like ?? new Printer()).MinExtrusionTemperature : 0),
+            StartTemplate = startLines,
+            EndTemplate = endLines,
+        };
+        if (facts.IsPrusa && like is null) printer = printer with { Dialect = DialectTable.All.First(d => d.Name == "prusa") };
+        if (facts.LastTool >= printer.ToolCount) printer = printer with { ToolOffsets = new ValueList<Vec3>(Enumerable.Repeat(Vec3.Zero, facts.LastTool + 1)) };
+        if (nozzle <= 0)
+        {
+            if (like is null) printer = printer with { DefaultMaterial = "clay", DefaultSettings = "clay", MaxFlow = 0 };
+            problems.Add(Severity.Remark, "header.cold", "The header heats no nozzle: material is extruded cold, as clay is.", new SourceLocation(headerFile));
+        }
+        if (facts.RelativeE is null) problems.Add(Severity.Remark, "header.e_mode", "The header says neither M82 nor M83: E is written in increments (M83).", new SourceLocation(headerFile));
+        var material = new Material { Name = name, Title = name, NozzleTemperature = Math.Min(nozzle, 2000), BedTemperature = Math.Min(bed, 500) };
+        return new Result<ImportedPrinter>(new ImportedPrinter(printer, material, facts.Position), problems.ToList());
+    }
+
+    // A size in a comment; else twice the place where the print starts, since that is the middle; else what the similar printer has. Never less than the places of the header.
+    private static (Vec3 Volume, BedOrigin Origin) Bed(HeaderFacts facts, Printer like, string file, DiagnosticList problems)
+    {
+        var place = new SourceLocation(file);
+        var seen = facts.Seen.IsEmpty ? Bounds.Of([Vec3.Zero]) : facts.Seen;
+        var centered = seen.Min.X < -20 || seen.Min.Y < -20;
+        var origin = facts.SizeInComment is null && facts.Position is null && !centered ? like.Origin : centered ? BedOrigin.Center : BedOrigin.Corner;
+        double x = like.BuildVolume.X, y = like.BuildVolume.Y, z = like.BuildVolume.Z;
+        var why = "";
+        if (facts.SizeInComment is { } size)
+        {
+            (x, y) = (size.X, size.Y);
+            if (size.Z > 0) z = size.Z;
+            why = "from a comment";
+        }
+        else if (origin == BedOrigin.Corner && facts.Position is { X: >= 20, Y: >= 20 } start)
+        {
+            (x, y) = (2 * start.X, 2 * start.Y);
+            why = "twice the place where the header ends";
+        }
+        var needs = origin == BedOrigin.Center
+            ? new Vec3(2 * Math.Max(-seen.Min.X, seen.Max.X), 2 * Math.Max(-seen.Min.Y, seen.Max.Y), seen.Max.Z)
+            : seen.Max;
+        if (needs.X > x || needs.Y > y || needs.Z > z)
+        {
+            (x, y, z) = (Math.Max(x, needs.X), Math.Max(y, needs.Y), Math.Max(z, needs.Z));
+            why = "as far as the header goes";
+        }
+        var volume = new Vec3(Fit(x), Fit(y), Fit(z));
+        problems.Add(Severity.Remark, "header.bed", why.Length == 0
+            ? $"The header says nothing of the machine's size: {Text(volume)} is that of the similar printer."
+            : $"The machine's size is {Text(volume)}, {why}; the height and what is not said are those of the similar printer.", place);
+        return (volume, origin);
+    }
+
+    private static double Fit(double size) => Math.Max(1, Math.Min(100_000, size));
+
+    private static string Text(Vec3 v) => $"{NumberFormatter.Format(v.X, 1)} × {NumberFormatter.Format(v.Y, 1)} × {NumberFormatter.Format(v.Z, 1)} mm";
+}

@@ -1,0 +1,91 @@
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Machines;
+
+/// <summary>Turns the lines of a header or footer into those of a template.</summary>
+internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticList problems)
+{
+    private readonly List<string> _lines = [];
+
+    /// <summary>Names in braces that were found.</summary>
+    public List<string> Used { get; } = [];
+
+    public ValueList<string> Start(HeaderFacts facts)
+    {
+        foreach (var line in header.Lines)
+        {
+            if (line.IsCommand("M104", "M109")) Heat(line, facts.NozzleTemperature, "nozzle_temperature_c", "start_nozzle_temperature_c");
+            else if (line.IsCommand("M140", "M190")) Heat(line, facts.BedTemperature, "bed_temperature_c", "bed_temperature_c");
+            else Add(line);
+        }
+        return new ValueList<string>(_lines);
+    }
+
+    /// <summary>The footer; modes that it takes from the header are stated first, and lifts end below the top of the machine.</summary>
+    public ValueList<string> End(HeaderFacts before)
+    {
+        var relative = before.Relative == true;
+        if (header.Facts.NeedsMode) _lines.Add(relative ? "G91 ; as the header leaves it" : "G90 ; as the header leaves it");
+        if (header.Facts.NeedsModeE) _lines.Add(before.RelativeE == false ? "M82 ; as the header leaves it" : "M83 ; as the header leaves it");
+        foreach (var line in header.Lines)
+        {
+            if (line.IsCommand("G90", "G91")) relative = line.Command == "G91";
+            if (relative && line.IsCommand("G0", "G1") && line['Z'] is >= 10) Lift(line);
+            else Add(line);
+        }
+        return new ValueList<string>(_lines);
+    }
+
+    private void Add(HeaderLine line) => _lines.Add(Convert(line.Text));
+
+    private string Convert(string text)
+    {
+        var unknown = new List<(string Name, int Column)>();
+        var converted = HeaderNames.ToTemplate(text, Used, unknown);
+        if (unknown.Count > 0)
+        {
+            problems.Add(Severity.Warning, "header.unknown_name",
+                $"{unknown[0].Name} is none of {{x}}, {{y}}, {{z}}, {{feedrate}}, {{hotend_temp}} and {{bed_temp}}; it stays as it is.",
+                new SourceLocation(file, null, unknown[0].Column));
+        }
+        return converted;
+    }
+
+    // The temperature comes from the material, and a material without one leaves the line out.
+    private void Heat(HeaderLine line, double? own, string condition, string value)
+    {
+        var temperature = HeaderFacts.TemperatureOf(line);
+        if (temperature is null || temperature != own)
+        {
+            var named = Used.Count;
+            var converted = Convert(line.Text);
+            if (Used.Count > named) AddIf(condition, converted);
+            else _lines.Add(converted);
+            if (temperature is not null && temperature != own)
+            {
+                problems.Add(Severity.Remark, "header.other_temperature",
+                    $"The header also sets {NumberFormatter.Format(temperature.Value, 1)} °C; that line keeps its number.", new SourceLocation(file));
+            }
+            return;
+        }
+        var word = line.Words.First(w => w.Letter is 'S' or 'R' && w.Value == temperature);
+        AddIf(condition, Convert(line.Text.Substring(0, word.From)) + "{" + value + "}" + Convert(line.Text.Substring(word.To)));
+    }
+
+    private void AddIf(string condition, string line)
+    {
+        _lines.Add("{if " + condition + " > 0}");
+        _lines.Add(line);
+        _lines.Add("{endif}");
+    }
+
+    private void Lift(HeaderLine line)
+    {
+        var word = line.Words.First(w => w.Letter == 'Z');
+        var rise = NumberFormatter.Format(word.Value, 3);
+        _lines.Add(Convert(line.Text.Substring(0, word.From)) + "{max(0, min(" + rise + ", bed_max_z_mm - print_max_z_mm - 5))}" + Convert(line.Text.Substring(word.To)));
+        problems.Add(Severity.Remark, "header.lift", $"The footer raises the head by {rise} mm from wherever it is; in the template that ends 5 mm below the top of the machine.", new SourceLocation(file));
+    }
+}

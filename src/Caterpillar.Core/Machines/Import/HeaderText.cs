@@ -1,0 +1,62 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Machines;
+
+/// <summary>A header or footer: its good lines, what they say, and its mistakes.</summary>
+internal sealed class HeaderText
+{
+    private readonly List<HeaderLine> _lines = [];
+    private readonly string _file;
+    private readonly DiagnosticList _problems;
+
+    private HeaderText(string file, DiagnosticList problems)
+    {
+        _file = file;
+        _problems = problems;
+    }
+
+    public HeaderFacts Facts { get; } = new();
+
+    /// <summary>The lines that count. Lines with mistakes are kept as comments; those of the other side of a merge are not here.</summary>
+    public IReadOnlyList<HeaderLine> Lines => _lines;
+
+    public static HeaderText Read(string text, string file, DiagnosticList problems)
+    {
+        var header = new HeaderText(file, problems);
+        header.Read(text.Split(["\r\n", "\n", "\r"], StringSplitOptions.None));
+        return header;
+    }
+
+    public SourceLocation Place(int line, int? column = null) => new(_file, line, column);
+
+    private void Read(string[] texts)
+    {
+        // Of two sides of an unfinished merge the first counts.
+        var side = 0;
+        var count = texts.Length;
+        while (count > 0 && texts[count - 1].Trim().Length == 0) count--;
+        for (var i = 0; i < count; i++)
+        {
+            var text = texts[i].TrimEnd();
+            if (IsMarker(text, '<') || (IsMarker(text, '=') && side > 0) || IsMarker(text, '>'))
+            {
+                side = text[0] switch { '<' => 1, '=' => 2, _ => 0 };
+                _problems.Add(Severity.Warning, "header.merge_conflict", "The file has markers of an unfinished merge; of each pair of versions the first is taken.", Place(i + 1));
+                continue;
+            }
+            if (side == 2) continue;
+            var line = HeaderLine.Read(text);
+            if (line.Mistake is { } mistake)
+            {
+                _problems.Add(Severity.Warning, mistake.Code, mistake.Message + " The line is left as a comment.", Place(i + 1, mistake.Column));
+                line = HeaderLine.Read("; invalid: " + text.Trim());
+            }
+            Facts.Follow(line);
+            _lines.Add(line);
+        }
+    }
+
+    private static bool IsMarker(string text, char c) => text.StartsWith(new string(c, 7), StringComparison.Ordinal) && (text.Length == 7 || text[7] == ' ');
+}
