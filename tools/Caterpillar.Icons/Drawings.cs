@@ -37,6 +37,15 @@ internal static class Drawings
             .Line(3.5, 18, 9, 18, 2.2, Ink.Green).Disc(9, 6, 1.7, Ink.Dark).Disc(15, 12, 1.7, Ink.Dark).Disc(9, 18, 1.7, Ink.Dark),
         ["GapBead"] = c => c.Polygon(Ink.Grey, 3, 21, 3, 17, 9, 12, 15, 15.5, 21, 11, 21, 21).Polygon(Ink.Green, 3, 16, 9, 11, 15, 14.5, 21, 10, 21, 7, 3, 7)
             .Line(3, 5, 21, 5, 1.4, Ink.Dark),
+        ["ConstructPrintPath"] = c => c.Polyline(2.4, Ink.Green, 4, 18, 9, 7, 15, 15, 20, 5).Line(14.5, 19.5, 20.5, 19.5, 1.8, Ink.Dark).Line(17.5, 16.5, 17.5, 21, 1.8, Ink.Dark),
+        ["ConstructBead"] = c => c.Disc(7.5, 15, 4.5, Ink.Green).Disc(16.5, 15, 4.5, Ink.Green).Rect(7.5, 10.5, 16.5, 19.5, Ink.Green).Line(3.5, 20.6, 20.5, 20.6, 1.4, Ink.Dark)
+            .Line(4, 6.5, 20, 6.5, 1.2, Ink.Dark).Line(4, 4.5, 4, 8.5, 1.2, Ink.Dark).Line(20, 4.5, 20, 8.5, 1.2, Ink.Dark),
+        ["SubdivideCurve"] = c => c.Polyline(1.8, Ink.Green, 4, 19, 10, 19, 14, 17.5, 17, 14.5, 18.5, 10.5, 19, 5).Disc(4.5, 19, 1.8, Ink.Dark).Disc(10, 19, 1.8, Ink.Dark)
+            .Disc(14, 17.5, 1.5, Ink.Orange).Disc(17, 14.5, 1.5, Ink.Orange).Disc(18.5, 10.5, 1.5, Ink.Orange).Disc(19, 5, 1.8, Ink.Dark),
+        ["FitArcs"] = c => c.Ring(12, 13, 7.5, 2.2, Ink.Green).Polyline(1.2, Ink.Dark, 4.5, 13, 7, 7.5, 12, 5.2, 17, 7.5, 19.5, 13).Disc(12, 13, 1.5, Ink.Orange),
+        ["OrientPaths"] = c => c.Line(4, 8, 17, 8, 2, Ink.Green).Polygon(Ink.Green, 15.5, 4.5, 20.5, 8, 15.5, 11.5).Line(7, 16, 20, 16, 2, Ink.Orange).Polygon(Ink.Orange, 8.5, 12.5, 3.5, 16, 8.5, 19.5),
+        ["MergePaths"] = c => c.Polyline(2.2, Ink.Green, 4, 18, 8, 10, 12, 12).Polyline(2.2, Ink.Blue, 12, 12, 16, 14, 20, 6).Disc(12, 12, 2.4, Ink.Orange),
+        ["BeadParam"] = c => c.Hexagon().Disc(9.5, 12, 3, Ink.Green).Disc(14.5, 12, 3, Ink.Green).Rect(9.5, 9, 14.5, 15, Ink.Green),
         ["PrintPathParam"] = c => c.Hexagon().Polyline(2.4, Ink.Green, 7, 16, 10.5, 8, 14, 15, 17, 8),
         ["ToolpathParam"] = c => c.Hexagon().Polyline(1.8, Ink.Green, 7, 16, 17, 16, 17, 13, 7, 13, 7, 10, 17, 10).Disc(17, 9.5, 1.6, Ink.Orange),
         ["PrinterParam"] = c => c.Hexagon().Polyline(1.6, Ink.Light, 8, 17, 8, 7.5, 16, 7.5, 16, 17, 8, 17).Line(12, 8, 12, 12, 2, Ink.Orange),

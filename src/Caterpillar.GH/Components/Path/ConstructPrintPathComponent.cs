@@ -1,0 +1,51 @@
+using System;
+using System.Linq;
+using Caterpillar.Curves;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel.Parameters;
+
+namespace Caterpillar.GH.Components.Path;
+
+/// <summary>Makes a path to deposit from any curve.</summary>
+public sealed class ConstructPrintPathComponent() : CaterpillarComponent(
+    "Construct Print Path", "PPath", "Makes a path to deposit along any curve, exactly as drawn; straight parts keep their end points only.", Panel.Path)
+{
+    public override Guid ComponentGuid => new("8afcdcac-2cb3-4ad3-ad72-aedf7b5930c7");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new Param_Curve(), "Curve", "C", "Curve to print along, in document units.");
+        ports.Add(new BeadParam(), "Bead", "B", "Strand to deposit; without it one of 0.45 × 0.2 mm.", optional: true);
+        ports.Choice("Role", "R", "What the path is for.", Role.Unspecified);
+        ports.Number("Subdivision", "S", "Largest length of the segments of curved parts, in mm.", 1);
+        ports.Boolean("Keep Arc", "A", "True keeps horizontal arcs and circles as arcs.", false);
+        ports.Integer("Layer", "L", "Number of the layer, from 0; -1 for none.", -1);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new PrintPathParam(), "Print Path", "P", "The path.");
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var curve = RhinoCurves.ToCurve(run.Get<Rg.Curve>(0), run.Units);
+        var number = run.Get<int>(5);
+        var user = new UserCurve(curve)
+        {
+            Role = run.Choice<Role>(2),
+            Layer = number >= 0 ? new Layer(number, curve.Bounds.Max.Z) : null,
+        };
+        if (run.Maybe<BeadGoo>(1) is { IsValid: true } bead) user = user with { Area = bead.Value.Area, Height = bead.Value.Height, Speed = bead.Value.Speed };
+        var options = new CurveOptions { Shape = BeadShape.Stadium, Subdivision = SubdivisionOptions.ByDistance(run.Positive(3)) with { KeepArcs = run.Get<bool>(4) } };
+        var made = CurvePaths.ToPaths([user], options);
+        run.SetList(1, run.Report(made.Diagnostics));
+        run.Set(0, made.Value is null ? null : new PrintPathGoo(made.Value.Single()));
+    }
+}

@@ -1,0 +1,36 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Components.Path;
+
+/// <summary>Replaces runs of segments by arcs.</summary>
+public sealed class FitArcsComponent() : CaterpillarComponent(
+    "Fit Arcs", "FitArcs", "Replaces runs of straight segments by arcs within a tolerance, flat or helical, for smaller and smoother G-code.", Panel.Path, GH_Exposure.secondary)
+{
+    public override Guid ComponentGuid => new("ce1b33da-ca9c-4052-913f-de8e63260a7c");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths whose segments become arcs where they lie on one.", GH_ParamAccess.list);
+        ports.Number("Tolerance", "T", "Largest distance between an arc and the segments it replaces, in mm.", new ArcFitOptions().Tolerance);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+        => ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths with arcs.", GH_ParamAccess.list);
+
+    private protected override void Solve(Run run)
+    {
+        var paths = run.List<PrintPathGoo>(0);
+        var options = new ArcFitOptions { Tolerance = run.Positive(1) };
+        var fitted = paths.Select(p => p.With(run.Cached([p.Value, options], () => PathArcs.Fit(p.Value, options)))).ToList();
+        run.SetList(0, fitted);
+        run.Summarize($"{NumberFormatter.Format(paths.Sum(p => p.Value.SegmentCount))} → {NumberFormatter.Format(fitted.Sum(p => p.Value.SegmentCount))} segments");
+    }
+}

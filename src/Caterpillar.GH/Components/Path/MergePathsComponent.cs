@@ -1,0 +1,35 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Components.Path;
+
+/// <summary>Joins paths whose ends touch.</summary>
+public sealed class MergePathsComponent() : CaterpillarComponent(
+    "Merge Paths", "Merge", "Joins paths whose ends touch, where role, layer, tool and name are equal; each segment keeps its strand.", Panel.Path, GH_Exposure.secondary)
+{
+    public override Guid ComponentGuid => new("53edb3ac-450f-4275-a38f-0ca4dd43c9b1");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in the order in which they are printed.", GH_ParamAccess.list);
+        ports.Number("Tolerance", "T", "Largest gap that is closed, in mm.", 0.01);
+        ports.Boolean("Reverse", "Re", "True turns paths around where that makes them fit.", false);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+        => ports.Add(new PrintPathParam(), "Print Paths", "P", "Fewer and longer paths.", GH_ParamAccess.list);
+
+    private protected override void Solve(Run run)
+    {
+        var paths = run.List<PrintPathGoo>(0).Select(g => g.Value).ToArray();
+        var merged = PathMerging.Merge(paths, run.Finite(1), run.Get<bool>(2));
+        run.SetList(0, merged.Select(p => new PrintPathGoo(p)));
+        run.Summarize($"{NumberFormatter.Format(paths.Length)} → {NumberFormatter.Format(merged.Count)} paths");
+    }
+}

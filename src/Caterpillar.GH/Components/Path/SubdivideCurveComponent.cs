@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
+
+namespace Caterpillar.GH.Components.Path;
+
+/// <summary>How the curved parts of a curve are divided.</summary>
+public enum SubdivisionMode
+{
+    /// <summary>By distance along the curve.</summary>
+    Distance,
+
+    /// <summary>By the distance between curve and chord.</summary>
+    Tolerance,
+
+    /// <summary>By the turn along a segment.</summary>
+    Angle,
+}
+
+/// <summary>Divides a curve as printing does.</summary>
+public sealed class SubdivideCurveComponent() : CaterpillarComponent(
+    "Subdivide Curve", "SubCrv", "Separates the linear from the curved parts of a curve; linear parts keep their end points only, curved parts are divided.", Panel.Path)
+{
+    public override Guid ComponentGuid => new("a31cc893-fa2f-4120-a76b-5b2d09d19c7c");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new Param_Curve(), "Curve", "C", "Curve to divide, in document units.");
+        ports.Choice("Mode", "M", "How curved parts are divided: by distance, by chord tolerance or by angle.", SubdivisionMode.Distance);
+        ports.Number("Distance", "D", "Largest length of a segment of a curved part, in mm.", 1);
+        ports.Number("Tolerance", "T", "Largest distance between curve and segment, in mm.", 0.05);
+        ports.Number("Angle", "A", "Largest turn of the curve along a segment, in degrees.", 5);
+        ports.Number("Shortest", "S", "No segment of a curved part is shorter, in mm; 0 for no such limit.", 0);
+        ports.Number("Longest", "L", "No segment of a curved part is longer, in mm; 0 for no such limit.", 0);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Point("Points", "Pt", "Points of the divided curve, in document units; a closed curve does not repeat its first one.", GH_ParamAccess.list);
+        ports.Curve("Lines", "Li", "The linear parts, a line each.", GH_ParamAccess.list);
+        ports.Curve("Curved Parts", "Cu", "The divided curved parts, a polyline each.", GH_ParamAccess.list);
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var units = run.Units;
+        var curve = RhinoCurves.ToCurve(run.Get<Rg.Curve>(0), units);
+        var mode = run.Choice<SubdivisionMode>(1);
+        var divided = CurveSubdivider.Subdivide(curve, new SubdivisionOptions
+        {
+            Distance = mode == SubdivisionMode.Distance ? run.Positive(2) : 0,
+            ChordTolerance = mode == SubdivisionMode.Tolerance ? run.Positive(3) : 0,
+            Angle = mode == SubdivisionMode.Angle ? run.Positive(4) : 0,
+            MinLength = run.Finite(5),
+            MaxLength = run.Finite(6),
+        });
+        run.SetList(0, divided.Points.Select(p => RhinoGeometry.ToPoint(p, units)));
+        var (lines, curved) = Parts(divided, units);
+        run.SetList(1, lines);
+        run.SetList(2, curved);
+        run.Summarize($"{NumberFormatter.Format(divided.SegmentCount)} segments");
+    }
+
+    private static (List<Rg.LineCurve> Lines, List<Rg.PolylineCurve> Curved) Parts(Subdivision divided, DocumentUnits units)
+    {
+        var lines = new List<Rg.LineCurve>();
+        var curved = new List<Rg.PolylineCurve>();
+        var points = new List<Rg.Point3d>();
+        for (var i = 0; i < divided.SegmentCount; i++)
+        {
+            var start = RhinoGeometry.ToPoint(divided.Points[i], units);
+            var end = RhinoGeometry.ToPoint(divided.EndOf(i), units);
+            if (divided.IsLinear(i))
+            {
+                lines.Add(new Rg.LineCurve(start, end));
+                Close();
+                continue;
+            }
+            if (points.Count == 0) points.Add(start);
+            points.Add(end);
+        }
+        Close();
+        return (lines, curved);
+
+        void Close()
+        {
+            if (points.Count > 1) curved.Add(new Rg.PolylineCurve(points));
+            points.Clear();
+        }
+    }
+}

@@ -1,0 +1,40 @@
+using System;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GH.Components.Setup;
+
+/// <summary>Makes a strand from its width and height.</summary>
+public sealed class ConstructBeadComponent() : CaterpillarComponent(
+    "Construct Bead", "Bead", "Makes the strand of a path from its width and height in mm; a width of 0 makes a stroke without extrusion.", Panel.Setup)
+{
+    public override Guid ComponentGuid => new("d77db240-b5d3-44bc-b5b0-a60a00a49bb9");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Number("Width", "W", "Width of the strand, in mm.", 0.45);
+        ports.Number("Height", "H", "Height of the strand, in mm.", 0.2);
+        ports.Number("Multiplier", "M", "A factor on the cross-section; 1 is the plain strand.", 1);
+        ports.Number("Speed", "V", "Speed of the head, in mm/s; 0 is the speed of the print settings.", 0);
+        ports.Choice("Model", "S", "Cross-section that width and height belong to: a rectangle (as in the Caterpillar paper), a stadium (as slicers have it) or a circle of the width.", BeadShape.Stadium);
+        ports.Number("Filament Diameter", "D", "Diameter of the filament for the output E Factor, in mm.", 1.75);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new BeadParam(), "Bead", "B", "The strand.");
+        ports.Number("Area", "A", "Cross-section of the strand, in mm².");
+        ports.Number("E Factor", "E", "Filament for one mm of path, in mm.");
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var bead = Bead.FromWidth(run.Finite(0), run.Finite(1), run.Finite(2), run.Finite(3), run.Choice<BeadShape>(4));
+        run.Set(0, new BeadGoo(bead));
+        run.Set(1, bead.Area);
+        run.Set(2, new ExtrusionLaw(ExtrusionUnit.Mm, run.Positive(5)).E(1, bead.Area));
+    }
+}

@@ -1,0 +1,57 @@
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+
+namespace Caterpillar.GH.Conversion;
+
+/// <summary>Rhino's curves in document units as the library's in mm: polylines and arcs as such, everything else by control points and knots.</summary>
+internal static class RhinoCurves
+{
+    /// <exception cref="InputProblem">The curve is not valid.</exception>
+    public static Curve ToCurve(Rg.Curve curve, DocumentUnits units)
+    {
+        if (!curve.IsValid) throw new InputProblem("The curve is not valid.");
+        if (curve.TryGetPolyline(out var polyline)) return ToPolyline(polyline, units);
+        if (curve.TryGetArc(out var arc)) return ToArc(arc, units);
+        if (curve is Rg.PolyCurve joined && joined.SegmentCount > 1)
+        {
+            // Rhino keeps small gaps between segments; the path goes over them.
+            return new PolyCurve(Enumerable.Range(0, joined.SegmentCount).Select(i => ToCurve(joined.SegmentCurve(i), units)), double.MaxValue);
+        }
+        return ToNurbs(curve.ToNurbsCurve() ?? throw new InputProblem("The curve has no NURBS form."), units);
+    }
+
+    private static PolylineCurve ToPolyline(Rg.Polyline polyline, DocumentUnits units)
+    {
+        var points = polyline.Select(p => RhinoGeometry.ToVec(p, units)).ToList();
+        var closed = points.Count > 3 && points[0].DistanceTo(points[points.Count - 1]) <= Curve.JoinTolerance;
+        if (closed) points.RemoveAt(points.Count - 1);
+        return new PolylineCurve(points, closed);
+    }
+
+    private static ArcCurve ToArc(Rg.Arc arc, DocumentUnits units)
+    {
+        var center = RhinoGeometry.ToVec(arc.Center, units);
+        var start = RhinoGeometry.ToVec(arc.StartPoint, units) - center;
+        var normal = arc.Plane.ZAxis;
+        var ahead = Vec3.Cross(new Vec3(normal.X, normal.Y, normal.Z), start);
+        return new ArcCurve(Frame.FromAxes(center, start, ahead), arc.Radius * units.ToMillimetres, System.Math.Min(arc.AngleDegrees, 360));
+    }
+
+    // Rhino leaves out the first and the last knot, which have no influence.
+    private static NurbsCurve ToNurbs(Rg.NurbsCurve curve, DocumentUnits units)
+    {
+        var points = new List<Vec3>();
+        var weights = new List<double>();
+        for (var i = 0; i < curve.Points.Count; i++)
+        {
+            points.Add(RhinoGeometry.ToVec(curve.Points[i].Location, units));
+            weights.Add(curve.IsRational ? curve.Points[i].Weight : 1);
+        }
+        var knots = new List<double> { curve.Knots[0] };
+        for (var i = 0; i < curve.Knots.Count; i++) knots.Add(curve.Knots[i]);
+        knots.Add(curve.Knots[curve.Knots.Count - 1]);
+        return new NurbsCurve(curve.Degree, points, knots, weights);
+    }
+}
