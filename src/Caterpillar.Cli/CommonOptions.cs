@@ -1,4 +1,6 @@
 using System.CommandLine;
+using System.Linq;
+using Caterpillar.Machines;
 
 namespace Caterpillar.Cli;
 
@@ -13,5 +15,16 @@ internal static class CommonOptions
             if (result.Tokens.Count == 1 && int.TryParse(result.Tokens[0].Value, out var threads) && threads < 1) result.AddError("--threads needs 1 or more.");
         });
         return option;
+    }
+
+    public static Option<string?> Dialect()
+        => new("--dialect") { Description = "The firmware whose rules hold; detected from the file without it.", HelpName = "NAME" };
+
+    /// <exception cref="CliException">There is no such dialect.</exception>
+    public static DialectRules? DialectOf(string? name)
+    {
+        if (name is null) return null;
+        return DialectTable.Find(name) ?? throw new CliException(
+            ExitCode.Usage, $"There is no dialect \"{name}\"; there are " + string.Join(", ", DialectTable.All.Select(d => d.Name)) + ".");
     }
 }

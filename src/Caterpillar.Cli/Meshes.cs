@@ -10,16 +10,21 @@ namespace Caterpillar.Cli;
 /// <summary>Reads the meshes that verbs are given.</summary>
 internal static class Meshes
 {
-    /// <summary>All meshes of all files; what was noticed is printed.</summary>
-    /// <exception cref="CliException">A file holds none.</exception>
-    public static IReadOnlyList<NamedMesh> Read(IReadOnlyList<string> files, Session session, IProgress<double>? progress = null)
+    /// <summary>All meshes of all files, or none where one of them cannot be read.</summary>
+    public static Result<IReadOnlyList<NamedMesh>> Read(IReadOnlyList<string> files, Session session, IProgress<double>? progress = null)
     {
         var meshes = new List<NamedMesh>();
+        var diagnostics = new List<Diagnostic>();
+        var good = true;
         for (var i = 0; i < files.Count; i++)
         {
             var bytes = session.ReadBytes(files[i]);
-            meshes.AddRange(session.Need(MeshReader.Read(bytes, Session.NameOf(files[i]), progress.Part((double)i / files.Count, (i + 1.0) / files.Count), session.Cancel)));
+            var part = progress.Part((double)i / files.Count, (i + 1.0) / files.Count);
+            var read = MeshReader.Read(bytes, Session.NameOf(files[i]), part, session.Cancel);
+            diagnostics.AddRange(read.Diagnostics);
+            if (read.Value is null) good = false;
+            else meshes.AddRange(read.Value);
         }
-        return meshes;
+        return new Result<IReadOnlyList<NamedMesh>>(good ? meshes : null, diagnostics);
     }
 }

@@ -15,6 +15,7 @@ internal static class Verbs
         new TurtleVerb(),
         new CurvesVerb(),
         new PictureVerb(),
+        new CheckVerb(),
         new PrintersVerb(),
     ];
 }

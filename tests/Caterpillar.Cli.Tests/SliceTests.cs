@@ -108,6 +108,18 @@ public class SliceTests : CliFixture
     }
 
     [Test]
+    public void What_was_planned_can_be_read_by_programs()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        var run = Run("slice", "part.stl", "--json");
+        var report = System.Text.Json.JsonDocument.Parse(run.Output).RootElement;
+        Assert.That(report.GetProperty("layers").GetInt32(), Is.EqualTo(10));
+        Assert.That(report.GetProperty("bytes").GetInt64(), Is.EqualTo(new FileInfo("part.gcode").Length));
+        Assert.That(report.GetProperty("output").GetString(), Is.EqualTo("part.gcode"));
+        Assert.That(Run("slice", "part.stl", "--json", "-o", "-").Code, Is.EqualTo(2));
+    }
+
+    [Test]
     public void Interrupted_work_leaves_nothing()
     {
         File.WriteAllText("part.stl", Box(20, 10, 2));

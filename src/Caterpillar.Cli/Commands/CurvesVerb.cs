@@ -82,7 +82,7 @@ internal sealed class CurvesVerb : Verb
         var toolpath = plan.Toolpath;
         foreach (var mapping in mappings) toolpath = mapping.Apply(toolpath, null, session.Cancel);
         var written = _write.WriteGCode(arguments, session, toolpath, setup, target, limit);
-        if (json) session.WriteText("-", text => text.Write(CurvesReport.ToJson(file, target, count, plan, written)));
+        if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson([file], target, [new("curves", count)], plan, written)));
         return ExitCode.Done;
     }
 

@@ -6,7 +6,6 @@ using System.Linq;
 using System.Security.Cryptography;
 using Caterpillar.Basics;
 using Caterpillar.GCode;
-using Caterpillar.Machines;
 
 namespace Caterpillar.Cli.Commands;
 
@@ -16,7 +15,7 @@ internal sealed class DecodeVerb : Verb
     private readonly Argument<string[]> _files = new("FILE") { Description = "G-code files, also packed with gzip, or - for standard input.", Arity = ArgumentArity.OneOrMore };
     private readonly Option<bool> _json = new("--json") { Description = "Print a JSON array with an object for each file." };
     private readonly Option<bool> _csv = new("--csv") { Description = "Print a table with a row for each move." };
-    private readonly Option<string?> _dialect = new("--dialect") { Description = "The firmware whose rules hold; detected from the file without it.", HelpName = "NAME" };
+    private readonly Option<string?> _dialect = CommonOptions.Dialect();
     private readonly Option<double?> _diameter = new("--filament-diameter") { Description = "Diameter in mm where the file does not say.", HelpName = "MM" };
     private readonly Option<int> _threads = CommonOptions.Threads();
 
@@ -43,7 +42,7 @@ internal sealed class DecodeVerb : Verb
     {
         var options = new DecodeOptions
         {
-            Dialect = Dialect(arguments.GetValue(_dialect)),
+            Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
             Rule = arguments.GetValue(_rule) == "rising" ? ExtrusionRule.Rising : ExtrusionRule.Balance,
             FilamentDiameter = arguments.GetValue(_diameter) is not { } d ? null : d > 0 && d < 1e6 ? d : throw new CliException(ExitCode.Usage, "--filament-diameter needs a positive number of mm."),
             Threads = arguments.GetValue(_threads),
@@ -84,12 +83,5 @@ internal sealed class DecodeVerb : Verb
         var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };
         if (sum is not null) report = report with { Sha256 = Convert.ToHexStringLower(sum.GetHashAndReset()) };
         return (name, decoding, report);
-    }
-
-    private static DialectRules? Dialect(string? name)
-    {
-        if (name is null) return null;
-        return DialectTable.Find(name) ?? throw new CliException(
-            ExitCode.Usage, $"There is no dialect \"{name}\"; there are " + string.Join(", ", DialectTable.All.Select(d => d.Name)) + ".");
     }
 }

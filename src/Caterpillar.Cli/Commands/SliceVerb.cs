@@ -8,6 +8,7 @@ using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
@@ -22,6 +23,7 @@ internal sealed class SliceVerb : Verb
 
     private readonly Option<bool> _keepPosition = new("--keep-position") { Description = "Print where the model stands in its file, instead of the middle of the bed." };
 
+    private readonly Option<bool> _json = new("--json") { Description = "Print what was planned and written as JSON." };
     private readonly SetupOptions _setup = new();
     private readonly WriteOptions _write = new();
     private readonly Option<int> _threads = CommonOptions.Threads();
@@ -34,21 +36,30 @@ internal sealed class SliceVerb : Verb
         _setup.AddTo(this);
         Options.Add(_keepPosition);
         Options.Add(_threads);
+        Options.Add(_json);
     }
 
     public override int Run(ParseResult arguments, Session session)
     {
         var files = arguments.GetValue(_models)!;
-        var setup = _setup.Resolve(arguments, session);
         var output = _write.FileFor(arguments, files[0]);
-        var sliced = session.Long("Slicing", progress =>
-        {
-            IReadOnlyList<NamedMesh> models = Meshes.Read(files, session, progress.Part(0, 0.2));
-            if (!arguments.GetValue(_keepPosition)) models = ModelPlacement.OnBed(models, setup.Printer.BuildBounds.Center);
-            return PlanarSlicer.Slice(models, setup.Settings, arguments.GetValue(_threads), progress.Part(0.2, 1), session.Cancel);
-        });
-        var steps = session.Need(sliced).ToSteps();
-        var toolpath = session.Need(session.Long("Planning", progress => Planner.Plan(steps, setup, null, progress, session.Cancel)));
-        return _write.Write(arguments, session, toolpath, setup, output);
+        var json = arguments.GetValue(_json);
+        if (json && output == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
+        var setup = _setup.Resolve(arguments, session);
+        var (steps, layers) = Sliced(files, arguments, setup, session);
+        var plan = session.Need(session.Long("Planning", progress => Planner.PlanWithReport(steps, setup, null, progress, session.Cancel)));
+        var written = _write.WriteGCode(arguments, session, plan.Toolpath, setup, output);
+        if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson(files, output, [new("layers", layers)], plan, written)));
+        return ExitCode.Done;
+    }
+
+    // What each stage holds is free for the next one: models can be large.
+    private (IReadOnlyList<Step> Steps, int Layers) Sliced(string[] files, ParseResult arguments, PrintSetup setup, Session session)
+    {
+        var models = session.Need(session.Long("Reading", progress => Meshes.Read(files, session, progress)));
+        if (!arguments.GetValue(_keepPosition)) models = ModelPlacement.OnBed(models, setup.Printer.BuildBounds.Center);
+        var threads = arguments.GetValue(_threads);
+        var result = session.Need(session.Long("Slicing", progress => PlanarSlicer.Slice(models, setup.Settings, threads, progress, session.Cancel)));
+        return (result.ToSteps(), result.Layers.Count);
     }
 }

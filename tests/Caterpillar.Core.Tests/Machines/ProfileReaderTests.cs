@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -119,6 +120,21 @@ public class ProfileReaderTests
         Assert.That(ProfileReader.ReadMaterial(ProfileWriter.Write(material), "f", "m").Value, Is.EqualTo(material));
         var settings = new PrintSettings { Name = "s", TravelLift = TravelLift.Corridor, RestoreDuringDescent = true };
         Assert.That(ProfileReader.ReadSettings(ProfileWriter.Write(settings), "f", "s").Value, Is.EqualTo(settings));
+    }
+
+    [Test]
+    public void Changed_bytes_never_throw()
+    {
+        var random = new Random(11);
+        var text = ProfileWriter.Write(new Printer { StartTemplate = new ValueList<string>("G28", "{if bed_temperature_c > 0}M190 S{bed_temperature_c}{endif}") });
+        for (var i = 0; i < 3000; i++)
+        {
+            var chars = text.ToCharArray();
+            for (var k = random.Next(1, 6); k > 0; k--) chars[random.Next(chars.Length)] = "{}[]\",:0-9e.tfn\\ /*\n\0ü"[random.Next(24)];
+            var changed = new string(chars, 0, random.Next(8) == 0 ? random.Next(chars.Length) : chars.Length);
+            var result = ProfileReader.ReadPrinter(changed, "f", "n");
+            Assert.That(result.Value is null, Is.EqualTo(result.HasErrors), changed);
+        }
     }
 
     private static Diagnostic[] Settings(string json)

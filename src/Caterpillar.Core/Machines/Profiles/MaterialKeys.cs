@@ -6,13 +6,16 @@ namespace Caterpillar.Machines;
 /// <summary>The keys of materials.</summary>
 internal static class MaterialKeys
 {
-    public static readonly ProfileKey<Material, string> Title = K.Text("title", m => m.Title, (m, v) => m with { Title = v }, "Name for people.");
+    public static readonly ProfileKey<Material, string> Title = K.Text(
+        "title", m => m.Title, (m, v) => m with { Title = v }, "Name for people.");
 
     public static readonly ProfileKey<Material, double> FilamentDiameter = K.Number(
-        "filament_diameter_mm", 0.01, 1000, m => m.FilamentDiameter, (m, v) => m with { FilamentDiameter = v }, "Diameter of the filament, or of the plunger whose way E counts.");
+        "filament_diameter_mm", 0.01, 1000, m => m.FilamentDiameter, (m, v) => m with { FilamentDiameter = v },
+        "Diameter of the filament, or of the plunger whose way E counts.");
 
     public static readonly ProfileKey<Material, double> NozzleTemperature = K.Number(
-        "nozzle_temperature_c", 0, 2000, m => m.NozzleTemperature, (m, v) => m with { NozzleTemperature = v }, "Temperature of the nozzle; 0 = off.");
+        "nozzle_temperature_c", 0, 2000, m => m.NozzleTemperature, (m, v) => m with { NozzleTemperature = v },
+        "Temperature of the nozzle; 0 = off.");
 
     public static readonly ProfileKey<Material, double> FirstLayerNozzleTemperature = K.Number(
         "first_layer_nozzle_temperature_c", 0, 2000, m => m.FirstLayerNozzleTemperature, (m, v) => m with { FirstLayerNozzleTemperature = v },
@@ -28,18 +31,23 @@ internal static class MaterialKeys
         "fan_percent", 0, 100, m => m.FanPercent, (m, v) => m with { FanPercent = v }, "Part cooling.");
 
     public static readonly ProfileKey<Material, int> FanOffLayers = K.Whole(
-        "fan_off_layers", 0, 1_000_000, m => m.FanOffLayers, (m, v) => m with { FanOffLayers = v }, "Layers from the bed on that are printed without part cooling.");
+        "fan_off_layers", 0, 1_000_000, m => m.FanOffLayers, (m, v) => m with { FanOffLayers = v },
+        "Layers from the bed on that are printed without part cooling.");
 
-    public static readonly ProfileKey<Material, double> Density = K.Number("density_g_cm3", 0.01, 30, m => m.Density, (m, v) => m with { Density = v }, "Mass for its volume.");
+    public static readonly ProfileKey<Material, double> Density = K.Number(
+        "density_g_cm3", 0.01, 30, m => m.Density, (m, v) => m with { Density = v }, "Mass for its volume.");
 
     public static readonly ProfileKey<Material, double> CostPerKg = K.Number(
-        "cost_per_kg", 0, 1_000_000, m => m.CostPerKg, (m, v) => m with { CostPerKg = v }, "Price of a kilogram in any currency; 0 where it is not known.");
+        "cost_per_kg", 0, 1_000_000, m => m.CostPerKg, (m, v) => m with { CostPerKg = v },
+        "Price of a kilogram in any currency; 0 where it is not known.");
 
     public static readonly ProfileKey<Material, double> MaxFlow = K.Number(
-        "material_max_flow_mm3_s", 0, 1_000_000, m => m.MaxFlow, (m, v) => m with { MaxFlow = v }, "Material that can be melted or pumped; 0 where it is not known.");
+        "material_max_flow_mm3_s", 0, 1_000_000, m => m.MaxFlow, (m, v) => m with { MaxFlow = v },
+        "Material that can be melted or pumped; 0 where it is not known.");
 
     public static readonly IReadOnlyList<ProfileKey<Material>> All =
     [
-        Title, FilamentDiameter, NozzleTemperature, FirstLayerNozzleTemperature, BedTemperature, FlowMultiplier, FanPercent, FanOffLayers, Density, CostPerKg, MaxFlow,
+        Title, FilamentDiameter, NozzleTemperature, FirstLayerNozzleTemperature, BedTemperature, FlowMultiplier, FanPercent,
+        FanOffLayers, Density, CostPerKg, MaxFlow,
     ];
 }

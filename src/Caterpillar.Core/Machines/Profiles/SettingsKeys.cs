@@ -6,13 +6,15 @@ namespace Caterpillar.Machines;
 /// <summary>The keys of print settings.</summary>
 internal static class SettingsKeys
 {
-    public static readonly ProfileKey<PrintSettings, string> Title = K.Text("title", s => s.Title, (s, v) => s with { Title = v }, "Name for people.");
+    public static readonly ProfileKey<PrintSettings, string> Title = K.Text(
+        "title", s => s.Title, (s, v) => s with { Title = v }, "Name for people.");
 
     public static readonly ProfileKey<PrintSettings, double> LayerHeight = K.Number(
         "layer_height_mm", 0.001, 1000, s => s.LayerHeight, (s, v) => s with { LayerHeight = v }, "Height of a layer.");
 
     public static readonly ProfileKey<PrintSettings, double> FirstLayerHeight = K.Number(
-        "first_layer_height_mm", 0.001, 1000, s => s.FirstLayerHeight, (s, v) => s with { FirstLayerHeight = v }, "Height of the layer on the bed.");
+        "first_layer_height_mm", 0.001, 1000, s => s.FirstLayerHeight, (s, v) => s with { FirstLayerHeight = v },
+        "Height of the layer on the bed.");
 
     public static readonly ProfileKey<PrintSettings, double> LineWidth = K.Number(
         "line_width_mm", 0.001, 1000, s => s.LineWidth, (s, v) => s with { LineWidth = v }, "Width of a strand.");
@@ -25,66 +27,82 @@ internal static class SettingsKeys
         "wall_count", 0, 10_000, s => s.WallCount, (s, v) => s with { WallCount = v }, "Walls around each region.");
 
     public static readonly ProfileKey<PrintSettings, double> InfillPercent = K.Number(
-        "infill_percent", 0, 100, s => s.InfillPercent, (s, v) => s with { InfillPercent = v }, "Part of the inside that is filled; not used where infill_spacing_mm is given.");
+        "infill_percent", 0, 100, s => s.InfillPercent, (s, v) => s with { InfillPercent = v },
+        "Part of the inside that is filled; not used where infill_spacing_mm is given.");
 
     public static readonly ProfileKey<PrintSettings, double> InfillSpacing = K.Number(
-        "infill_spacing_mm", 0, 10_000, s => s.InfillSpacing, (s, v) => s with { InfillSpacing = v }, "Distance between the lines of the infill; 0 to take it from infill_percent.");
+        "infill_spacing_mm", 0, 10_000, s => s.InfillSpacing, (s, v) => s with { InfillSpacing = v },
+        "Distance between the lines of the infill; 0 to take it from infill_percent.");
 
     public static readonly ProfileKey<PrintSettings, double> InfillAngle = K.Number(
-        "infill_angle_deg", -360, 360, s => s.InfillAngle, (s, v) => s with { InfillAngle = v }, "Direction of the infill in the first layer, from +X.");
+        "infill_angle_deg", -360, 360, s => s.InfillAngle, (s, v) => s with { InfillAngle = v },
+        "Direction of the infill in the first layer, from +X.");
 
     public static readonly ProfileKey<PrintSettings, double> InfillOverlapPercent = K.Number(
-        "infill_overlap_percent", 0, 100, s => s.InfillOverlapPercent, (s, v) => s with { InfillOverlapPercent = v }, "How far the infill reaches into the innermost wall, of the line width.");
+        "infill_overlap_percent", 0, 100, s => s.InfillOverlapPercent, (s, v) => s with { InfillOverlapPercent = v },
+        "How far the infill reaches into the innermost wall, of the line width.");
 
     public static readonly ProfileKey<PrintSettings, double> SimplifyTolerance = K.Number(
-        "simplify_tolerance_mm", 0, 100, s => s.SimplifyTolerance, (s, v) => s with { SimplifyTolerance = v }, "Largest deviation of contours that may be simplified away.");
+        "simplify_tolerance_mm", 0, 100, s => s.SimplifyTolerance, (s, v) => s with { SimplifyTolerance = v },
+        "Largest deviation of contours that may be simplified away.");
 
     public static readonly ProfileKey<PrintSettings, double> SubdivisionDistance = K.Number(
-        "subdivision_distance_mm", 0.001, 10_000, s => s.SubdivisionDistance, (s, v) => s with { SubdivisionDistance = v }, "Length of the pieces of subdivided curves.");
+        "subdivision_distance_mm", 0.001, 10_000, s => s.SubdivisionDistance, (s, v) => s with { SubdivisionDistance = v },
+        "Length of the pieces of subdivided curves.");
 
     public static readonly ProfileKey<PrintSettings, double> PrintSpeed = K.Number(
         "print_speed_mm_s", 0.01, 10_000, s => s.PrintSpeed, (s, v) => s with { PrintSpeed = v }, "Speed of printing.");
 
     public static readonly ProfileKey<PrintSettings, double> OuterWallSpeed = K.Number(
-        "outer_wall_speed_mm_s", 0, 10_000, s => s.OuterWallSpeed, (s, v) => s with { OuterWallSpeed = v }, "Speed of outer walls; 0 for the print speed.");
+        "outer_wall_speed_mm_s", 0, 10_000, s => s.OuterWallSpeed, (s, v) => s with { OuterWallSpeed = v },
+        "Speed of outer walls; 0 for the print speed.");
 
     public static readonly ProfileKey<PrintSettings, double> InfillSpeed = K.Number(
-        "infill_speed_mm_s", 0, 10_000, s => s.InfillSpeed, (s, v) => s with { InfillSpeed = v }, "Speed of infill; 0 for the print speed.");
+        "infill_speed_mm_s", 0, 10_000, s => s.InfillSpeed, (s, v) => s with { InfillSpeed = v },
+        "Speed of infill; 0 for the print speed.");
 
     public static readonly ProfileKey<PrintSettings, double> FirstLayerSpeed = K.Number(
-        "first_layer_speed_mm_s", 0, 10_000, s => s.FirstLayerSpeed, (s, v) => s with { FirstLayerSpeed = v }, "Highest printing speed in the first layer; 0 for no such limit.");
+        "first_layer_speed_mm_s", 0, 10_000, s => s.FirstLayerSpeed, (s, v) => s with { FirstLayerSpeed = v },
+        "Highest printing speed in the first layer; 0 for no such limit.");
 
     public static readonly ProfileKey<PrintSettings, double> TravelSpeed = K.Number(
         "travel_speed_mm_s", 0.01, 10_000, s => s.TravelSpeed, (s, v) => s with { TravelSpeed = v }, "Speed of travels.");
 
     public static readonly ProfileKey<PrintSettings, TravelLift> TravelLift = K.Choice(
-        "travel_lift", s => s.TravelLift, (s, v) => s with { TravelLift = v }, "How high the head goes for a travel: above all that was printed, above what lies under the way, or not at all.",
+        "travel_lift", s => s.TravelLift, (s, v) => s with { TravelLift = v },
+        "How high the head goes for a travel: above all that was printed, above what lies under the way, or not at all.",
         ("printed_top", Machines.TravelLift.PrintedTop), ("corridor", Machines.TravelLift.Corridor), ("none", Machines.TravelLift.None));
 
     public static readonly ProfileKey<PrintSettings, double> LiftMinTravel = K.Number(
-        "lift_min_travel_mm", 0, 10_000, s => s.LiftMinTravel, (s, v) => s with { LiftMinTravel = v }, "Travels up to this length are made without a lift.");
+        "lift_min_travel_mm", 0, 10_000, s => s.LiftMinTravel, (s, v) => s with { LiftMinTravel = v },
+        "Travels up to this length are made without a lift.");
 
     public static readonly ProfileKey<PrintSettings, bool> Detour = K.Flag(
         "detour", s => s.Detour, (s, v) => s with { Detour = v }, "Travels go around what was printed where that is shorter than over it.");
 
     public static readonly ProfileKey<PrintSettings, double> RetractionMinTravel = K.Number(
-        "retraction_min_travel_mm", 0, 10_000, s => s.RetractionMinTravel, (s, v) => s with { RetractionMinTravel = v }, "Travels up to this length are made without a retraction.");
+        "retraction_min_travel_mm", 0, 10_000, s => s.RetractionMinTravel, (s, v) => s with { RetractionMinTravel = v },
+        "Travels up to this length are made without a retraction.");
 
     public static readonly ProfileKey<PrintSettings, double> WipeDistance = K.Number(
-        "wipe_distance_mm", 0, 1000, s => s.WipeDistance, (s, v) => s with { WipeDistance = v }, "Way back along the path during which filament is pulled back; 0 for none.");
+        "wipe_distance_mm", 0, 1000, s => s.WipeDistance, (s, v) => s with { WipeDistance = v },
+        "Way back along the path during which filament is pulled back; 0 for none.");
 
     public static readonly ProfileKey<PrintSettings, bool> RestoreDuringDescent = K.Flag(
         "restore_during_descent", s => s.RestoreDuringDescent, (s, v) => s with { RestoreDuringDescent = v },
         "Retracted filament is pushed forward while the head comes down to a path, not after.");
 
     public static readonly ProfileKey<PrintSettings, double> StartDistance = K.Number(
-        "start_distance_mm", 0, 1000, s => s.StartDistance, (s, v) => s with { StartDistance = v }, "Length of bead pushed out in place before a path begins, for materials that answer late.");
+        "start_distance_mm", 0, 1000, s => s.StartDistance, (s, v) => s with { StartDistance = v },
+        "Length of bead pushed out in place before a path begins, for materials that answer late.");
 
     public static readonly ProfileKey<PrintSettings, double> StopDistance = K.Number(
-        "stop_distance_mm", 0, 1000, s => s.StopDistance, (s, v) => s with { StopDistance = v }, "The extruder stops this far before the end of a path.");
+        "stop_distance_mm", 0, 1000, s => s.StopDistance, (s, v) => s with { StopDistance = v },
+        "The extruder stops this far before the end of a path.");
 
     public static readonly ProfileKey<PrintSettings, bool> SortPaths = K.Flag(
-        "sort_paths", s => s.SortPaths, (s, v) => s with { SortPaths = v }, "Sliced paths are sorted inside their groups, for short travels.");
+        "sort_paths", s => s.SortPaths, (s, v) => s with { SortPaths = v },
+        "Sliced paths are sorted inside their groups, for short travels.");
 
     public static readonly ProfileKey<PrintSettings, int> SkirtLoops = K.Whole(
         "skirt_loops", 0, 1000, s => s.SkirtLoops, (s, v) => s with { SkirtLoops = v }, "Loops around the first layer; 0 for none.");
@@ -94,8 +112,10 @@ internal static class SettingsKeys
 
     public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [
-        Title, LayerHeight, FirstLayerHeight, LineWidth, BeadShape, WallCount, InfillPercent, InfillSpacing, InfillAngle, InfillOverlapPercent, SimplifyTolerance, SubdivisionDistance,
-        PrintSpeed, OuterWallSpeed, InfillSpeed, FirstLayerSpeed, TravelSpeed, TravelLift, LiftMinTravel, Detour, RetractionMinTravel, WipeDistance, RestoreDuringDescent,
+        Title, LayerHeight, FirstLayerHeight, LineWidth, BeadShape, WallCount, InfillPercent, InfillSpacing, InfillAngle,
+        InfillOverlapPercent, SimplifyTolerance, SubdivisionDistance,
+        PrintSpeed, OuterWallSpeed, InfillSpeed, FirstLayerSpeed, TravelSpeed, TravelLift, LiftMinTravel, Detour, RetractionMinTravel,
+        WipeDistance, RestoreDuringDescent,
         StartDistance, StopDistance, SortPaths, SkirtLoops, SkirtDistance,
     ];
 }

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.IO;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
@@ -5,12 +6,18 @@ using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
 using Newtonsoft.Json;
 
-namespace Caterpillar.Cli.Commands;
+namespace Caterpillar.Cli;
 
-/// <summary>What the curves verb says about its work as JSON: mm, mm³, bytes.</summary>
-internal static class CurvesReport
+/// <summary>What a verb says about what it planned and wrote, as JSON: mm, mm³, bytes.</summary>
+internal static class WorkReport
 {
-    public static string ToJson(string file, string target, int curves, Plan plan, WrittenGCode written)
+    /// <param name="inputs">The files that were read.</param>
+    /// <param name="output">The file that was written.</param>
+    /// <param name="counts">What the verb counts itself, first.</param>
+    /// <param name="plan">The plan; its toolpath is measured.</param>
+    /// <param name="written">What was written.</param>
+    public static string ToJson(
+        IReadOnlyList<string> inputs, string output, IEnumerable<KeyValuePair<string, double>> counts, Plan plan, WrittenGCode written)
     {
         using var text = new StringWriter { NewLine = "\n" };
         using var json = new JsonTextWriter(text) { Formatting = Formatting.Indented };
@@ -29,11 +36,20 @@ internal static class CurvesReport
             deposited += plan.Toolpath.VolumeOf(move) ?? 0;
             if (move.Arc is not null) arcs++;
         }
-        json.WritePropertyName("file");
-        json.WriteValue(file);
+        json.WritePropertyName(inputs.Count == 1 ? "file" : "files");
+        if (inputs.Count == 1)
+        {
+            json.WriteValue(inputs[0]);
+        }
+        else
+        {
+            json.WriteStartArray();
+            foreach (var input in inputs) json.WriteValue(input);
+            json.WriteEndArray();
+        }
         json.WritePropertyName("output");
-        json.WriteValue(target);
-        Number("curves", curves);
+        json.WriteValue(output);
+        foreach (var count in counts) Number(count.Key, count.Value);
         Number("moves", plan.Toolpath.Count);
         Number("arcs", arcs);
         Number("printed_mm", printed);

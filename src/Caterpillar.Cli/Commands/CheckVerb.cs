@@ -1,0 +1,75 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Cli.Commands;
+
+/// <summary>What in G-code files a printer cannot or must not do.</summary>
+internal sealed class CheckVerb : Verb
+{
+    private readonly Argument<string[]> _files = new("FILE")
+    {
+        Description = "G-code files, also packed with gzip, or - for standard input.",
+        Arity = ArgumentArity.OneOrMore,
+    };
+
+    private readonly Option<string?> _dialect = CommonOptions.Dialect();
+    private readonly SetupOptions _setup = new();
+    private readonly Option<int> _threads = CommonOptions.Threads();
+
+    public CheckVerb()
+        : base("check", "Check G-code files against a printer: its space, its flow, its temperatures.")
+    {
+        Arguments.Add(_files);
+        _setup.AddTo(this);
+        Options.Add(_dialect);
+        Options.Add(_threads);
+    }
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var setup = _setup.Resolve(arguments, session);
+        var options = new DecodeOptions
+        {
+            Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
+            FilamentDiameter = setup.Material.FilamentDiameter,
+            Threads = arguments.GetValue(_threads),
+        };
+        var all = new List<Diagnostic>();
+        foreach (var file in arguments.GetValue(_files)!)
+        {
+            var name = Session.NameOf(file);
+            var toolpath = Decoded(file, name, options, session);
+            var findings = session.Long("Checking " + name, progress => LimitCheck.Run(toolpath, Cold(setup, toolpath), progress, session.Cancel));
+            all.AddRange(findings.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }));
+        }
+        session.WriteText("-", text =>
+        {
+            foreach (var finding in all) text.WriteLine(finding.ToString());
+        });
+        return all.Any(d => d.Severity == Severity.Error) ? ExitCode.Refused : ExitCode.Done;
+    }
+
+    private static Toolpath Decoded(string file, string name, DecodeOptions options, Session session)
+    {
+        try
+        {
+            using var stream = session.OpenRead(file);
+            return session.Need(session.Long("Reading " + name, progress => Decoder.DecodeStream(stream, options, name, progress, session.Cancel))).Toolpath;
+        }
+        catch (InvalidDataException broken)
+        {
+            throw new CliException(ExitCode.BadInput, $"{name}: the file is a broken gzip file: {broken.Message}");
+        }
+    }
+
+    // A file that heats begins cold; one that leaves the heating to a macro of the firmware is taken as hot.
+    private static PrintSetup Cold(PrintSetup setup, Toolpath toolpath)
+        => toolpath.Events.Any(e => e.Event is NozzleTemperatureEvent) ? setup with { Material = setup.Material with { NozzleTemperature = 0 } } : setup;
+}
