@@ -162,7 +162,7 @@ public class RegionOffsetTests
                 hash = unchecked((hash ^ (ulong)BitConverter.DoubleToInt64Bits(line.To.Y)) * 1099511628211UL);
             }
         }
-        Assert.That(hash, Is.EqualTo(9385899997536600835UL));
+        Assert.That(hash, Is.EqualTo(9827784083124805963UL));
     }
 
     [Test]
@@ -225,6 +225,35 @@ public class RegionOffsetTests
         Assert.That(simple.VertexCount, Is.InRange(60, 200));
         Assert.That(simple.Subtract(circle.Offset(0.0126)).IsEmpty && circle.Offset(-0.0126).Subtract(simple).IsEmpty);
         Assert.That(circle.Simplified(0).VertexCount, Is.EqualTo(1000));
+    }
+
+    [Test]
+    public void Every_vertex_that_simplifying_leaves_away_is_near_a_chord()
+    {
+        var random = new Random(15);
+        for (var k = 0; k < (Fast ? 15 : 6); k++)
+        {
+            var region = Region.From(RegionReference.Star(random, 300, 0, 0, 10, 10.05 + k % 3 * 0.3));
+            foreach (var tolerance in new[] { 0.01, 0.05, 0.2 })
+            {
+                var simple = region.Simplified(tolerance);
+                RegionReference.AssertValid(simple);
+                Assert.That(simple.VertexCount, Is.LessThanOrEqualTo(region.VertexCount));
+                var turned = Region.From(region.Contours.Select(c => new Polyline(c.Points.Skip(77).Concat(c.Points.Take(77)), closed: true))).Simplified(tolerance);
+                Assert.That(turned.Xor(simple).IsEmpty, "it depends on where the contour begins");
+                foreach (var p in region.Contours[0].Points)
+                {
+                    var nearest = simple.Contours.Min(c => Enumerable.Range(0, c.Count).Min(i => Distance(p, c[i], c[(i + 1) % c.Count])));
+                    Assert.That(nearest, Is.LessThanOrEqualTo(tolerance + 2e-5));
+                }
+            }
+        }
+    }
+
+    private static double Distance(Vec3 p, Vec3 a, Vec3 b)
+    {
+        var t = Vec3.Dot(p - a, b - a) / (b - a).LengthSquared;
+        return p.DistanceTo(Vec3.Lerp(a, b, Math.Min(Math.Max(t, 0), 1)));
     }
 
     private static bool Fast => Type.GetType("Mono.Runtime") is null;

@@ -141,7 +141,7 @@ internal sealed class Arrangement
 
     private void Self(int level, int node)
     {
-        if (!Tree.Fresh[Tree.LevelStart[level] + node]) return;
+        if (!Tree.Fresh[Tree.LevelStart[level] + node] || Tree.Monotone[Tree.LevelStart[level] + node] != 0) return;
         if (level == 0)
         {
             var end = Tree.LeafStart[node + 1];

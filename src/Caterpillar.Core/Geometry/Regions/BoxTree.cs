@@ -12,6 +12,10 @@ internal sealed class BoxTree
 
     public GridBox[] Boxes = new GridBox[64];
     public bool[] Fresh = new bool[64];
+
+    /// <summary>Not 0 for nodes whose segments follow each other in one contour and all go to the right (1), left (2), up (4) or down (8): they can't cross each other.</summary>
+    public byte[] Monotone = new byte[64];
+
     public int[] LeafStart = new int[32];
     public int[] LeafContour = new int[32];
     public readonly int[] LevelStart = new int[33];
@@ -40,19 +44,23 @@ internal sealed class BoxTree
         LeafStart[leaves] = contourStart[contours];
         Need(ref Boxes, 2 * leaves + 32);
         Need(ref Fresh, 2 * leaves + 32);
+        Need(ref Monotone, 2 * leaves + 32);
         for (var leaf = 0; leaf < leaves; leaf++)
         {
             var box = GridBox.Nothing;
             var any = false;
+            var ways = 15;
             for (var i = LeafStart[leaf]; i < LeafStart[leaf + 1]; i++)
             {
                 ref readonly var s = ref segments[i];
                 box.Include(s.Ax, s.Ay);
                 box.Include(s.Bx, s.By);
+                ways &= (s.Bx > s.Ax ? 1 : s.Bx < s.Ax ? 2 : 0) | (s.By > s.Ay ? 4 : s.By < s.Ay ? 8 : 0);
                 if (fresh is not null) any |= fresh[i];
             }
             Boxes[leaf] = box;
             Fresh[leaf] = any;
+            Monotone[leaf] = (byte)ways;
         }
         LevelStart[0] = 0;
         LevelCount[0] = leaves;
@@ -105,13 +113,17 @@ internal sealed class BoxTree
         {
             var box = Boxes[below + i];
             var any = Fresh[below + i];
+            var ways = Monotone[below + i];
             if (i + 1 < count)
             {
+                var middle = (i + 1) << (Levels - 1);
+                ways = LeafContour[middle - 1] == LeafContour[middle] ? (byte)(ways & Monotone[below + i + 1]) : (byte)0;
                 box.Include(Boxes[below + i + 1]);
                 any |= Fresh[below + i + 1];
             }
             Boxes[start + i / 2] = box;
             Fresh[start + i / 2] = any;
+            Monotone[start + i / 2] = ways;
         }
         LevelStart[Levels] = start;
         LevelCount[Levels] = (count + 1) / 2;

@@ -1,91 +1,64 @@
+using System;
+
 namespace Caterpillar.Geometry;
 
-/// <summary>Douglas-Peucker on closed paths, without recursion; the first vertex and the one farthest from it stay.</summary>
+/// <summary>
+/// Leaves vertices of closed paths away in one pass: from a kept vertex the chord grows as long as it stays within the tolerance of every vertex it passes,
+/// which is the intersection of the wedges in which these vertices' discs are seen (sleeve fitting: Zhao and Saalfeld, "Linear-time sleeve-fitting
+/// polyline simplification algorithms", 1997). It begins at the leftmost vertex, so the result does not depend on where the path begins.
+/// </summary>
 internal sealed class ContourSimplifier
 {
-    private readonly double _square;
-    private bool[] _keep = new bool[256];
-    private int[] _stack = new int[128];
-
-    /// <summary>For a tolerance in grid units.</summary>
-    public ContourSimplifier(double tolerance) => _square = tolerance * tolerance;
-
     public GridPoint[] Points { get; private set; } = new GridPoint[256];
 
     public int Count { get; private set; }
 
-    public void Simplify(GridPoint[] path)
+    /// <summary>Simplifies a path with a tolerance in grid units, into <see cref="Points"/>.</summary>
+    public void Simplify(GridPoint[] path, double tolerance)
     {
         var n = path.Length;
-        if (_keep.Length <= n)
-        {
-            _keep = new bool[2 * n];
-            Points = new GridPoint[2 * n];
-        }
-        for (var i = 0; i <= n; i++) _keep[i] = false;
-        var far = 0;
-        var most = -1.0;
-        for (var i = 1; i < n; i++)
-        {
-            double dx = (double)path[i].X - path[0].X, dy = (double)path[i].Y - path[0].Y;
-            if (dx * dx + dy * dy <= most) continue;
-            most = dx * dx + dy * dy;
-            far = i;
-        }
-        _keep[0] = true;
-        _keep[far] = true;
-        Chain(path, 0, far);
-        Chain(path, far, n);
+        if (Points.Length < n) Points = new GridPoint[Math.Max(n, 2 * Points.Length)];
         Count = 0;
-        for (var i = 0; i < n; i++)
+        if (n == 0) return;
+        var start = Leftmost(path);
+        var square = tolerance * tolerance;
+        // Steps from the start to the kept vertex and to its successor.
+        for (int kept = 0, step = 1; kept < n; kept = step, step = kept + 1)
         {
-            if (_keep[i]) Points[Count++] = path[i];
-        }
-    }
-
-    // From vertex first to vertex last; index n is vertex 0 again.
-    private void Chain(GridPoint[] path, int first, int last)
-    {
-        var depth = 0;
-        while (true)
-        {
-            var split = Farthest(path, first, last);
-            if (split > 0)
+            var a = path[At(start + kept, n)];
+            Points[Count++] = a;
+            double lowX = 0, lowY = 0, highX = 0, highY = 0, farthest = 0;
+            for (; step <= n; step++)
             {
-                _keep[split] = true;
-                if (depth == _stack.Length) System.Array.Resize(ref _stack, 2 * depth);
-                _stack[depth++] = last;
-                last = split;
-                continue;
+                var b = path[At(start + step, n)];
+                double x = (double)b.X - a.X, y = (double)b.Y - a.Y;
+                var distance = x * x + y * y;
+                if (farthest > 0)
+                {
+                    // Out of the wedge, or on the way back: the chord ends one vertex before.
+                    if (distance < farthest || lowX * y - lowY * x < 0 || highX * y - highY * x > 0) break;
+                }
+                if (distance <= square) continue;
+                var w = tolerance / Math.Sqrt(distance);
+                double lx = x + y * w, ly = y - x * w, hx = x - y * w, hy = y + x * w;
+                if (farthest == 0 || lowX * ly - lowY * lx > 0) (lowX, lowY) = (lx, ly);
+                if (farthest == 0 || highX * hy - highY * hx < 0) (highX, highY) = (hx, hy);
+                farthest = distance;
             }
-            if (depth == 0) return;
-            first = last;
-            last = _stack[--depth];
+            // The loop stopped at a vertex that can't be reached, or after the last; the one before it ends the chord.
+            step = Math.Max(step - 1, kept + 1);
         }
     }
 
-    private int Farthest(GridPoint[] path, int first, int last)
+    private static int At(int index, int n) => index < n ? index : index < 2 * n ? index - n : index - 2 * n;
+
+    private static int Leftmost(GridPoint[] path)
     {
-        var a = path[first];
-        var b = path[last == path.Length ? 0 : last];
-        double dx = (double)b.X - a.X, dy = (double)b.Y - a.Y;
-        var length = dx * dx + dy * dy;
-        // All in squares times the square of the chord's length, which saves the division.
-        var scale = length > 0 ? length : 1;
-        var best = _square * scale;
-        var at = 0;
-        for (var i = first + 1; i < last; i++)
+        var best = 0;
+        for (var i = 1; i < path.Length; i++)
         {
-            double px = (double)path[i].X - a.X, py = (double)path[i].Y - a.Y;
-            var along = px * dx + py * dy;
-            var distance = dx * py - dy * px;
-            distance *= distance;
-            if (along <= 0) distance = (px * px + py * py) * scale;
-            else if (along >= length) distance = ((px - dx) * (px - dx) + (py - dy) * (py - dy)) * scale;
-            if (distance <= best) continue;
-            best = distance;
-            at = i;
+            if (path[i].X < path[best].X || (path[i].X == path[best].X && path[i].Y < path[best].Y)) best = i;
         }
-        return at;
+        return best;
     }
 }

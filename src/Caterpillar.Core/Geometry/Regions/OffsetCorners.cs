@@ -8,7 +8,7 @@ internal sealed class OffsetCorners
     // An edge that is trimmed to less than this (grid units) might be turned round by rounding.
     private const double ShortestTrimmed = 4;
 
-    private readonly double _d;
+    private double _d;
     private double[] _length = new double[64];
     private double[] _before = new double[64];
     private double[] _after = new double[64];
@@ -16,8 +16,6 @@ internal sealed class OffsetCorners
     private double[] _y = new double[64];
     private int[] _previous = new int[64];
     private int[] _next = new int[64];
-
-    public OffsetCorners(double distance) => _d = distance;
 
     /// <summary>Unit normals of the edges, to the right; edge i begins at vertex i.</summary>
     public double[] Nx { get; private set; } = new double[64];
@@ -38,10 +36,11 @@ internal sealed class OffsetCorners
     /// <summary>Where the moved edges of a corner of kind 2 meet, relative to the start of the edge.</summary>
     public (double X, double Y) Crossing(int edge) => (_x[edge], _y[edge]);
 
-    /// <summary>Computes all corners. Extension says by how much a join prolongs the moved edges, from the cross and dot products of the normals.</summary>
-    public void Compute(GridPoint[] path, Func<double, double, double> extension)
+    /// <summary>Computes all corners for a distance in grid units. Extension says by how much a join prolongs the moved edges, from the cross and dot products of the normals.</summary>
+    public void Compute(GridPoint[] path, double distance, Func<double, double, double> extension)
     {
         var n = path.Length;
+        _d = distance;
         Reserve(n);
         Edges(path);
         for (int i = 0, before = n - 1; i < n; before = i++)

@@ -9,23 +9,30 @@ namespace Caterpillar.Geometry;
 /// </summary>
 internal sealed class OffsetCurve
 {
-    private readonly double _d;
-    private readonly JoinStyle _join;
-    private readonly double _miterDot;
-    private readonly double _arcDot;
-    private readonly double _stepSin;
-    private readonly double _stepCos;
-    private readonly int _arcSteps;
-    private readonly OffsetCorners _corners;
+    private readonly OffsetCorners _corners = new();
     private readonly Func<double, double, double> _extension;
+    private double _d;
+    private JoinStyle _join;
+    private double _miterDot;
+    private double _arcDot;
+    private double _stepSin;
+    private double _stepCos;
+    private int _arcSteps;
 
-    /// <summary>For a distance, a longest miter (in distances) and an arc tolerance in grid units.</summary>
-    public OffsetCurve(double distance, JoinStyle join, double miterLimit, double arcTolerance)
+    public OffsetCurve() => _extension = Extension;
+
+    /// <summary>How far, in grid units, the curve may be from the path.</summary>
+    public double Reach { get; private set; }
+
+    public GridPoint[] Points { get; private set; } = new GridPoint[256];
+
+    public int Count { get; private set; }
+
+    /// <summary>What the next curves are built for: a distance, a longest miter (in distances) and an arc tolerance in grid units.</summary>
+    public void Set(double distance, JoinStyle join, double miterLimit, double arcTolerance)
     {
         _d = distance;
         _join = join;
-        _corners = new OffsetCorners(distance);
-        _extension = Extension;
         var size = Math.Abs(distance);
         // The miter's length is d / cos(turn / 2), and the dot product of the normals is cos(turn).
         _miterDot = 2 / (miterLimit * miterLimit) - 1;
@@ -39,19 +46,12 @@ internal sealed class OffsetCurve
         Reach = size * (join == JoinStyle.Miter ? Math.Max(miterLimit, 1.4143) : 1.4143) + 2;
     }
 
-    /// <summary>How far, in grid units, the curve may be from the path.</summary>
-    public double Reach { get; }
-
-    public GridPoint[] Points { get; private set; } = new GridPoint[256];
-
-    public int Count { get; private set; }
-
     /// <summary>Builds the curve of a path without equal consecutive points, into <see cref="Points"/>.</summary>
     public void Build(GridPoint[] path)
     {
         var n = path.Length;
         Count = 0;
-        _corners.Compute(path, _extension);
+        _corners.Compute(path, _d, _extension);
         for (var i = 0; i < n; i++)
         {
             if (!_corners.Dropped(i)) Corner(path[i], _corners.Previous(i), i);

@@ -40,8 +40,8 @@ public sealed partial class Region
     public IReadOnlyList<HatchLine> HatchLines(double angle, double spacing, double phase = 0) => HatchScanner.Scan(_paths, angle, spacing, phase);
 
     /// <summary>
-    /// Fewer vertices: contours are replaced by chords that stay within a tolerance (mm) of the vertices left away (Douglas and Peucker 1973). What then
-    /// crosses is resolved; parts without area vanish.
+    /// Fewer vertices: contours are replaced by chords that stay within a tolerance (mm) of the vertices left away, found in one pass by sleeve fitting (Zhao and
+    /// Saalfeld 1997). What then crosses is resolved; parts that are smaller than the tolerance vanish.
     /// </summary>
     /// <exception cref="ArgumentException">The tolerance is negative or not a number.</exception>
     public Region Simplified(double tolerance) => Simplified(tolerance, new RegionEngine());
@@ -50,11 +50,11 @@ public sealed partial class Region
     {
         if (!(tolerance >= 0)) throw new ArgumentException("The tolerance must not be negative.", nameof(tolerance));
         if (IsEmpty || tolerance == 0) return this;
-        var simplifier = new ContourSimplifier(tolerance * Grid.PerMm);
+        var simplifier = engine.Simplifier;
         engine.Clear();
         foreach (var path in _paths)
         {
-            simplifier.Simplify(path);
+            simplifier.Simplify(path, tolerance * Grid.PerMm);
             engine.Arrangement.Add(simplifier.Points, 0, simplifier.Count, 0);
         }
         return Own(engine.Run(InsideRule.Positive));

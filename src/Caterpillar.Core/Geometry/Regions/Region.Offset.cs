@@ -39,8 +39,8 @@ public sealed partial class Region
     {
         if (lines is null) throw new ArgumentNullException(nameof(lines));
         if (!(distance >= 0.5 / Grid.PerMm)) throw new ArgumentException("The distance must be positive.", nameof(distance));
-        var curve = Curve(distance, join, miterLimit, arcTolerance);
         var engine = new RegionEngine();
+        var curve = Curve(engine, distance, join, miterLimit, arcTolerance);
         foreach (var line in lines)
         {
             if (line is null) throw new ArgumentException("A line is missing.", nameof(lines));
@@ -63,7 +63,7 @@ public sealed partial class Region
 
     internal Region Offset(double distance, JoinStyle join, double miterLimit, double arcTolerance, RegionEngine engine)
     {
-        var curve = Curve(distance, join, miterLimit, arcTolerance);
+        var curve = Curve(engine, distance, join, miterLimit, arcTolerance);
         var d = distance * Grid.PerMm;
         if (IsEmpty || Math.Abs(d) < 0.5) return this;
         engine.Clear();
@@ -87,13 +87,14 @@ public sealed partial class Region
         return Offset(sign * radius, JoinStyle.Round, 2, arcTolerance, engine).Offset(-sign * radius, JoinStyle.Round, 2, arcTolerance, engine);
     }
 
-    private static OffsetCurve Curve(double distance, JoinStyle join, double miterLimit, double arcTolerance)
+    private static OffsetCurve Curve(RegionEngine engine, double distance, JoinStyle join, double miterLimit, double arcTolerance)
     {
         if (double.IsNaN(distance) || double.IsInfinity(distance)) throw new ArgumentException("The distance must be a number.", nameof(distance));
         if (!(miterLimit >= 1) || double.IsInfinity(miterLimit)) throw new ArgumentException("The miter limit must be at least 1.", nameof(miterLimit));
         if (!(arcTolerance > 0)) throw new ArgumentException("The arc tolerance must be positive.", nameof(arcTolerance));
         if (join is not (JoinStyle.Miter or JoinStyle.Round or JoinStyle.Square)) throw new ArgumentOutOfRangeException(nameof(join), join, "Unknown join.");
-        return new OffsetCurve(distance * Grid.PerMm, join, miterLimit, arcTolerance * Grid.PerMm);
+        engine.Curve.Set(distance * Grid.PerMm, join, miterLimit, arcTolerance * Grid.PerMm);
+        return engine.Curve;
     }
 
     private static void Add(GridPoint[] path, OffsetCurve curve, RegionEngine engine)

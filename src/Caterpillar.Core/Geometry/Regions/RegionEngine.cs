@@ -9,6 +9,8 @@ namespace Caterpillar.Geometry;
 internal sealed class RegionEngine
 {
     public readonly Arrangement Arrangement = new();
+    public readonly OffsetCurve Curve = new();
+    public readonly ContourSimplifier Simplifier = new();
     private readonly PlanarGraph _graph = new();
     private readonly RingTracer _tracer = new();
     private readonly List<GridPoint[]> _rings = new();
