@@ -53,7 +53,7 @@ public class CorridorTests
         Assert.That(moves.Select(m => m.End.Z), Is.All.EqualTo(0.2));
         Assert.That(moves[moves.Count - 1].End, Is.EqualTo(new Vec3(20, 0, 0.2)));
         Assert.That(moves.Sum(m => m.Length), Is.LessThan(14));
-        AssertClear(plan.Toolpath, 0.4);
+        AssertClear(plan.Toolpath, 0.45);
         // A long low wall is passed over.
         Step[] low = [Line(15, -80, 15, 80, 0.4), Line(0, 0, 10, 0, 0.2), Line(20, 0, 30, 0, 0.2)];
         var over = PlanningTests.Plan(low, Rules with { Detour = true });
@@ -75,7 +75,7 @@ public class CorridorTests
                 steps.Add(new PrintPath([a, b], new Bead(0.04 + random.NextDouble() * 0.2, 0.3)));
             }
             var plan = PlanningTests.Plan(steps, Rules with { Detour = round % 2 == 0, Head = new HeadCorridor(0.1 + random.NextDouble()) }, new PlanOptions { Start = new Vec3(0, 0, 50) });
-            AssertClear(plan.Toolpath, 0);
+            AssertClear(plan.Toolpath, 0.05);
             lifts += plan.Report.CorridorLifts;
             detours += plan.Report.Detours;
             skipped += plan.Report.SkippedLifts;
@@ -86,7 +86,7 @@ public class CorridorTests
     }
 
     // Samples every travel that is not straight up or down, and looks at every strand printed before: an independent test of what Deposit answers.
-    private static void AssertClear(Toolpath toolpath, double radius)
+    internal static void AssertClear(Toolpath toolpath, double radius)
     {
         var strands = new List<(Vec3 A, Vec3 B)>();
         foreach (var move in toolpath.Moves())
@@ -101,7 +101,7 @@ public class CorridorTests
                     var d = (b - a).WithZ(0);
                     var t = Math.Min(1, Math.Max(0, Vec3.Dot((p - a).WithZ(0), d) / d.LengthSquared));
                     var q = Vec3.Lerp(a, b, t);
-                    if ((p - q).LengthXY <= radius + 0.05) Assert.That(p.Z, Is.GreaterThanOrEqualTo(q.Z - 1e-5), $"{move}");
+                    if ((p - q).LengthXY <= radius) Assert.That(p.Z, Is.GreaterThanOrEqualTo(q.Z - 1e-5), $"{move}");
                 }
             }
         }

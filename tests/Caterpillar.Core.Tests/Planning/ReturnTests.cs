@@ -67,12 +67,18 @@ public class ReturnTests
     [Test]
     public void A_tree_is_drawn_without_a_travel_through_its_branches()
     {
-        var steps = new List<Step>();
-        Grow(steps, new Vec3(0, 0, 0), new Vec3(0, 8, 3), 7);
-        var plan = PlanningTests.Plan(steps, Rules);
-        Assert.That(plan.Report.ReturnsOver, Is.GreaterThan(50));
-        Assert.That(plan.Report.BlockedReturns, Is.LessThan(plan.Report.ReturnsOver / 4));
-        Assert.That(plan.Report.Retractions, Is.GreaterThanOrEqualTo(plan.Report.Restores));
+        foreach (var lift in new[] { LiftRule.Highest, LiftRule.Corridor, LiftRule.None })
+        {
+            foreach (var rise in new[] { 0.0, 0.5, 3 })
+            {
+                var steps = new List<Step>();
+                Grow(steps, new Vec3(0, 0, 0), new Vec3(0, 20, rise), 7);
+                var plan = PlanningTests.Plan(steps, Rules with { Lift = lift });
+                Assert.That(plan.Report.BlockedReturns, Is.Zero);
+                Assert.That(plan.Report.ReturnsOver + plan.Report.ReturnsAlong, Is.EqualTo(steps.Count / 2));
+                CorridorTests.AssertClear(plan.Toolpath, 1e-6);
+            }
+        }
     }
 
     // Branches that fork left and right and climb.
@@ -81,8 +87,8 @@ public class ReturnTests
         if (depth == 0) return;
         var end = at + d;
         steps.Add(new PrintPath([at, end], new Bead(0.1)));
-        Grow(steps, end, new Vec3(d.X * 0.8 - d.Y * 0.45, d.X * 0.45 + d.Y * 0.8, d.Z) * 0.75, depth - 1);
-        Grow(steps, end, new Vec3(d.X * 0.8 + d.Y * 0.45, d.Y * 0.8 - d.X * 0.45, d.Z) * 0.75, depth - 1);
+        Grow(steps, end, new Vec3(d.X * 0.8 - d.Y * 0.6, d.X * 0.6 + d.Y * 0.8, d.Z) * 0.55, depth - 1);
+        Grow(steps, end, new Vec3(d.X * 0.8 + d.Y * 0.6, d.Y * 0.8 - d.X * 0.6, d.Z) * 0.55, depth - 1);
         steps.Add(Return(at.X, at.Y, at.Z));
     }
 
