@@ -67,8 +67,11 @@ public sealed record PrintSettings
     /// <summary>Travels up to this length are made without a lift, mm.</summary>
     public double LiftMinTravel { get; init => field = SettingsKeys.LiftMinTravel.Check(value); } = 2;
 
-    /// <summary>Travels go around what was printed where that is shorter than over it.</summary>
+    /// <summary>Travels go around what was printed where that is quicker than over it.</summary>
     public bool Detour { get; init; }
+
+    /// <summary>Travels within a layer that stay inside the part are made without a lift and a retraction.</summary>
+    public bool Comb { get; init; }
 
     /// <summary>Travels up to this length are made without a retraction, mm.</summary>
     public double RetractionMinTravel { get; init => field = SettingsKeys.RetractionMinTravel.Check(value); } = 1.5;

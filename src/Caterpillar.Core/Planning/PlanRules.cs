@@ -58,6 +58,9 @@ internal sealed record PlanRules
 
     public bool Detour { get; init; }
 
+    /// <summary>Travels that stay inside the part, within a layer, are straight and without a retraction.</summary>
+    public bool Comb { get; init; }
+
     /// <summary>Travels up to this length are made without a retraction.</summary>
     public double MinRetractTravel { get; init; }
 

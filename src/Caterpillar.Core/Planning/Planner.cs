@@ -63,6 +63,7 @@ public static class Planner
             Head = heads.Length > 0 ? new HeadCorridor(heads) : new HeadCorridor(printer.NozzleDiameter),
             Cell = Math.Max(0.25, settings.LineWidth / 4),
             Detour = settings.Detour,
+            Comb = settings.Comb,
             MinRetractTravel = settings.RetractionMinTravel,
             // The firmware's own retraction cannot be stretched over a way.
             WipeDistance = printer.FirmwareRetraction ? 0 : settings.WipeDistance,

@@ -50,7 +50,7 @@ internal sealed class StepPlanner
             _emitter.Source = _steps[i].Source;
             switch (_steps[i].Step)
             {
-                case PathStep: Path(_steps[i].Path!); break;
+                case PathStep step: Path(_steps[i].Path!, step.Region); break;
                 case TravelStep travel: Travel(travel, i); break;
                 case EventStep step: Event(step.Event); break;
             }
@@ -65,7 +65,7 @@ internal sealed class StepPlanner
         return _emitter.Build();
     }
 
-    private void Path(PrintPath path)
+    private void Path(PrintPath path, Region? inside)
     {
         var length = path.Length;
         if (!(length > 0))
@@ -76,12 +76,12 @@ internal sealed class StepPlanner
         _counts.Paths++;
         if (path.Tool != _emitter.Tool) SwitchTool(path.Tool);
         _emitter.EnterLayer(path.Layer);
-        _travel.To(path.Start, retract: !_prepared);
+        _travel.To(path.Start, direct: !_prepared, inside);
         _overrides.Apply(path);
         _travel.Restore();
         _printer.Print(path, length);
         if (_way is not null) Remember(path);
-        _travel.Printed(path);
+        _travel.Printed(path, inside);
         _prepared = false;
     }
 

@@ -14,11 +14,13 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
     private readonly bool[] _hasPrinted = new bool[rules.Tools.Length];
     private readonly DetourFinder? _detours = deposit is not null && rules.Detour ? new DetourFinder(deposit, rules.Head) : null;
     private PrintPath? _last;
+    private Region? _inside;
 
     /// <summary>A path has been printed to its end.</summary>
-    public void Printed(PrintPath path)
+    public void Printed(PrintPath path, Region? inside)
     {
         _last = path;
+        _inside = inside;
         Primed();
     }
 
@@ -47,7 +49,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
     }
 
     /// <summary>Brings the head to where a path begins. Adds nothing where it is there already.</summary>
-    public void To(Vec3 start, bool retract)
+    /// <param name="start">Where the path begins, mm.</param>
+    /// <param name="direct">The head comes from the end of the last path: no drawn travel lies between, for which has been retracted already.</param>
+    /// <param name="inside">What the layer covers around the path.</param>
+    public void To(Vec3 start, bool direct, Region? inside)
     {
         if (rules.AddsNothing)
         {
@@ -62,8 +67,19 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
         }
         if (emitter.Position.DistanceTo(start) <= Touching) return;
         counts.Travels++;
-        if (retract) RetractFor(emitter.Position.DistanceTo(start));
+        if (direct && TryComb(start, inside)) return;
+        if (direct) RetractFor(emitter.Position.DistanceTo(start));
         Over(start);
+    }
+
+    private bool TryComb(Vec3 start, Region? inside)
+    {
+        var from = emitter.Position;
+        if (!rules.Comb || inside is null || inside != _inside || Math.Abs(from.Z - start.Z) > Touching || !inside.ContainsLine(from, start)) return false;
+        if (deposit is not null && rules.Head.Needed(deposit, from, start, start.Z) > start.Z + Flush) return false;
+        counts.Combed++;
+        emitter.Travel(start, rules.TravelSpeed);
+        return true;
     }
 
     /// <summary>Pushes back what is retracted, before a path begins.</summary>

@@ -32,14 +32,14 @@ internal sealed class IslandSlicer(SliceRules rules, Layer layer, RegionEngine e
                 if (contour.Count < 3) continue;
                 steps.Add(new PathStep(
                     PrintPath.Own(Lifted(contour.Raw), [rules.Bead], closed: true).With(wall == 0 ? Role.OuterWall : Role.InnerWall, layer),
-                    new StepGroup(layerNumber, islandNumber, rank)));
+                    new StepGroup(layerNumber, islandNumber, rank)) { Region = island });
             }
         }
-        if (rules.InfillSpacing > 0 && !innermost.IsEmpty) Fill(innermost, layerNumber, islandNumber, steps);
+        if (rules.InfillSpacing > 0 && !innermost.IsEmpty) Fill(island, innermost, layerNumber, islandNumber, steps);
     }
 
     // The infill reaches the inner edge of the last wall and the overlap into it. Lines turn by a quarter from layer to layer.
-    private void Fill(Region innermost, int layerNumber, int islandNumber, List<PathStep> steps)
+    private void Fill(Region island, Region innermost, int layerNumber, int islandNumber, List<PathStep> steps)
     {
         var inset = rules.Walls == 0 ? 0 : rules.Pitch / 2 - rules.InfillOverlap;
         var area = inset == 0 ? innermost : innermost.Offset(-inset, JoinStyle.Miter, 2, ArcTolerance, engine);
@@ -50,7 +50,7 @@ internal sealed class IslandSlicer(SliceRules rules, Layer layer, RegionEngine e
             if (line.From.DistanceTo(line.To) < rules.Width) continue;
             steps.Add(new PathStep(
                 PrintPath.Own([line.From.WithZ(layer.Z), line.To.WithZ(layer.Z)], [rules.Bead], closed: false).With(Role.Infill, layer),
-                new StepGroup(layerNumber, islandNumber, rules.Walls + 1)));
+                new StepGroup(layerNumber, islandNumber, rules.Walls + 1)) { Region = island });
         }
     }
 

@@ -42,6 +42,9 @@ public sealed class PathStep : Step
 
     /// <summary>The path begins where it begins and runs as it runs (a chosen seam): sorting may change only its place in the order.</summary>
     public bool KeepStart { get; init; }
+
+    /// <summary>What the layer covers around the path, seen from above: travels inside it pass over the part only. Null where it is not known.</summary>
+    public Region? Region { get; init; }
 }
 
 /// <summary>How a drawn travel is meant.</summary>

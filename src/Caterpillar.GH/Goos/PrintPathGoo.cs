@@ -32,6 +32,7 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
     {
         Group = step?.Group;
         KeepStart = step?.KeepStart ?? false;
+        Region = step?.Region;
     }
 
     private PrintPathGoo(PrintPathGoo other, PrintPath? path)
@@ -39,6 +40,8 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
     {
         Group = other.Group;
         KeepStart = other.KeepStart;
+        // Moved paths have left their layer.
+        Region = ReferenceEquals(path, other.Value) ? other.Region : null;
     }
 
     /// <summary>Paths of one group may be sorted; without a group the path stays where it is.</summary>
@@ -46,6 +49,9 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
 
     /// <summary>Sorting may not turn it round or begin it elsewhere.</summary>
     public bool KeepStart { get; }
+
+    /// <summary>What the layer covers around it.</summary>
+    public Region? Region { get; }
 
     public override bool IsValid => Value is not null;
 
@@ -62,7 +68,7 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
     public override IGH_GeometricGoo DuplicateGeometry() => new PrintPathGoo(this, Value);
 
     /// <summary>The path as a step of a design.</summary>
-    public PathStep ToStep() => new(Value, Group) { KeepStart = KeepStart };
+    public PathStep ToStep() => new(Value, Group) { KeepStart = KeepStart, Region = Region };
 
     /// <summary>Another path in its place.</summary>
     public PrintPathGoo With(PrintPath path) => new(this, path);

@@ -78,7 +78,10 @@ internal static class SettingsKeys
         "Travels up to this length are made without a lift.");
 
     public static readonly ProfileKey<PrintSettings, bool> Detour = K.Flag(
-        "detour", s => s.Detour, (s, v) => s with { Detour = v }, "Travels go around what was printed where that is shorter than over it.");
+        "detour", s => s.Detour, (s, v) => s with { Detour = v }, "Travels go around what was printed where that is quicker than over it.");
+
+    public static readonly ProfileKey<PrintSettings, bool> Comb = K.Flag(
+        "comb", s => s.Comb, (s, v) => s with { Comb = v }, "Travels within a layer that stay inside the part are made without a lift and a retraction.");
 
     public static readonly ProfileKey<PrintSettings, double> RetractionMinTravel = K.Number(
         "retraction_min_travel_mm", 0, 10_000, s => s.RetractionMinTravel, (s, v) => s with { RetractionMinTravel = v },
@@ -114,7 +117,7 @@ internal static class SettingsKeys
     [
         Title, LayerHeight, FirstLayerHeight, LineWidth, BeadShape, WallCount, InfillPercent, InfillSpacing, InfillAngle,
         InfillOverlapPercent, SimplifyTolerance, SubdivisionDistance,
-        PrintSpeed, OuterWallSpeed, InfillSpeed, FirstLayerSpeed, TravelSpeed, TravelLift, LiftMinTravel, Detour, RetractionMinTravel,
+        PrintSpeed, OuterWallSpeed, InfillSpeed, FirstLayerSpeed, TravelSpeed, TravelLift, LiftMinTravel, Detour, Comb, RetractionMinTravel,
         WipeDistance, RestoreDuringDescent,
         StartDistance, StopDistance, SortPaths, SkirtLoops, SkirtDistance,
     ];
