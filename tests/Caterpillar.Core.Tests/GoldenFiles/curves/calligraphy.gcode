@@ -1,5 +1,7 @@
 ; Made with Caterpillar
+; Dialect grbl
 ; Printer pen_plotter, material pen, settings pen
+;TYPE:Custom
 G21 (millimetres)
 G17 (arcs in XY)
 G94 (F for each minute)
@@ -8,6 +10,7 @@ G0 Z5
 G90
 G0 X135 Y161 Z5.4 F6000
 G0 Z0.4 F1200
+;TYPE:Unspecified
 G1 X135.903 Y160.676 F1800
 G1 X136.792 Y160.313
 G1 X137.664 Y159.913
@@ -346,6 +349,7 @@ G1 X206.939 Y55.443
 G1 X206.474 Y56.317
 G1 X206.357 Y57.286
 G1 X207 Y58
+;TYPE:Custom
 G90 (absolute positions)
 G0 Z11
 G0 X0 Y0
