@@ -56,7 +56,11 @@ internal sealed class WriteOptions
         WrittenGCode? written = null;
         session.Write(file, stream =>
         {
-            var result = session.Long("Writing", progress => SafeWriter.Write(toolpath, setup, stream, arguments.GetValue(_reason), progress, session.Cancel));
+            var reason = arguments.GetValue(_reason);
+            // A bar and the G-code would mix on a terminal.
+            var result = file == "-"
+                ? SafeWriter.Write(toolpath, setup, stream, reason, null, session.Cancel)
+                : session.Long("Writing", progress => SafeWriter.Write(toolpath, setup, stream, reason, progress, session.Cancel));
             session.Print(result.Diagnostics);
             written = result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
             if (written.Bytes > mostBytes)
