@@ -46,6 +46,11 @@ internal static class Drawings
         ["OrientPaths"] = c => c.Line(4, 8, 17, 8, 2, Ink.Green).Polygon(Ink.Green, 15.5, 4.5, 20.5, 8, 15.5, 11.5).Line(7, 16, 20, 16, 2, Ink.Orange).Polygon(Ink.Orange, 8.5, 12.5, 3.5, 16, 8.5, 19.5),
         ["MergePaths"] = c => c.Polyline(2.2, Ink.Green, 4, 18, 8, 10, 12, 12).Polyline(2.2, Ink.Blue, 12, 12, 16, 14, 20, 6).Disc(12, 12, 2.4, Ink.Orange),
         ["BeadParam"] = c => c.Hexagon().Disc(9.5, 12, 3, Ink.Green).Disc(14.5, 12, 3, Ink.Green).Rect(9.5, 9, 14.5, 15, Ink.Green),
+        ["DeconstructToolpath"] = c => c.Polyline(2.2, Ink.Green, 4, 18, 9, 18, 9, 8, 15, 8).Disc(4.2, 18, 1.9, Ink.Dark).Disc(9, 13, 1.9, Ink.Dark).Disc(15, 8, 1.9, Ink.Orange)
+            .Line(17, 13, 20.5, 13, 1.4, Ink.Grey).Line(17, 16, 20.5, 16, 1.4, Ink.Grey).Line(17, 19, 20.5, 19, 1.4, Ink.Grey),
+        ["FilterToolpath"] = c => c.Polygon(Ink.Grey, 3, 4, 21, 4, 14, 12, 14, 20, 10, 18, 10, 12).Line(6, 6.5, 18, 6.5, 1.8, Ink.Green),
+        ["EditToolpath"] = c => c.Polyline(2.2, Ink.Green, 3.5, 19, 9, 19, 9, 12, 14, 12).Line(13, 17, 19.5, 6, 3, Ink.Orange).Line(12.4, 18, 13.4, 16.3, 2, Ink.Dark),
+        ["SaveGCode"] = c => { Page(c); c.Line(12, 7, 12, 15, 2.4, Ink.Green).Polygon(Ink.Green, 8, 13, 16, 13, 12, 18); },
         ["PrintPathParam"] = c => c.Hexagon().Polyline(2.4, Ink.Green, 7, 16, 10.5, 8, 14, 15, 17, 8),
         ["ToolpathParam"] = c => c.Hexagon().Polyline(1.8, Ink.Green, 7, 16, 17, 16, 17, 13, 7, 13, 7, 10, 17, 10).Disc(17, 9.5, 1.6, Ink.Orange),
         ["PrinterParam"] = c => c.Hexagon().Polyline(1.6, Ink.Light, 8, 17, 8, 7.5, 16, 7.5, 16, 17, 8, 17).Line(12, 8, 12, 12, 2, Ink.Orange),

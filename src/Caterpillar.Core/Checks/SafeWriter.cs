@@ -96,9 +96,9 @@ public static class SafeWriter
     }
 
     // A word has a letter; "1" or "!!!" say nothing to the one who reads the file later.
-    private static bool IsReason(string? reason) => reason is not null && reason.Any(char.IsLetter);
+    internal static bool IsReason(string? reason) => reason is not null && reason.Any(char.IsLetter);
 
-    private static IEnumerable<string> Comments(IReadOnlyList<Diagnostic> errors, string reason)
+    internal static IEnumerable<string> Comments(IReadOnlyList<Diagnostic> errors, string reason)
     {
         yield return "Written in spite of these findings. Reason: " + string.Join(" ", reason.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries));
         foreach (var error in errors) yield return error.ToString();

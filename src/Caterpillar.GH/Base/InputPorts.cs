@@ -29,6 +29,17 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager)
     public void File(string name, string nick, string description, string filter, bool optional = false)
         => Add(new Param_FilePath { FileFilter = filter, ExpireOnFileEvent = true, Optional = optional }, name, nick, description, Item);
 
+    /// <summary>A file to write: its changes expire nothing.</summary>
+    public void Target(string name, string nick, string description, string filter)
+        => Add(new Param_FilePath { FileFilter = filter }, name, nick, description, Item);
+
+    /// <summary>Several choices among the values of an enum; without any the component takes all.</summary>
+    public void Choices<T>(string name, string nick, string description)
+        where T : struct, Enum
+        => Add(ChoiceParam.Of<T>(), name, nick, description, GH_ParamAccess.list, optional: true);
+
+    public void OptionalInteger(string name, string nick, string description) => Add(new Param_Integer { Optional = true }, name, nick, description, Item);
+
     /// <summary>A choice among the values of an enum: a number, a name, or the menu of the port.</summary>
     public void Choice<T>(string name, string nick, string description, T fallback)
         where T : struct, Enum

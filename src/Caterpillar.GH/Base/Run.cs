@@ -7,6 +7,7 @@ using Caterpillar.Basics;
 using Caterpillar.GH.Conversion;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Data;
+using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Base;
 
@@ -14,6 +15,9 @@ namespace Caterpillar.GH.Base;
 internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCache cache)
 {
     private DocumentUnits? _units;
+
+    /// <summary>Number of the item in this solution, from 0.</summary>
+    public int Iteration => access.Iteration;
 
     public GH_Document? Document => component.OnPingDocument();
 
@@ -90,20 +94,26 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
     }
 
     /// <summary>The value of a choice port.</summary>
+    /// <exception cref="InputProblem">There is no such choice.</exception>
     public T Choice<T>(int input)
         where T : struct, Enum
+        => ToChoice<T>(input, Get<int>(input));
+
+    /// <summary>The values of a port for several choices; null for none, which means all.</summary>
+    /// <inheritdoc cref="Choice" path="/exception"/>
+    public IReadOnlyList<T>? Choices<T>(int input)
+        where T : struct, Enum
     {
-        var number = Get<int>(input);
-        foreach (T value in Enum.GetValues(typeof(T)))
-        {
-            if (Convert.ToInt32(value, System.Globalization.CultureInfo.InvariantCulture) == number) return value;
-        }
-        throw new InputProblem($"{component.Params.Input[input].Name} has no choice {NumberFormatter.Format(number)}; there are {string.Join(", ", Enum.GetNames(typeof(T)))}.");
+        var numbers = List<GH_Integer>(input);
+        return numbers.Count == 0 ? null : numbers.Select(n => ToChoice<T>(input, n.Value)).ToArray();
     }
 
-    /// <summary>A file as the user means it: relative to the definition's own file, where it has one.</summary>
+    /// <summary>The full path of a file as the user means it: relative to the definition's own file, where it has one.</summary>
     public string PathTo(string file)
-        => Document is { IsFilePathDefined: true } document && !Path.IsPathRooted(file) ? Path.Combine(Path.GetDirectoryName(document.FilePath) ?? "", file) : file;
+    {
+        var folder = Document is { IsFilePathDefined: true } document ? Path.GetDirectoryName(document.FilePath) : null;
+        return Path.GetFullPath(folder is not null && !Path.IsPathRooted(file) ? Path.Combine(folder, file) : file);
+    }
 
     /// <summary>The value of a result after its diagnostics were shown and collected; null where it has none.</summary>
     public T? Accept<T>(Result<T> result, List<string>? texts = null)
@@ -166,6 +176,16 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
         Severity.Warning => GH_RuntimeMessageLevel.Warning,
         _ => GH_RuntimeMessageLevel.Remark,
     };
+
+    private T ToChoice<T>(int input, int number)
+        where T : struct, Enum
+    {
+        foreach (T value in Enum.GetValues(typeof(T)))
+        {
+            if (Convert.ToInt32(value, System.Globalization.CultureInfo.InvariantCulture) == number) return value;
+        }
+        throw new InputProblem($"{component.Params.Input[input].Name} has no choice {NumberFormatter.Format(number)}; there are {string.Join(", ", Enum.GetNames(typeof(T)))}.");
+    }
 
     // The path of an item output is the branch of the inputs; a list output of an item has the number of the item behind it.
     private string Place()

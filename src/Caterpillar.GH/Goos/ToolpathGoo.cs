@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.GCode;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -31,14 +32,24 @@ public sealed class ToolpathGoo : GH_GeometricGoo<Toolpath>, IGH_PreviewData
         Setup = setup;
     }
 
-    private ToolpathGoo(ToolpathGoo other)
-        : this(other.Value, other.Setup)
+    /// <summary>A toolpath that was decoded from a file.</summary>
+    public ToolpathGoo(Decoding decoding)
+        : this(decoding?.Toolpath)
     {
-        _totals = other._totals;
+        Decoding = decoding;
+    }
+
+    private ToolpathGoo(ToolpathGoo other, Toolpath? toolpath)
+        : this(toolpath, other.Setup)
+    {
+        Decoding = other.Decoding;
     }
 
     /// <summary>What it was planned for, where that is known.</summary>
     public PrintSetup? Setup { get; }
+
+    /// <summary>The file that it was decoded from, where it was: written again, lines that no edit touches stay as they are.</summary>
+    public Decoding? Decoding { get; }
 
     public override bool IsValid => Value is not null;
 
@@ -54,7 +65,10 @@ public sealed class ToolpathGoo : GH_GeometricGoo<Toolpath>, IGH_PreviewData
 
     private ToolpathTotals Totals => _totals ??= ToolpathTotals.Of(Value);
 
-    public override IGH_GeometricGoo DuplicateGeometry() => new ToolpathGoo(this);
+    public override IGH_GeometricGoo DuplicateGeometry() => new ToolpathGoo(this, Value) { _totals = _totals };
+
+    /// <summary>An edit of it.</summary>
+    public ToolpathGoo With(Toolpath edited) => new(this, edited);
 
     public override object? ScriptVariable() => Value;
 
@@ -66,7 +80,7 @@ public sealed class ToolpathGoo : GH_GeometricGoo<Toolpath>, IGH_PreviewData
     }
 
     public override IGH_GeometricGoo? Transform(Rg.Transform xform)
-        => Value is not null && RhinoGeometry.ToAffine(xform, DocumentUnits.Current) is { } map ? new ToolpathGoo(Value.Transformed(map), Setup) : null;
+        => Value is not null && RhinoGeometry.ToAffine(xform, DocumentUnits.Current) is { } map ? With(Value.Transformed(map)) : null;
 
     /// <summary>A toolpath can't be bent as a whole: bend its print paths and plan again.</summary>
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph) => null;

@@ -49,7 +49,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
             run.Set(0, null);
             return;
         }
-        run.Set(0, new ToolpathGoo(decoding.Toolpath));
+        run.Set(0, new ToolpathGoo(decoding));
         run.SetList(2, decoding.Settings.OrderBy(s => s.Key, StringComparer.Ordinal).Select(s => $"{s.Key}={s.Value}"));
         run.Set(3, decoding.Dialect.Name);
         run.Summarize($"{NumberFormatter.Format(decoding.Toolpath.Count)} moves");

@@ -23,6 +23,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         ports.Text("Override Reason", "R", "Why the findings of the checks are to be ignored, in words; they stay in the file as a comment. Empty obeys the checks.", "");
         ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; without it the one it was planned for.", optional: true);
         ports.Add(new SettingsParam(), "Settings", "S", "Print settings, or the name of their profile; without them those it was planned for.", optional: true);
+        ports.Boolean("Write Anew", "A", "False writes a decoded file again with only its edits changed; true writes all of it anew, with the printer's start and end code.", false);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -41,8 +42,11 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
             run.SetNulls();
             return;
         }
-        var result = run.Cached([goo.Value, setup, reason],
-            () => run.Work("Writing", (progress, cancel) => SafeWriter.ToDocument(goo.Value, setup, string.IsNullOrWhiteSpace(reason) ? null : reason, progress, cancel)));
+        if (string.IsNullOrWhiteSpace(reason)) reason = null;
+        var anew = run.Get<bool>(5) || goo.Decoding is null;
+        var result = run.Cached([goo.Value, setup, reason, anew], () => run.Work("Writing", (progress, cancel) => anew
+            ? SafeWriter.ToDocument(goo.Value, setup, reason, progress, cancel)
+            : SafeEditor.ToDocument(goo.Decoding!, goo.Value, setup, reason, progress, cancel)));
         var document = run.Accept(result, texts);
         run.Set(0, document is null ? null : new GCodeGoo(document));
         run.SetList(1, texts);

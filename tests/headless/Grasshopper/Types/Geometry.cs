@@ -13,7 +13,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        internal GH_Point(Point3d pt) => _value = pt;
+        public GH_Point(Point3d pt) => _value = pt;
 
         internal Point3d Value
         {

@@ -13,7 +13,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        internal GH_Number(double number) : base(number)
+        public GH_Number(double number) : base(number)
         {
         }
 
@@ -123,7 +123,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        internal GH_String(string value) : base(value)
+        public GH_String(string value) : base(value)
         {
         }
 

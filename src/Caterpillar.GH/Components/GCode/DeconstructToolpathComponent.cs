@@ -1,0 +1,58 @@
+using System;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Params;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Data;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Components.GCode;
+
+/// <summary>Takes a toolpath apart, move by move.</summary>
+public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
+    "Deconstruct Toolpath", "DeTP", "Takes a toolpath apart: for each move its end, material, speed, kind, role and source, one branch per layer.", Panel.GCode)
+{
+    public override Guid ComponentGuid => new("6d012a42-e489-4a36-80c4-6b3d1c1cde28");
+
+    private protected override void Inputs(InputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to take apart.");
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Point("Points", "P", "Where each move ends, in document units. A move without a layer stands with the layer before it.", GH_ParamAccess.tree);
+        ports.Number("Amounts", "E", "Change of E of each move, in mm of filament (or mm³ where the machine counts so).", GH_ParamAccess.tree);
+        ports.Number("Speeds", "V", "Speed of each move, in mm/s.", GH_ParamAccess.tree);
+        ports.Text("Kinds", "K", "What the machine does: Print, Travel, Wipe, Retract, Restore, Moving Restore, Prime or Dwell.", GH_ParamAccess.tree);
+        ports.Text("Roles", "R", "What each strand is for, such as OuterWall or Infill.", GH_ParamAccess.tree);
+        ports.Integer("Sources", "S", "Number of the line of the file, from 1, or of the step of the design, from 0; -1 where there is none.", GH_ParamAccess.tree);
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var toolpath = run.Get<Toolpath>(0);
+        var units = run.Units;
+        var points = new GH_Structure<GH_Point>();
+        GH_Structure<GH_Number> amounts = new(), speeds = new();
+        GH_Structure<GH_String> kinds = new(), roles = new();
+        var sources = new GH_Structure<GH_Integer>();
+        var root = run.PathOf(0);
+        var layer = 0;
+        var path = root.AppendElement(layer);
+        foreach (var move in toolpath.Moves())
+        {
+            if (move.Layer >= 0 && move.Layer != layer) path = root.AppendElement(layer = move.Layer);
+            points.Append(new GH_Point(RhinoGeometry.ToPoint(move.End, units)), path);
+            amounts.Append(new GH_Number(move.E), path);
+            speeds.Append(new GH_Number(move.Speed), path);
+            kinds.Append(new GH_String(move.Kind.ToString()), path);
+            roles.Append(new GH_String(move.Role.ToString()), path);
+            sources.Append(new GH_Integer(move.Source), path);
+        }
+        run.SetTree(0, points);
+        run.SetTree(1, amounts);
+        run.SetTree(2, speeds);
+        run.SetTree(3, kinds);
+        run.SetTree(4, roles);
+        run.SetTree(5, sources);
+    }
+}

@@ -1,0 +1,33 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GH.Components.GCode;
+
+/// <summary>Keeps some moves of a toolpath, or takes them out.</summary>
+public sealed class FilterToolpathComponent() : CaterpillarComponent(
+    "Filter Toolpath", "FilterTP", "Keeps the moves of some roles, layers or places, or takes them out; travels and retractions are mended at the cuts.", Panel.GCode)
+{
+    public override Guid ComponentGuid => new("3db465e0-e208-4bcc-8814-4b292260c251");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to cut, planned or decoded.");
+        MoveFilterPorts.Declare(ports);
+        ports.Boolean("Remove", "Re", "True takes the chosen moves out, false keeps only them.", false);
+    }
+
+    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "What is left.");
+
+    private protected override void Solve(Run run)
+    {
+        var goo = run.Get<ToolpathGoo>(0);
+        var filter = MoveFilterPorts.Read(run, 1);
+        var edited = run.Get<bool>(5) ? goo.Value.Remove(filter) : goo.Value.Keep(filter);
+        run.Set(0, goo.With(edited));
+        run.Summarize($"{NumberFormatter.Format(edited.Count)} moves");
+    }
+}

@@ -1,0 +1,59 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.GCode;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Params;
+
+namespace Caterpillar.GH.Components.GCode;
+
+/// <summary>Writes G-code to a file when a button is pressed.</summary>
+public sealed class SaveGCodeComponent() : CaterpillarComponent(
+    "Save G-code", "Save", "Writes G-code to a file at the moment when Save becomes true; the file is written whole or not at all.", Panel.GCode)
+{
+    // By item: whether Save was true in the last solution, and what was written last.
+    private readonly Dictionary<int, bool> _pressed = [];
+    private readonly Dictionary<int, (GCodeDocument Document, string File)> _written = [];
+
+    public override Guid ComponentGuid => new("9e6a8f1a-0011-4d61-99a7-075d3a567637");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new GCodeParam(), "G-code", "G", "G-code to write.");
+        ports.Target("File", "F", "File to write; relative to the definition's own file.", "G-code|*.gcode");
+        ports.Boolean("Save", "S", "The moment it becomes true the file is written: give a button.", false);
+        ports.Boolean("Overwrite", "O", "True replaces a file that is there already.", false);
+    }
+
+    private protected override void Outputs(OutputPorts ports) => ports.Text("Path", "P", "The file, once this G-code is in it.");
+
+    private protected override void Solve(Run run)
+    {
+        var save = run.Get<bool>(2);
+        var rising = save && !(_pressed.TryGetValue(run.Iteration, out var before) && before);
+        _pressed[run.Iteration] = save;
+        var document = run.Get<GCodeDocument>(0);
+        var name = run.Get<string>(1);
+        if (name.Trim().Length == 0) throw new InputProblem("File is missing.") { IsMissing = true };
+        var file = run.PathTo(name);
+        if (rising) Write(run, document, file, run.Get<bool>(3));
+        var done = _written.TryGetValue(run.Iteration, out var last) && ReferenceEquals(last.Document, document) && last.File == file && File.Exists(file);
+        run.Set(0, done ? file : null);
+        if (done) run.Summarize($"{NumberFormatter.Format(document.Length / 1024)} KB saved");
+    }
+
+    private void Write(Run run, GCodeDocument document, string file, bool overwrite)
+    {
+        if (File.Exists(file) && !overwrite) throw new InputProblem($"{file} is there already, and Overwrite is false.");
+        run.Work("Saving", (_, _) =>
+        {
+            using var whole = new WholeFile(file);
+            document.WriteTo(whole.Stream);
+            whole.Commit();
+            return file;
+        });
+        _written[run.Iteration] = (document, file);
+    }
+}

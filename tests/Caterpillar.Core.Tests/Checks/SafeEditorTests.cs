@@ -1,0 +1,49 @@
+using System.Linq;
+using System.Text;
+using Caterpillar.Checks;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Checks;
+
+public sealed class SafeEditorTests
+{
+    private const string File = "; mine\nM104 S210\nM109 S210\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200 ; one\nG1 X20 Y20 E0.5\n; end\n";
+
+    private static Decoding Decoded(string text = File) => Caterpillar.GCode.Decoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!;
+
+    private static string Text(GCodeDocument document) => Encoding.UTF8.GetString(document.ToBytes());
+
+    [Test]
+    public void An_unedited_file_stays_as_it_is()
+    {
+        var decoding = Decoded();
+        Assert.That(Text(SafeEditor.ToDocument(decoding, decoding.Toolpath, new PrintSetup()).Value!), Is.EqualTo(File));
+    }
+
+    [Test]
+    public void Only_edited_lines_differ()
+    {
+        var decoding = Decoded();
+        var edited = decoding.Toolpath.ScaleSpeed(MoveFilter.Prints, 0.5);
+        var lines = Text(SafeEditor.ToDocument(decoding, edited, new PrintSetup()).Value!).Split('\n');
+        Assert.That(lines.Take(6), Is.EqualTo(File.Split('\n').Take(6)));
+        Assert.That(lines, Has.Member("G1 X20 Y10 E0.5 F600 ; one").And.Member("; end"));
+    }
+
+    [Test]
+    public void An_edit_off_the_bed_is_refused_and_only_a_reason_overrides_it()
+    {
+        var decoding = Decoded();
+        var edited = decoding.Toolpath.Transformed(Caterpillar.Geometry.Affine.Move(new(500, 0)));
+        var refused = SafeEditor.ToDocument(decoding, edited, new PrintSetup());
+        Assert.That(refused.Value, Is.Null);
+        Assert.That(refused.Diagnostics.Select(d => d.Code), Has.Member("bed.outside").And.Member(SafeWriter.Refused));
+        Assert.That(SafeEditor.ToDocument(decoding, edited, new PrintSetup(), "!!!").Value, Is.Null);
+        var overridden = SafeEditor.ToDocument(decoding, edited, new PrintSetup(), "the table moves");
+        Assert.That(Text(overridden.Value!), Does.Contain("Reason: the table moves"));
+        Assert.That(overridden.HasErrors, Is.False);
+    }
+}

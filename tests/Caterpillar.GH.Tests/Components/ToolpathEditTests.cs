@@ -1,0 +1,141 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Caterpillar.GCode;
+using Caterpillar.GH.Components.GCode;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Tests.Host;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+using Rhino;
+
+namespace Caterpillar.GH.Tests.Components;
+
+public sealed class ToolpathEditTests
+{
+    private const string File = "; by hand\nM104 S210\nM109 S210\nG90\nM83\n;LAYER_CHANGE\n;TYPE:Perimeter\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200 ; one\n"
+        + ";TYPE:Internal infill\nG1 X20 Y20 E0.5\n;LAYER_CHANGE\n;TYPE:Perimeter\nG1 X20 Y20 Z0.4\nG1 X10 Y20 E0.5\n; end\n";
+
+    private static ToolpathGoo Decoded() => (ToolpathGoo)new Canvas<DecodeGCodeComponent>().Feed("G-code", File).Solve().Output("Toolpath").VolatileData.get_Branch(0)[0]!;
+
+    private static Toolpath Value(ToolpathGoo goo) => goo.Value;
+
+    [Test]
+    public void A_toolpath_comes_apart_with_a_branch_per_layer()
+    {
+        var canvas = new Canvas<DeconstructToolpathComponent>().Feed("Toolpath", Decoded()).Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That(canvas.Paths("Points"), Is.EqualTo(new[] { "{0;0;0}", "{0;0;1}" }).Or.EqualTo(new[] { "{0;0}", "{0;1}" }));
+        Assert.That(canvas.All("Kinds"), Is.EqualTo(Value(Decoded()).Moves().Select(m => m.Kind.ToString())));
+        Assert.That(canvas.All("Roles"), Has.Member("InnerWall").And.Member("Infill"));
+        Assert.That(canvas.All("Sources"), Has.Member(9).And.Member(11));
+        Assert.That(canvas.All("Amounts").Cast<double>().Sum(), Is.EqualTo(1.5).Within(1e-9));
+        Assert.That(canvas.All("Points").Last(), Is.EqualTo(new Rg.Point3d(10, 20, 0.4)));
+    }
+
+    [Test]
+    public void Null_and_wrong_toolpaths_stop_only_their_item()
+    {
+        var apart = new Canvas<DeconstructToolpathComponent>().FeedTree("Toolpath", [null], [Decoded(), "G28"]).Solve();
+        Assert.That(apart.All("Kinds"), Is.Not.Empty);
+        Assert.That(apart.Warnings, Has.Count.EqualTo(2));
+        var edited = new Canvas<EditToolpathComponent>().Feed("Toolpath", null, Decoded()).Feed("Speed Factor", 2).Solve();
+        Assert.That(edited.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { true, false }));
+        Assert.That(new Canvas<FilterToolpathComponent>().Solve().Warnings, Is.EqualTo(new[] { "Input parameter T failed to collect data" }));
+    }
+
+    [Test]
+    public void Moves_of_a_role_a_layer_or_a_box_are_kept_or_removed()
+    {
+        var infill = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Roles", "infill").Solve();
+        Assert.That(infill.Errors, Is.Empty);
+        Assert.That(infill.One<Toolpath>("Toolpath").Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Role).Distinct(), Is.EqualTo(new[] { Role.Infill }));
+        var first = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Last Layer", 0).Feed("Remove", true).Solve();
+        Assert.That(first.One<Toolpath>("Toolpath").Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
+        var box = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Box", Rg.Brep.CreateFromBox(new Rg.BoundingBox(15, 5, 0, 25, 15, 1))).Solve();
+        Assert.That(box.One<Toolpath>("Toolpath").Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
+        Assert.That(infill.Feed("Roles", "infill", 99).Solve().Errors, Has.One.Contains("Roles has no choice 99"));
+    }
+
+    [Test]
+    public void A_box_is_meant_in_document_units()
+    {
+        var goo = Decoded();
+        using var _ = new InDocument(UnitSystem.Centimeters);
+        var box = new Canvas<FilterToolpathComponent>().Feed("Toolpath", goo).Feed("Box", Rg.Brep.CreateFromBox(new Rg.BoundingBox(1.5, 0.5, 0, 2.5, 1.5, 1))).Solve();
+        Assert.That(box.One<Toolpath>("Toolpath").Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void An_edited_file_is_written_again_with_only_its_edits()
+    {
+        var edit = new Canvas<EditToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Roles", "Infill").Feed("Speed Factor", 0.5).Solve();
+        Assert.That(edit.Errors, Is.Empty);
+        var goo = edit.Output("Toolpath").VolatileData.get_Branch(0)[0];
+        var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", goo).Feed("Printer", "generic").Solve();
+        Assert.That(write.Errors, Is.Empty);
+        var lines = Encoding.UTF8.GetString(write.One<GCodeDocument>("G-code").ToBytes()).Split('\n');
+        Assert.That(lines.Except(File.Split('\n')), Has.All.Contains("F"), "Only lines with another speed are new.");
+        Assert.That(lines, Has.Some.EqualTo("G1 X20 Y10 E0.5 F1200 ; one").And.Some.Contains("X20 Y20 E0.5 F600"));
+        write.Feed("Write Anew", true).Solve();
+        Assert.That(Encoding.UTF8.GetString(write.One<GCodeDocument>("G-code").ToBytes()), Does.Not.Contain("; by hand"));
+    }
+
+    [Test]
+    public void An_unedited_file_comes_back_byte_for_byte()
+        => Assert.That(new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Printer", "generic").Solve().One<GCodeDocument>("G-code").ToBytes(),
+            Is.EqualTo(Encoding.UTF8.GetBytes(File)));
+
+    [Test]
+    public void A_pause_comes_before_its_layer()
+    {
+        var canvas = new Canvas<EditToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Pause Layer", 1).Solve();
+        Assert.That(canvas.One<Toolpath>("Toolpath").Events.Count(e => e.Event is PauseEvent), Is.EqualTo(1));
+        Assert.That(canvas.Feed("Pause Layer", 17).Solve().Warnings, Has.One.Contains("There is no such layer to pause at."));
+        Assert.That(canvas.Feed("Speed Factor", 0).Solve().Errors, Has.One.Contains("Speed Factor must be greater than zero"));
+    }
+
+    [Test]
+    public void Saving_happens_once_at_the_press_and_never_over_a_file_unasked()
+    {
+        var folder = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N"));
+        Directory.CreateDirectory(folder);
+        try
+        {
+            var file = Path.Combine(folder, "out.gcode");
+            var canvas = new Canvas<SaveGCodeComponent>();
+            canvas.Document.FilePath = Path.Combine(folder, "definition.gh");
+            canvas.Feed("G-code", GCodeDocument.FromText(File)).Feed("File", "out.gcode").Solve();
+            Assert.That(System.IO.File.Exists(file), Is.False, "Nothing is written unasked.");
+            canvas.Feed("Save", true).Solve();
+            Assert.That(canvas.Errors, Is.Empty);
+            Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo(File));
+            Assert.That(canvas.One<string>("Path"), Is.EqualTo(file));
+            System.IO.File.WriteAllText(file, "changed");
+            canvas.Component.ExpireSolution(false);
+            canvas.Solve();
+            Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo("changed"), "Held down it does not write again.");
+            canvas.Feed("Save", false).Solve().Feed("Save", true).Solve();
+            Assert.That(canvas.Errors, Has.One.Contains("is there already, and Overwrite is false."));
+            Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo("changed"));
+            canvas.Feed("Save", false).Feed("Overwrite", true).Solve().Feed("Save", true).Solve();
+            Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo(File));
+            canvas.Feed("G-code", GCodeDocument.FromText("G28\n")).Feed("Save", false).Solve();
+            Assert.That(canvas.All("Path"), Is.EqualTo(new object?[] { null }), "Other G-code is not in the file yet.");
+            Assert.That(Directory.GetFiles(folder), Has.Length.EqualTo(1));
+        }
+        finally
+        {
+            Directory.Delete(folder, true);
+        }
+    }
+
+    [Test]
+    public void A_folder_that_is_not_there_is_an_error()
+    {
+        var canvas = new Canvas<SaveGCodeComponent>().Feed("G-code", "G28", null).Feed("File", Path.Combine(Path.GetTempPath(), "no such folder", "a.gcode")).Feed("Save", true).Solve();
+        Assert.That(canvas.Errors, Has.Count.EqualTo(1));
+        Assert.That(canvas.Warnings, Has.Member("{0}[1]: G-code is missing."));
+    }
+}
