@@ -90,7 +90,7 @@ public static class PlanarSlicer
     private static SlicedLayer Fill(LayerWork work, int number, PrintSettings settings, RegionEngine engine)
     {
         var rules = SliceRules.Of(settings, work.Plan.Thickness);
-        var region = Region.From(work.Section.Loops).Simplified(rules.Simplify, engine);
+        var region = Region.From(work.Section.Loops, FillRule.NonZero, false, engine).Simplified(rules.Simplify, engine);
         var steps = new List<PathStep>();
         var slicer = new IslandSlicer(rules, work.Layer, engine);
         var islands = region.Islands;
