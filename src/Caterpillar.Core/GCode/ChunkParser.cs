@@ -49,7 +49,7 @@ internal sealed class ChunkParser(byte extruder)
     private const int NoWord = 255;
     private readonly byte[] _slots = Slots(extruder);
 
-    public LineRecord[] Records { get; private set; } = new LineRecord[4096];
+    public LineRecord[] Records { get; private set; } = new LineRecord[64];
 
     public int Count { get; private set; }
 

@@ -18,8 +18,16 @@ internal static class ChunkReader
             foreach (var chunk in Plain(stream, head, known, bufferSize, cancel)) yield return chunk;
             yield break;
         }
-        using var unpacked = new GZipStream(new Joined(head, known, stream), CompressionMode.Decompress, true);
-        foreach (var chunk in Plain(unpacked, head, 0, bufferSize, cancel)) yield return chunk;
+        var packed = new Joined(head, known, stream);
+        using var unpacked = new GZipStream(packed, CompressionMode.Decompress, true);
+        long length = 0;
+        foreach (var chunk in Plain(unpacked, head, 0, bufferSize, cancel))
+        {
+            length += chunk.Length;
+            yield return chunk;
+        }
+        // The runtimes take the end of a cut-off file for the end of its text; its last bytes tell the length.
+        if (packed.StatedLength is not { } stated || length < stated) throw new InvalidDataException("It is cut off.");
     }
 
     private static IEnumerable<GCodeChunk> Plain(Stream stream, byte[] head, int known, int bufferSize, CancellationToken cancel)
@@ -73,7 +81,12 @@ internal static class ChunkReader
     // Bytes that were looked at, and then the rest of the stream.
     private sealed class Joined(byte[] head, int count, Stream rest) : Stream
     {
+        private readonly byte[] _last = new byte[4];
         private int _at;
+        private long _read;
+
+        /// <summary>The unpacked length in the last bytes (that of the last member), or null where there is no trailer.</summary>
+        public long? StatedLength => _read < 18 ? null : _last[0] + 256L * (_last[1] + 256L * (_last[2] + 256L * _last[3]));
 
         public override bool CanRead => true;
 
@@ -91,10 +104,15 @@ internal static class ChunkReader
 
         public override int Read(byte[] buffer, int offset, int length)
         {
-            if (_at >= count) return rest.Read(buffer, offset, length);
-            var part = Math.Min(length, count - _at);
-            Buffer.BlockCopy(head, _at, buffer, offset, part);
-            _at += part;
+            var part = _at < count ? Math.Min(length, count - _at) : rest.Read(buffer, offset, length);
+            if (_at < count) Buffer.BlockCopy(head, _at, buffer, offset, part);
+            _at = Math.Min(_at + part, count);
+            for (var i = Math.Max(part - 4, 0); i < part; i++)
+            {
+                Buffer.BlockCopy(_last, 1, _last, 0, 3);
+                _last[3] = buffer[offset + i];
+            }
+            _read += part;
             return part;
         }
 

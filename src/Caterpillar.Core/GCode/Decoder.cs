@@ -92,7 +92,7 @@ public static class Decoder
         ChunkPipeline.Run(
             chunks,
             axis.Letter,
-            options.Degree,
+            document is { Chunks.Count: < 3 } ? 1 : options.Degree,
             (parser, done) =>
             {
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;

@@ -114,7 +114,7 @@ internal sealed partial class DecoderCore
     private void Arc(Vec3 start, Vec3 end, double e, Arc arc)
     {
         var length = arc.Length(start, end);
-        if (!(length * length < LargestSquare))
+        if (!(length * length < LargestSquare) || IsTooFar(end.X, end.Y, end.Z) || IsTooFar(arc.Center.X, arc.Center.Y, arc.Center.Z) || !(Math.Abs(e) < LargestE))
         {
             Tally.Feeds++;
             OutOfRange();

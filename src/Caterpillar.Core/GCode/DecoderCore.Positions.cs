@@ -68,7 +68,7 @@ internal sealed partial class DecoderCore
     private bool RenameAxis(double word, ref double position, ref double shift, ref bool known)
     {
         word *= Unit;
-        if (!(word is > -LargestE and < LargestE))
+        if (!(word is > -Largest and < Largest))
         {
             OutOfRange();
             return false;

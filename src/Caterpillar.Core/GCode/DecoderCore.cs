@@ -16,8 +16,9 @@ internal sealed partial class DecoderCore
     private const byte LastFastOp = 1;
 
     // Beyond these a number is no length in mm: such a move is left out and reported.
-    private const double LargestSquare = 1e24;
-    private const double LargestE = 1e12;
+    private const double Largest = 1e10;
+    private const double LargestSquare = Largest * Largest;
+    private const double LargestE = 1e9;
     private const double NoChange = 1e-9;
 
     private readonly DialectRules _rules;
@@ -132,7 +133,7 @@ internal sealed partial class DecoderCore
         var length2 = square + dz * dz;
         if (code == 0) Tally.Rapids++;
         else Tally.Feeds++;
-        if (!(length2 < LargestSquare) || !(e < LargestE && e > -LargestE))
+        if (!(length2 < LargestSquare) || !(e < LargestE && e > -LargestE) || (length2 > 1e6 && IsTooFar(x, y, z)))
         {
             OutOfRange();
             return;
@@ -145,6 +146,8 @@ internal sealed partial class DecoderCore
         }
         Moved(x, y, z, e, code, Math.Sqrt(length2), Math.Sqrt(square), dz == 0);
     }
+
+    private static bool IsTooFar(double x, double y, double z) => !(Math.Abs(x) < Largest && Math.Abs(y) < Largest && Math.Abs(z) < Largest);
 
     private void Moved(double x, double y, double z, double e, int code, double length, double lengthXY, bool flat)
     {
@@ -250,5 +253,5 @@ internal sealed partial class DecoderCore
     }
 
     private void OutOfRange() => Diagnostics.Add(
-        Severity.Warning, "gcode.number_range", "A move beyond 10¹² mm (or a sum that is no number) is left out.", new SourceLocation(Line: _line));
+        Severity.Warning, "gcode.number_range", "A move beyond 10¹⁰ mm (or a sum that is no number) is left out.", new SourceLocation(Line: _line));
 }

@@ -18,6 +18,7 @@ public sealed partial class GCodeWriter
 {
     // An absolute E beyond this is set back to 0 where a layer begins: firmwares count with 24 bits.
     private const double LargestSum = 1000;
+    private const double LargestWanted = 1e8;
 
     private readonly Toolpath _toolpath;
     private readonly GCodeFormat _format;
@@ -222,12 +223,25 @@ public sealed partial class GCodeWriter
         changed = false;
         if (_e == 0) return 0;
         var sum = _sum;
+        if (Math.Abs(sum.Wanted) > LargestWanted) Rebase();
         sum.Wanted += e;
         var units = NumberFormatter.ToUnits(sum.Wanted, _format.DecimalsE);
         var step = units - sum.Written;
         changed = step != 0;
         sum.Written = units;
         return _relative ? step : units;
+    }
+
+    // Sums stay within what can be printed.
+    private void Rebase()
+    {
+        if (!_relative)
+        {
+            ResetE();
+            return;
+        }
+        _sum.Wanted -= NumberFormatter.FromUnits(_sum.Written, _format.DecimalsE);
+        _sum.Written = 0;
     }
 
     private void Feed(double speed)

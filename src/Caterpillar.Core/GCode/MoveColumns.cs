@@ -13,7 +13,7 @@ internal sealed class MoveColumns
     private readonly List<Arc> _arcs = [];
     private int _sealed;
 
-    public ToolpathColumns Columns { get; private set; } = new(1024);
+    public ToolpathColumns Columns { get; private set; } = new(64);
 
     /// <summary>Number of moves so far.</summary>
     public int Count => _sealed + Columns.Count;
