@@ -61,7 +61,7 @@ internal sealed class ConvertVerb : Verb
         }
         catch (InvalidDataException broken)
         {
-            session.Print([new Diagnostic(Severity.Error, "gcode.gzip", "The file is a broken gzip file: " + broken.Message, new SourceLocation(Session.NameOf(file)))]);
+            session.Print([new Diagnostic(Severity.Error, "gcode.packed", "The packed file is broken: " + broken.Message, new SourceLocation(Session.NameOf(file)))]);
             return ExitCode.BadInput;
         }
         var decoding = session.Need(session.Long("Reading", p => Decoder.Decode(document, new DecodeOptions { Dialect = from, FilamentDiameter = arguments.GetValue(_diameter) }, p, session.Cancel)));

@@ -58,7 +58,7 @@ internal sealed class DecodeVerb : Verb
             }
             catch (InvalidDataException broken)
             {
-                session.Print([new Diagnostic(Severity.Error, "gcode.gzip", "The file is a broken gzip file: " + broken.Message, new SourceLocation(Session.NameOf(file)))]);
+                session.Print([new Diagnostic(Severity.Error, "gcode.packed", "The packed file is broken: " + broken.Message, new SourceLocation(Session.NameOf(file)))]);
                 bad = true;
             }
         }

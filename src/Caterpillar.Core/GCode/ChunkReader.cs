@@ -6,13 +6,24 @@ using System.Threading;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Reads a stream into chunks that end behind line ends; gzip is recognized by its first bytes.</summary>
+/// <summary>Reads a stream into chunks that end behind line ends; gzip and binary G-code are recognized by their first bytes.</summary>
 internal static class ChunkReader
 {
     public static IEnumerable<GCodeChunk> Read(Stream stream, int bufferSize, CancellationToken cancel)
     {
-        var head = new byte[3];
+        var head = new byte[4];
         var known = Fill(stream, head, 0);
+        if (BinaryGCode.IsBinary(head, known))
+        {
+            using var whole = new MemoryStream();
+            whole.Write(head, 0, known);
+            stream.CopyTo(whole);
+            var text = BinaryGCode.Unpack(whole.ToArray(), cancel);
+            var pieces = new List<GCodeChunk>();
+            GCodeDocument.Cut(text, text.Length, pieces);
+            foreach (var piece in pieces) yield return piece;
+            yield break;
+        }
         if (!GCodeDocument.IsGzip(head, known))
         {
             foreach (var chunk in Plain(stream, head, known, bufferSize, cancel)) yield return chunk;

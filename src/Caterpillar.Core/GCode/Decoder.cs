@@ -27,7 +27,7 @@ public static class Decoder
         return Run(document, document.Chunks, axis, document.Length, document.Name, options ?? new DecodeOptions(), progress, cancel);
     }
 
-    /// <summary>Decodes bytes, plain or gzip.</summary>
+    /// <summary>Decodes bytes: plain, gzip, or binary G-code.</summary>
     /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
     public static Result<Decoding> Decode(byte[] bytes, DecodeOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -38,7 +38,7 @@ public static class Decoder
         }
         catch (InvalidDataException broken)
         {
-            return new Result<Decoding>(null, [new Diagnostic(Severity.Error, "gcode.gzip", "The file is a broken gzip file: " + broken.Message)]);
+            return new Result<Decoding>(null, [new Diagnostic(Severity.Error, "gcode.packed", "The packed file is broken: " + broken.Message)]);
         }
         return Decode(document, options, progress, cancel);
     }

@@ -43,12 +43,12 @@ public sealed class GCodeDocument
 
     internal IReadOnlyList<GCodeChunk> Chunks => _chunks;
 
-    /// <summary>A document over bytes, which are not copied and must not be changed afterwards. Packed bytes (gzip) are unpacked.</summary>
-    /// <exception cref="InvalidDataException">The bytes are a broken gzip file.</exception>
+    /// <summary>A document over bytes, which are not copied and must not be changed afterwards. Packed bytes (gzip, binary G-code) are unpacked.</summary>
+    /// <exception cref="InvalidDataException">The bytes are a broken gzip or binary G-code file.</exception>
     public static GCodeDocument FromBytes(byte[] bytes, string name = "")
     {
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
-        if (IsGzip(bytes, bytes.Length)) return Read(new MemoryStream(bytes, false), name);
+        if (IsGzip(bytes, bytes.Length) || BinaryGCode.IsBinary(bytes, bytes.Length)) return Read(new MemoryStream(bytes, false), name);
         var chunks = new List<GCodeChunk>(bytes.Length / GCodeChunk.Target + 1);
         Cut(bytes, bytes.Length, chunks);
         return new GCodeDocument(chunks.ToArray(), name);
@@ -57,18 +57,18 @@ public sealed class GCodeDocument
     /// <summary>A document from text; characters beyond Latin-1 are written as UTF-8.</summary>
     public static GCodeDocument FromText(string text, string name = "") => FromBytes(TextEncoding.Encode(text), name);
 
-    /// <summary>Reads a file, plain or packed with gzip.</summary>
+    /// <summary>Reads a file: plain, packed with gzip, or binary G-code (.bgcode).</summary>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="InvalidDataException">The file is a broken gzip file.</exception>
+    /// <exception cref="InvalidDataException">The file is a broken gzip or binary G-code file.</exception>
     public static GCodeDocument ReadFile(string path, CancellationToken cancel = default)
     {
         using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
         return Read(stream, Path.GetFileName(path), cancel);
     }
 
-    /// <summary>Reads a stream to its end, plain or packed with gzip. The stream stays open.</summary>
+    /// <summary>Reads a stream to its end: plain, packed with gzip, or binary G-code. The stream stays open.</summary>
     /// <exception cref="IOException">The stream cannot be read.</exception>
-    /// <exception cref="InvalidDataException">It is a broken gzip stream.</exception>
+    /// <exception cref="InvalidDataException">It is a broken gzip or binary G-code stream.</exception>
     public static GCodeDocument Read(Stream stream, string name = "", CancellationToken cancel = default)
     {
         var chunks = new List<GCodeChunk>();
