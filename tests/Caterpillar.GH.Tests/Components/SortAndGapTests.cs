@@ -58,6 +58,16 @@ public sealed class SortAndGapTests
     }
 
     [Test]
+    public void A_sliced_path_keeps_its_region_on_the_wire_until_it_is_moved()
+    {
+        var region = Region.Rectangle(0, 0, 10, 10);
+        var goo = new PrintPathGoo(new PathStep(Line(0, 10), new StepGroup(0)) { Region = region, KeepStart = true });
+        Assert.That(((PrintPathGoo)goo.DuplicateGeometry()).ToStep(), Has.Property("Region").SameAs(region).And.Property("KeepStart").True);
+        var moved = (PrintPathGoo)goo.Transform(Rg.Transform.Translation(1, 0, 0))!;
+        Assert.That(moved.ToStep().Region, Is.Null);
+    }
+
+    [Test]
     public void Gap_beads_fill_down_to_the_bed_and_to_earlier_paths()
     {
         var canvas = new Canvas<GapBeadComponent>().Feed("Print Paths", Line(0, 10, 0.3), Line(0, 10, 0.5)).Solve();
