@@ -66,8 +66,8 @@ public sealed class ArcLength
     public double ParameterAt(double length)
     {
         if (_spans.Count == 0) return 0;
-        var (span, u) = Locate(length);
-        return _spans[span].ParameterOf(u);
+        var (leaf, u) = Locate(length);
+        return _spans[_leaves[leaf].Span].ParameterOf(u);
     }
 
     internal List<CurveSpan> Spans => _spans;
@@ -81,8 +81,8 @@ public sealed class ArcLength
         return (leaf.Span, leaf.From, leaf.To, leaf.Start, leaf.Length);
     }
 
-    /// <summary>The span and its u at a length from the start.</summary>
-    internal (int Span, double U) Locate(double length)
+    /// <summary>The leaf, and the u of its span, at a length from the start.</summary>
+    internal (int Leaf, double U) Locate(double length)
     {
         int low = 0, high = _leaves.Count;
         while (high - low > 1)
@@ -93,11 +93,11 @@ public sealed class ArcLength
         }
         var leaf = _leaves[low];
         var target = length - leaf.Start;
-        if (!(target > 0)) return (leaf.Span, leaf.From);
-        if (target >= leaf.Length) return (leaf.Span, leaf.To);
+        if (!(target > 0)) return (low, leaf.From);
+        if (target >= leaf.Length) return (low, leaf.To);
         var share = target / leaf.Length;
-        if (_spans[leaf.Span].IsEven) return (leaf.Span, leaf.From + (leaf.To - leaf.From) * share);
-        return (leaf.Span, Invert(_spans[leaf.Span], leaf, target, share));
+        if (_spans[leaf.Span].IsEven) return (low, leaf.From + (leaf.To - leaf.From) * share);
+        return (low, Invert(_spans[leaf.Span], leaf, target, share));
     }
 
     // Newton's method, kept inside a shrinking bracket.

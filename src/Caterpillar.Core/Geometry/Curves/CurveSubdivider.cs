@@ -16,6 +16,8 @@ public static class CurveSubdivider
         if (curve is null) throw new ArgumentNullException(nameof(curve));
         if (options is null) throw new ArgumentNullException(nameof(options));
         options.Check();
+        // Straight enough never means farther off than the chords may be.
+        if (options.ChordTolerance > 0 && options.LinearTolerance > 0.5 * options.ChordTolerance) options = options with { LinearTolerance = 0.5 * options.ChordTolerance };
         var work = new Work(options);
         if (curve is PolylineCurve polyline) return work.Polyline(polyline);
         var spans = curve.Spans();

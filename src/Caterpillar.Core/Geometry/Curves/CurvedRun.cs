@@ -35,17 +35,16 @@ internal sealed class CurvedRun
     public List<Vec3> Divide()
     {
         var stations = Adapts ? ByDensity() : ByLength();
-        var spans = _length.Spans;
         var last = new Station(0, 0, 0);
         foreach (var s in stations)
         {
             if (s <= last.S || s >= _length.Total) continue;
-            var (span, u) = _length.Locate(s);
-            var next = new Station(s, span, u);
+            var (leaf, u) = _length.Locate(s);
+            var next = new Station(s, leaf, u);
             Add(last, next, 0);
             last = next;
         }
-        Add(last, new Station(_length.Total, spans.Count - 1, 1), 0);
+        Add(last, new Station(_length.Total, _length.LeafCount - 1, 1), 0);
         return _points;
     }
 
@@ -178,8 +177,8 @@ internal sealed class CurvedRun
         if (depth < 24 && _points.Count < MaxPoints && (to.S - from.S) * 0.5 >= Math.Max(_options.MinLength, 1e-6) && Fails(from, to))
         {
             var s = 0.5 * (from.S + to.S);
-            var (span, u) = _length.Locate(s);
-            var middle = new Station(s, span, u);
+            var (leaf, u) = _length.Locate(s);
+            var middle = new Station(s, leaf, u);
             Add(from, middle, depth + 1);
             Add(middle, to, depth + 1);
             return;
@@ -190,44 +189,80 @@ internal sealed class CurvedRun
     private bool Fails(Station from, Station to)
     {
         if (_longest > 0 && to.S - from.S > _longest * (1 + 1e-9)) return true;
-        if (!Adapts) return false;
-        var spans = _length.Spans;
+        return Adapts && (Deviates(from, to) || Turns(from, to));
+    }
+
+    // Samples in every leaf, within which the speed changes little, then a search around the farthest one.
+    private bool Deviates(Station from, Station to)
+    {
+        if (_options.ChordTolerance == 0) return false;
+        const int Samples = 6;
+        var limit = Measured * _options.ChordTolerance;
         var start = PointOf(from);
         var chord = PointOf(to) - start;
-        var squared = chord.LengthSquared;
-        var largest = Measured * _options.ChordTolerance;
-        var turn = 0.0;
-        var lastTangent = Tangent(spans[from.Span], from.U);
-        for (var number = from.Span; number <= to.Span; number++)
+        for (var number = from.Leaf; number <= to.Leaf; number++)
         {
-            var a = number == from.Span ? from.U : 0;
-            var b = number == to.Span ? to.U : 1;
+            var leaf = _length.LeafAt(number);
+            var span = _length.Spans[leaf.Span];
+            var a = number == from.Leaf ? from.U : leaf.From;
+            var b = number == to.Leaf ? to.U : leaf.To;
             if (!(b > a)) continue;
-            const int Samples = 8;
-            for (var k = 1; k <= Samples; k++)
+            var step = (b - a) / Samples;
+            var (largest, at) = (0.0, a);
+            for (var k = 0; k <= Samples; k++)
             {
-                var u = a + (b - a) * k / Samples;
-                if (_options.ChordTolerance > 0)
-                {
-                    var d = spans[number].Point(u) - start;
-                    var along = squared > 0 ? Math.Min(Math.Max(Vec3.Dot(d, chord) / squared, 0), 1) : 0;
-                    if ((d - chord * along).LengthSquared > largest * largest) return true;
-                }
-                if (_options.Angle > 0)
-                {
-                    var tangent = Tangent(spans[number], u);
-                    turn += CurveSpan.TurnDegrees(lastTangent, tangent);
-                    lastTangent = tangent;
-                    if (turn > _options.Angle) return true;
-                }
+                var distance = Distance(span.Point(a + step * k), start, chord);
+                if (distance > largest) (largest, at) = (distance, a + step * k);
+            }
+            if (largest > limit) return true;
+            if (largest < 0.5 * limit) continue;
+            for (var width = step / 2; width > step / 20; width /= 2)
+            {
+                var (left, right) = (Math.Max(a, at - width), Math.Min(b, at + width));
+                var (dl, dr) = (Distance(span.Point(left), start, chord), Distance(span.Point(right), start, chord));
+                if (dl > largest) (largest, at) = (dl, left);
+                if (dr > largest) (largest, at) = (dr, right);
+            }
+            if (largest > limit) return true;
+        }
+        return false;
+    }
+
+    private bool Turns(Station from, Station to)
+    {
+        if (_options.Angle == 0) return false;
+        const int Samples = 6;
+        var turn = 0.0;
+        Vec3? last = null;
+        for (var number = from.Leaf; number <= to.Leaf; number++)
+        {
+            var leaf = _length.LeafAt(number);
+            var span = _length.Spans[leaf.Span];
+            var a = number == from.Leaf ? from.U : leaf.From;
+            var b = number == to.Leaf ? to.U : leaf.To;
+            if (!(b > a)) continue;
+            for (var k = 0; k <= Samples; k++)
+            {
+                var tangent = Tangent(span, a + (b - a) * k / Samples);
+                if (last is { } before) turn += CurveSpan.TurnDegrees(before, tangent);
+                last = tangent;
+                if (turn > _options.Angle) return true;
             }
         }
         return false;
     }
 
+    private static double Distance(Vec3 p, Vec3 start, Vec3 chord)
+    {
+        var d = p - start;
+        var squared = chord.LengthSquared;
+        var along = squared > 0 ? Math.Min(Math.Max(Vec3.Dot(d, chord) / squared, 0), 1) : 0;
+        return (d - chord * along).Length;
+    }
+
     private static Vec3 Tangent(CurveSpan span, double u) => u <= 0 ? span.StartTangent : u >= 1 ? span.EndTangent : span.Derivatives(u).First.Unit();
 
-    private Vec3 PointOf(Station station) => _length.Spans[station.Span].Point(station.U);
+    private Vec3 PointOf(Station station) => _length.Spans[_length.LeafAt(station.Leaf).Span].Point(station.U);
 
-    private readonly record struct Station(double S, int Span, double U);
+    private readonly record struct Station(double S, int Leaf, double U);
 }

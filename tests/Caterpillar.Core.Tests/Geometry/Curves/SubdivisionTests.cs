@@ -121,6 +121,22 @@ public class SubdivisionTests
     }
 
     [Test]
+    public void Extreme_weights_and_coincident_points_keep_the_chord_error()
+    {
+        var random = new Random(25);
+        for (var n = 0; n < 150; n++)
+        {
+            var degree = random.Next(1, 6);
+            var size = Math.Pow(10, random.Next(-1, 3));
+            var points = new List<Vec3>();
+            for (var i = random.Next(degree + 1, degree + 7); i > 0; i--) points.Add(points.Count > 0 && random.Next(4) == 0 ? points[points.Count - 1] : CurveMaker.Point(random, size));
+            var curve = NurbsCurve.Clamped(degree, points, points.ConvertAll(_ => Math.Pow(10, 4 * random.NextDouble() - 2)));
+            var options = SubdivisionOptions.ByTolerance(size * 0.004) with { EqualDivision = n % 2 == 0 };
+            Check(curve, CurveSubdivider.Subdivide(curve, options), options);
+        }
+    }
+
+    [Test]
     public void Every_kink_is_a_point()
     {
         var random = new Random(23);
@@ -214,7 +230,7 @@ public class SubdivisionTests
     }
 
     // Walks over the curve in small steps and along with it over the segments.
-    private static void Check(NurbsCurve curve, Subdivision divided, SubdivisionOptions options)
+    internal static void Check(NurbsCurve curve, Subdivision divided, SubdivisionOptions options)
     {
         var limit = options.Distance > 0 ? options.Distance : options.MaxLength;
         for (var i = 0; i < divided.SegmentCount && limit > 0; i++)
@@ -230,7 +246,7 @@ public class SubdivisionTests
         {
             var point = curve.PointAt(curve.DomainStart + (curve.DomainEnd - curve.DomainStart) * k / samples);
             var nearest = double.MaxValue;
-            for (var i = segment; i < Math.Min(divided.SegmentCount, segment + 6) && nearest >= options.ChordTolerance; i++)
+            for (var i = segment; i < Math.Min(divided.SegmentCount, segment + 200) && nearest >= options.ChordTolerance; i++)
             {
                 nearest = Math.Min(nearest, Distance(point, divided.Points[i], divided.EndOf(i)));
                 if (nearest < options.ChordTolerance) segment = i;
