@@ -25,6 +25,16 @@ internal static class Drawings
         ["TurtleRepeat"] = c => c.Polyline(2, Ink.Green, 5, 13, 5, 7, 17, 7).Polyline(2, Ink.Green, 19, 11, 19, 17, 7, 17).Polygon(Ink.Dark, 15, 3.5, 20, 7, 15, 10.5).Polygon(Ink.Dark, 9, 13.5, 4, 17, 9, 20.5),
         ["TurtleProgramParam"] = c => { c.Hexagon().Line(8, 7.5, 16, 7.5, 1.3, Ink.Light); Turtle(c, 12, 13.5, 0.5); },
         ["TurtleCommandParam"] = c => c.Hexagon().Line(7, 12, 14, 12, 1.8, Ink.Green).Polygon(Ink.Light, 13, 8.5, 18, 12, 13, 15.5),
+        ["CircleTrace"] = c => c.Polyline(2.2, Ink.Green, 20, 12, 17.7, 17.7, 12, 20, 6.3, 17.7, 4, 12, 6.3, 6.3, 12, 4, 17.7, 6.3, 20, 12).Disc(19.8, 12, 2, Ink.Dark),
+        ["SpiralTrace"] = c => c.Polyline(2, Ink.Green, 12, 12, 14.5, 12.5, 14, 15, 11, 15.5, 8.5, 13, 9, 9, 13, 7.5, 17, 9.5, 18, 14, 15, 18.5, 9.5, 19, 5, 15, 4.5, 9, 8, 4.5).Disc(12, 12, 1.8, Ink.Dark),
+        ["HelixTrace"] = c => c.Polyline(1.9, Ink.Green, 4.5, 19, 12, 21 - 0.6, 19.5, 17.5, 12, 15.5, 4.5, 14, 12, 15.4, 19.5, 12.5, 12, 10.5, 4.5, 9, 12, 10.4, 19.5, 7.5, 12, 5.5, 4.5, 4),
+        ["CylinderTrace"] = c => c.Rect(5, 7, 19, 17.5, Ink.Green).Disc(12, 17.5, 3, Ink.Green).Line(5, 10.5, 19, 10.5, 1, Ink.Dark).Line(5, 14, 19, 14, 1, Ink.Dark).Line(5, 17.5, 19, 17.5, 1, Ink.Dark)
+            .Polygon(Ink.Light, 5, 7, 8, 4.5, 16, 4.5, 19, 7, 16, 9, 8, 9),
+        ["ConeTrace"] = c => c.Polyline(1.8, Ink.Green, 3.8, 19.5, 20.2, 18, 5.8, 15.5, 18.2, 14, 7.8, 11.5, 16.2, 10, 9.8, 7.5, 14.2, 6, 12, 3.8),
+        ["Deform"] = c => c.Line(4, 20, 4, 5, 1.4, Ink.Grey).Line(9, 20, 9, 5, 1.4, Ink.Grey).Polyline(2.2, Ink.Green, 14, 20, 15, 14, 12.5, 9, 15.5, 4).Polyline(2.2, Ink.Green, 19, 20, 20, 14, 17.5, 9, 20, 4),
+        ["Modulate"] = c => c.Polygon(Ink.Green, 4, 11, 9, 11, 12, 8, 15, 8, 18, 11, 20, 11, 20, 14, 18, 14, 15, 17, 12, 17, 9, 14, 4, 14).Disc(6, 5.5, 2.2, Ink.Dark).Disc(12, 4.8, 1.4, Ink.Grey).Disc(17.5, 5.5, 2.2, Ink.Light),
+        ["CoolLayers"] = c => c.Line(4, 19, 14, 19, 2.2, Ink.Green).Line(4, 15, 11, 15, 2.2, Ink.Green).Line(4, 11, 8, 11, 2.2, Ink.Green).Line(16.5, 3.5, 16.5, 14.5, 1.4, Ink.Blue).Line(11.5, 6, 20.5, 12, 1.4, Ink.Blue)
+            .Line(11.8, 12, 20.5, 6, 1.4, Ink.Blue),
         ["PlanarSlicer"] = c => c.Polygon(Ink.Light, 12, 3, 21, 19, 3, 19).Line(10.2, 7.5, 13.8, 7.5, 1.6, Ink.Green).Line(8, 11.5, 16, 11.5, 1.6, Ink.Green)
             .Line(5.8, 15.5, 18.2, 15.5, 1.6, Ink.Green).Line(3.6, 19.5, 20.4, 19.5, 1.6, Ink.Green),
         ["PlanToolpath"] = c => c.Polyline(2, Ink.Green, 4, 19, 10, 19, 10, 13).Polyline(1.2, Ink.Grey, 10, 13, 12, 6, 16, 6, 17, 12).Polyline(2, Ink.Green, 17, 12, 17, 19, 20.5, 19)

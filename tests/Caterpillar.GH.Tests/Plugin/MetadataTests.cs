@@ -87,7 +87,7 @@ public sealed class MetadataTests
         foreach (var port in PluginTypes.Make<GH_Component>(type).Params)
         {
             if (collective.Contains(port.Name)) continue;
-            var plural = port.Name.EndsWith("s", StringComparison.Ordinal) && !port.Name.EndsWith("ss", StringComparison.Ordinal) && port.Name != "Radius";
+            var plural = port.Name.EndsWith("s", StringComparison.Ordinal) && !port.Name.EndsWith("ss", StringComparison.Ordinal) && !port.Name.EndsWith("Radius", StringComparison.Ordinal);
             Assert.That(plural, Is.EqualTo(port.Access != GH_ParamAccess.item), port.Name);
         }
     }

@@ -42,7 +42,7 @@ public sealed class TurtleComponent() : CaterpillarComponent("Turtle", "Turtle",
         var units = run.Units;
         var options = new TurtleOptions
         {
-            Start = run.MaybeValue<Rg.Plane>(1) is { } plane ? ToFrame(plane, units) : Frame.World,
+            Start = run.MaybeValue<Rg.Plane>(1) is { } plane ? RhinoGeometry.ToFrame(plane, units) : Frame.World,
             Extrusion = new ExtrusionLaw(ExtrusionUnit.Mm, run.Positive(2)),
             KeepPoses = run.Get<bool>(3),
         };
@@ -57,9 +57,6 @@ public sealed class TurtleComponent() : CaterpillarComponent("Turtle", "Turtle",
         run.SetList(2, result.Poses.Select(p => RhinoGeometry.ToPlane(p, units)));
         run.SetList(3, result.Poses.Select(p => TurtleShape.Outline(p, 2, units)));
     }
-
-    private static Frame ToFrame(Rg.Plane plane, DocumentUnits units)
-        => Frame.FromAxes(RhinoGeometry.ToVec(plane.Origin, units), new Vec3(plane.XAxis.X, plane.XAxis.Y, plane.XAxis.Z), new Vec3(plane.YAxis.X, plane.YAxis.Y, plane.YAxis.Z));
 
     private sealed record Done(IReadOnlyList<Step> Steps, IReadOnlyList<Frame> Poses, IReadOnlyList<Basics.Diagnostic> Diagnostics);
 }

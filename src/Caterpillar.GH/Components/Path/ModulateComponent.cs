@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GH.Base;
+using Caterpillar.Geometry;
+using Caterpillar.Shaping;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GH.Components.Path;
+
+/// <summary>How an image lies on the paths.</summary>
+public enum ImageLay
+{
+    Cylinder,
+    Globe,
+    Plan,
+    Along,
+}
+
+/// <summary>Writes an image or a formula into paths.</summary>
+public sealed class ModulateComponent() : PathShapingComponent(
+    "Modulate", "Mod", "Writes an image or a formula into print paths by their speed, their flow or their place.")
+{
+    public override Guid ComponentGuid => new("8a2d7c05-4e9b-4f36-b718-5d1c0e6f9a42");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        PathsPort(ports);
+        ports.File("Image", "I", "Image (PNG, PGM, PBM): black is 0, white is 1.", "Images (*.png;*.pgm;*.pbm)|*.png;*.pgm;*.pbm|All files|*.*", optional: true);
+        ports.Text("Expression", "E",
+            "Formula of the field, 0 to 1, instead of an image, over x, y, z, r in mm, theta in degrees, s (way along the path in mm) and u (the same from 0 to 1), for example 0.5 + 0.5 * sin(6 * theta).",
+            optional: true);
+        ports.Choice("Mode", "M", "What changes: the speed at a constant flow of material, the flow at a constant speed, or the place, to the left of the way or upwards.", ModulationMode.Speed);
+        ports.Number("Low", "L", "Amount where the field is 0: factor on speed or flow, or displacement in mm.", 1);
+        ports.Number("High", "H", "Amount where the field is 1: factor on speed or flow, or displacement in mm.", 0.65);
+        ports.Text("Mask", "Ma", "Formula over the same names of how much takes effect, 0 to 1; everything without it.", optional: true);
+        ports.Number("Resolution", "R", "Segments are divided into parts of at most so many mm first; 0 leaves them as they are.", 0);
+        PlanePort(ports);
+        ports.Choice("Mapping", "W", "How the image lies on the paths: around them, as on a globe, seen from above, or one row for each path; it is as large as they are.", ImageLay.Cylinder);
+        ports.Integer("Repeat", "N", "Number of times that the image is repeated around a cylinder.", 1);
+        ports.Boolean("Smooth", "Sm", "True takes values between pixels, false the nearest pixel.", false);
+        ports.Number("Reference Speed", "V", "Speed in mm/s of paths that have none of their own; 0 where all have one.", 0);
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var before = PathsOf(run);
+        var file = run.Maybe<string>(1);
+        var expression = run.Maybe<string>(2);
+        if (file is null == expression is null)
+            throw new InputProblem(file is null ? "Image or Expression is missing." : "Give an Image or an Expression, not both.") { IsMissing = file is null };
+        if (file is not null) file = run.PathTo(file);
+        var (mode, low, high) = (run.Choice<ModulationMode>(3), run.Finite(4), run.Finite(5));
+        var mask = run.Maybe<string>(6);
+        var resolution = run.Finite(7) is >= 0 and var length ? length : throw new InputProblem("Resolution must be 0 or more.");
+        var frame = FrameOf(run, 8);
+        var (lay, smooth, speed) = (run.Choice<ImageLay>(9), run.Get<bool>(11), run.Finite(12));
+        var repeat = run.Get<int>(10) is >= 1 and var times ? times : throw new InputProblem("Repeat must be 1 or more.");
+        object? written = file is null ? null : File.GetLastWriteTimeUtc(file);
+        object?[] key = [file, written, expression, mode, low, high, mask, resolution, frame, lay, repeat, smooth, speed, .. before.Select(p => p.Value)];
+        SetPaths(run, before, run.Cached(key, () => run.Work("Modulate", (progress, cancel) =>
+        {
+            var problems = new List<Diagnostic>();
+            var local = ToLocal(before.Select(p => p.Value), frame);
+            var masking = mask is null ? null : Accept(FieldText.Compile(mask, source: new SourceLocation(Key: "mask")), problems);
+            var field = expression is not null
+                ? Accept(FieldText.Compile(expression, source: new SourceLocation(Key: "expression")), problems)
+                : ImageField(file!, local, lay, repeat, smooth, problems);
+            if (field is null || problems.Count > 0) return new Shaped([], problems);
+            return Shaped.Of(new Modulation(mode, field, low, high) { Mask = masking, Resolution = resolution, ReferenceSpeed = speed }.Apply(local, progress, cancel), frame);
+        })));
+    }
+
+    private static Field? ImageField(string file, PrintPath[] paths, ImageLay lay, int repeat, bool smooth, List<Diagnostic> problems)
+    {
+        if (Accept(ImageReader.Read(file), problems) is not { } image) return null;
+        var box = Bounds.Empty;
+        foreach (var path in paths) box = box.Include(path.Bounds);
+        var size = box.Size;
+        if ((lay == ImageLay.Cylinder && !(size.Z > 0)) || (lay == ImageLay.Plan && !(size.X > 0 && size.Y > 0)))
+            throw new InputProblem($"The paths are too flat for the mapping {lay}.");
+        var mapping = lay switch
+        {
+            ImageLay.Cylinder => ImageMappings.Cylinder(box.Min.Z, box.Max.Z, repeats: repeat),
+            ImageLay.Globe => ImageMappings.Globe(new Vec3(0, 0, box.Center.Z)),
+            ImageLay.Plan => ImageMappings.Plan(box.Min, size.X, size.Y),
+            _ => ImageMappings.Along(image.Height),
+        };
+        return Fields.Image(image, mapping, smooth);
+    }
+
+    private static T? Accept<T>(Result<T> result, List<Diagnostic> problems)
+        where T : class
+    {
+        problems.AddRange(result.Diagnostics);
+        return result.Value;
+    }
+}

@@ -1,0 +1,63 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
+
+namespace Caterpillar.GH.Components.Path;
+
+/// <summary>Base of the components that give each print path another shape or other beads: paths first, paths and diagnostics out.</summary>
+public abstract class PathShapingComponent(string name, string nickname, string description)
+    : CaterpillarComponent(name, nickname, description, Panel.Path, GH_Exposure.secondary)
+{
+    private protected static void PathsPort(InputPorts ports)
+        => ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths, in the order of printing.", GH_ParamAccess.list);
+
+    private protected static void PlanePort(InputPorts ports)
+        => ports.Add(new Param_Plane(), "Plane", "Pl", "Frame of the coordinates, in document units; its Z is the axis of angles. The world's origin without it.", optional: true);
+
+    private protected static Frame FrameOf(Run run, int input) => run.MaybeValue<Rg.Plane>(input) is { } plane ? RhinoGeometry.ToFrame(plane, run.Units) : Frame.World;
+
+    private protected sealed override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths in their order; null where one can't be made.", GH_ParamAccess.list);
+        ports.Diagnostics();
+    }
+
+    private protected static IReadOnlyList<PrintPathGoo> PathsOf(Run run)
+    {
+        var paths = run.List<PrintPathGoo>(0);
+        return paths.Count > 0 ? paths : throw new InputProblem("Print Paths are missing.") { IsMissing = true };
+    }
+
+    /// <summary>The new paths with the groups of the old ones.</summary>
+    private protected static void SetPaths(Run run, IReadOnlyList<PrintPathGoo> before, Shaped shaped)
+    {
+        run.SetList(1, run.Report(shaped.Diagnostics));
+        run.SetList(0, shaped.Paths.Select((path, i) => path is null ? null : before[i].With(path)));
+    }
+
+    /// <summary>Paths in coordinates of a frame; the world's own stay as they are.</summary>
+    private protected static PrintPath[] ToLocal(IEnumerable<PrintPath> paths, Frame frame)
+    {
+        if (frame == Frame.World) return paths.ToArray();
+        var map = new Affine(new Vec3(frame.X.X, frame.Y.X, frame.Z.X), new Vec3(frame.X.Y, frame.Y.Y, frame.Z.Y), new Vec3(frame.X.Z, frame.Y.Z, frame.Z.Z), frame.ToLocal(Vec3.Zero));
+        return paths.Select(p => p.Transformed(map)).ToArray();
+    }
+
+    private protected static PrintPath ToWorld(PrintPath path, Frame frame) => frame == Frame.World ? path : path.Transformed(Affine.FromFrame(frame));
+
+    /// <summary>What came of the paths.</summary>
+    private protected sealed record Shaped(IReadOnlyList<PrintPath?> Paths, IReadOnlyList<Diagnostic> Diagnostics)
+    {
+        public static Shaped Of(Result<IReadOnlyList<PrintPath>> result, Frame frame)
+            => new(result.Value?.Select(p => ToWorld(p, frame)).ToArray() ?? [], result.Diagnostics);
+    }
+}

@@ -1,0 +1,45 @@
+using System.IO;
+using NUnit.Framework;
+
+namespace Caterpillar.Cli.Tests;
+
+public class PrinterImportTests : CliFixture
+{
+    private const string Header = "G90\nM83\nM190 S60\nM109 S205\nG28\nG1 X0.1 Y200 F1500 E15\nF300 E3\nG1 X100 Y100 Z0.1\nG91\n";
+
+    [Test]
+    public void A_header_and_a_footer_become_a_printer_that_prints()
+    {
+        File.WriteAllText("start.gcode", Header);
+        File.WriteAllText("end.gcode", "G1 E-3\nM104 S0\nG1 Z100 F5000\nM84\n");
+        var run = Run("printers", "--import", "start.gcode", "end.gcode", "-o", "mine.json", "--material-output", "stuff.json");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(run.Messages, Does.Contain("start.gcode:7:1: warning header.no_command").And.Contain("X 100, Y 100, Z 0.1 mm"));
+        File.WriteAllText("line.csv", "60,60,0.2\n140,60,0.2\n");
+        var print = Run("curves", "line.csv", "--printer", "mine.json", "--material", "stuff.json");
+        Assert.That(print.Code, Is.Zero, print.Messages);
+        var lines = File.ReadAllLines("line.gcode");
+        Assert.That(lines, Does.Contain("M109 S205").And.Contain("; invalid: F300 E3").And.Contain("G91 ; as the header leaves it").And.Contain("G1 Z100 F5000"));
+    }
+
+    [Test]
+    public void A_similar_printer_gives_what_the_files_do_not_say()
+    {
+        File.WriteAllText("start.gcode", "G28\nM83\n");
+        var run = Run("printers", "--import", "start.gcode", "-", "--like", "potter_super");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(run.Text, Does.Contain("\"nozzle_diameter_mm\": 3").And.Contain("\"title\": \"start\""));
+    }
+
+    [Test]
+    public void Wrong_words_and_missing_files_have_their_codes()
+    {
+        File.WriteAllText("start.gcode", "G20\n");
+        Assert.That(Run("printers", "--import", "start.gcode", "-", "-o", "x.json").Code, Is.EqualTo(1), "inches");
+        Assert.That(File.Exists("x.json"), Is.False);
+        Assert.That(Run("printers", "--import", "nothing.gcode", "-").Code, Is.EqualTo(1));
+        Assert.That(Run("printers", "--import", "start.gcode").Code, Is.EqualTo(2));
+        Assert.That(Run("printers", "--like", "generic").Code, Is.EqualTo(2));
+        Assert.That(Run("printers", "--import", "start.gcode", "-", "--like", "no_such").Code, Is.EqualTo(2));
+    }
+}
