@@ -29,6 +29,7 @@ public sealed partial class Turtle
         if (_options.KeepPoses) _poses = [_options.Start];
         SetDensity(_options.Density);
         SetRate(_options.Rate);
+        if (_options.Bead is { } bead) SetBead(bead);
     }
 
     /// <summary>Unit of the angles that are taken and given.</summary>

@@ -1,5 +1,6 @@
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;
 
@@ -14,6 +15,9 @@ public sealed record TurtleOptions
 
     /// <summary>mm of filament per mm of path.</summary>
     public double Density { get; init; } = ExtrusionLaw.DefaultFactor;
+
+    /// <summary>The strand at first, in place of the density; one without a speed goes at the rate. Null for the density.</summary>
+    public Bead? Bead { get; init; }
 
     /// <summary>mm/min.</summary>
     public double Rate { get; init; } = 1000;

@@ -1,5 +1,6 @@
 using System.Linq;
 using Caterpillar.GH.Components.Design;
+using Caterpillar.GH.Goos;
 using Caterpillar.GH.Tests.Host;
 using Caterpillar.Toolpaths;
 using Caterpillar.Turtles;
@@ -97,6 +98,15 @@ public sealed class TurtleComponentsTests
         Assert.That(pose.Origin.DistanceTo(new Rg.Point3d(1, 2, 0.1)), Is.LessThan(1e-12));
         Assert.That(canvas.Remarks.Single(), Does.Contain("centimeters"));
         Assert.That(canvas.Output("Steps").VolatileData.get_Branch(0)[1]!.ToString(), Is.EqualTo("Travel (1 points)"));
+    }
+
+    [Test]
+    public void A_bead_is_what_the_turtle_begins_with()
+    {
+        var canvas = new Canvas<TurtleComponent>().Feed("Program", "forward 10\narea 0.5\nforward 5").Feed("Bead", new BeadGoo(new Bead(0.2, 0.3, 25))).Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        var path = (PrintPath)canvas.All("Print Paths").Single()!;
+        Assert.That((path.BeadOf(0), path.BeadOf(1)), Is.EqualTo((new Bead(0.2, 0.3, 25), new Bead(0.5, 0, 25))));
     }
 
     [Test]

@@ -25,6 +25,7 @@ public sealed class TurtleComponent() : CaterpillarComponent("Turtle", "Turtle",
         ports.Add(new Param_Plane(), "Start Plane", "Pl", "Where the turtle stands at first, in document units: X is forward, Y left. The world's origin without it.", optional: true);
         ports.Number("Filament Diameter", "D", "Diameter of the filament, in mm, by which mm of filament become strands.", 1.75);
         ports.Boolean("Every Pose", "E", "True gives the pose and triangle behind every command, false the last only.", false);
+        ports.Add(new BeadParam(), "Bead", "B", "Strand at first, in place of the 0.05 mm of filament per mm; commands of the program change it.", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -45,8 +46,9 @@ public sealed class TurtleComponent() : CaterpillarComponent("Turtle", "Turtle",
             Start = run.MaybeValue<Rg.Plane>(1) is { } plane ? RhinoGeometry.ToFrame(plane, units) : Frame.World,
             Extrusion = new ExtrusionLaw(ExtrusionUnit.Mm, run.Positive(2)),
             KeepPoses = run.Get<bool>(3),
+            Bead = run.Maybe<BeadGoo>(4) is { IsValid: true } bead ? bead.Value : null,
         };
-        var result = run.Cached([program, options.Start, options.Extrusion.FilamentDiameter, options.KeepPoses], () => run.Work("Turtle", (progress, cancel) =>
+        var result = run.Cached([program, options.Start, options.Extrusion.FilamentDiameter, options.KeepPoses, options.Bead], () => run.Work("Turtle", (progress, cancel) =>
         {
             var done = program.Run(options, null, progress, cancel);
             return new Done(done.Value?.ToSteps() ?? [], done.Value is null ? [] : options.KeepPoses ? done.Value.Poses : [done.Value.Pose], done.Diagnostics);
