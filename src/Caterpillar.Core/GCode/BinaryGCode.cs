@@ -107,7 +107,15 @@ internal static class BinaryGCode
         using var stream = new DeflateStream(new MemoryStream(file, at + 2, size - 2), CompressionMode.Decompress);
         var data = new byte[plain];
         var count = 0;
-        for (int read; count < plain && (read = stream.Read(data, count, plain - count)) > 0;) count += read;
+        try
+        {
+            for (int read; count < plain && (read = stream.Read(data, count, plain - count)) > 0;) count += read;
+        }
+        catch (IOException)
+        {
+            // Mono's word for it.
+            throw new InvalidDataException("A block is damaged.");
+        }
         return count == plain ? data : throw new InvalidDataException("A block is cut off.");
     }
 

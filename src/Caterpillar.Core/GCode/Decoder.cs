@@ -36,7 +36,8 @@ public static class Decoder
         {
             document = GCodeDocument.FromBytes(bytes);
         }
-        catch (InvalidDataException broken)
+        // Mono says IOException of broken packing; there is no other input here.
+        catch (Exception broken) when (broken is InvalidDataException or IOException)
         {
             return new Result<Decoding>(null, [new Diagnostic(Severity.Error, "gcode.packed", "The packed file is broken: " + broken.Message)]);
         }

@@ -28,8 +28,9 @@ public class FuzzTests
     [Test]
     public void Any_bytes_decode_and_can_be_written_again()
     {
-        var runs = Type.GetType("Mono.Runtime") is null ? 100_000 : 8_000;
-        Run(20261121, runs);
+        // A long run: CATERPILLAR_FUZZ=10000000, with another seed in CATERPILLAR_FUZZ_SEED.
+        var runs = Number("CATERPILLAR_FUZZ") ?? (Type.GetType("Mono.Runtime") is null ? 100_000 : 8_000);
+        Run(Number("CATERPILLAR_FUZZ_SEED") ?? 20261121, runs);
     }
 
     [Test]
@@ -142,6 +143,9 @@ public class FuzzTests
         if (bytes.Count > 2 && bytes[0] == 0x1F && bytes[1] == 0x8B) bytes[0] = 0;
         return bytes.ToArray();
     }
+
+    private static int? Number(string name)
+        => Environment.GetEnvironmentVariable(name) is { Length: > 0 } text ? int.Parse(text, System.Globalization.CultureInfo.InvariantCulture) : null;
 
     private static bool SameBytes(byte[] a, byte[] b)
     {
