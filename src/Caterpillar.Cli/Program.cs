@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using System.Runtime.InteropServices;
 using System.Text;
 using System.Threading;
 using Caterpillar.Machines;
@@ -12,12 +13,9 @@ internal static class Program
     {
         using var stop = new CancellationTokenSource();
         // The first Ctrl-C stops the work in good order, the second one at once.
-        Console.CancelKeyPress += (_, press) =>
-        {
-            if (stop.IsCancellationRequested) return;
-            press.Cancel = true;
-            stop.Cancel();
-        };
+        Console.CancelKeyPress += (_, press) => press.Cancel = Stop(stop);
+        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, signal => signal.Cancel = Stop(stop));
+        using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, signal => signal.Cancel = Stop(stop));
         using var messages = new StreamWriter(Console.OpenStandardError(), new UTF8Encoding(false)) { AutoFlush = true, NewLine = Environment.NewLine };
         var session = new Session(Console.OpenStandardInput, Console.OpenStandardOutput, messages)
         {
@@ -26,5 +24,13 @@ internal static class Program
             Profiles = new ProfileLibrary(Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData), "Caterpillar", "printers")),
         };
         return App.Run(words, session);
+    }
+
+    // True when this was the first wish to stop.
+    private static bool Stop(CancellationTokenSource stop)
+    {
+        if (stop.IsCancellationRequested) return false;
+        stop.Cancel();
+        return true;
     }
 }

@@ -21,15 +21,16 @@ public class ProcessTests : CliFixture
         Assert.That(output, Does.Contain("220 × 220"));
     }
 
-    [Test]
-    public void An_interrupt_ends_it_even_while_it_waits_for_input()
+    [TestCase("INT")]
+    [TestCase("TERM")]
+    public void A_signal_ends_it_even_while_it_waits_for_input(string signal)
     {
         if (!RuntimeInformation.IsOSPlatform(OSPlatform.Linux)) Assert.Ignore("Signals are sent with kill.");
         using var process = Process.Start(Info("slice -"))!;
         // It waits for standard input, which stays open.
         System.Threading.Thread.Sleep(1500);
         Assert.That(process.HasExited, Is.False);
-        Process.Start("kill", ["-INT", process.Id.ToString(System.Globalization.CultureInfo.InvariantCulture)]).WaitForExit();
+        Process.Start("kill", ["-" + signal, process.Id.ToString(System.Globalization.CultureInfo.InvariantCulture)]).WaitForExit();
         Assert.That(process.WaitForExit(20_000), Is.True);
         Assert.That(process.ExitCode, Is.EqualTo(130));
         Assert.That(Files(), Is.Empty);

@@ -75,6 +75,17 @@ public class UsageTests : CliFixture
     }
 
     [Test]
+    public void A_bad_profile_of_the_user_does_not_hide_the_others()
+    {
+        Directory.CreateDirectory("profiles");
+        File.WriteAllText("profiles/bad.json", """{ "nozzle_diameter_cm": 0.04 }""");
+        var run = Run("printers");
+        Assert.That(run.Code, Is.EqualTo(1));
+        Assert.That(run.Messages, Does.Contain("bad.json:1:3: nozzle_diameter_cm").And.Contain("nozzle_diameter_mm"));
+        Assert.That(run.Text, Does.Contain("generic"));
+    }
+
+    [Test]
     public void Printers_shows_a_profile_that_can_be_used_again()
     {
         File.WriteAllBytes("copy.json", Run("printers", "ender3").Output);

@@ -51,17 +51,26 @@ internal sealed class PrintersVerb : Verb
         else if (arguments.GetValue(_like) is not null || arguments.GetValue(_material) is not null) throw new CliException(ExitCode.Usage, "--like and --material-output go with --import.");
         else if (arguments.GetValue(_keys)) session.WriteText(output, WriteKeys);
         else if (name is not null) Show(name, output, session);
-        else session.WriteText(output, text => WriteList(text, session));
+        else return List(output, session);
         return ExitCode.Done;
     }
 
-    private static void WriteList(TextWriter text, Session session)
+    // Bad profiles are reported; the others are listed all the same.
+    private static int List(string output, Session session)
+    {
+        var good = true;
+        session.WriteText(output, text => good = WriteList(text, session));
+        return good ? ExitCode.Done : ExitCode.BadInput;
+    }
+
+    private static bool WriteList(TextWriter text, Session session)
     {
         var profiles = session.Profiles;
+        var good = true;
         var rows = new List<string[]> { new[] { "PRINTER", "BUILD VOLUME", "NOZZLE", "DIALECT", "" } };
         foreach (var name in profiles.PrinterNames)
         {
-            if (Read(profiles.Printer(name), session) is not { } printer) continue;
+            if (Read(profiles.Printer(name)) is not { } printer) continue;
             var size = printer.BuildVolume;
             rows.Add([name, $"{Number(size.X)} × {Number(size.Y)} × {Number(size.Z)} mm", Number(printer.NozzleDiameter) + " mm", printer.Dialect.Name, printer.Title]);
         }
@@ -69,17 +78,26 @@ internal sealed class PrintersVerb : Verb
         rows.Add(["MATERIAL", "NOZZLE, BED", "FILAMENT", "", ""]);
         foreach (var name in profiles.MaterialNames)
         {
-            if (Read(profiles.Material(name), session) is not { } material) continue;
+            if (Read(profiles.Material(name)) is not { } material) continue;
             rows.Add([name, $"{Number(material.NozzleTemperature)}, {Number(material.BedTemperature)} °C", Number(material.FilamentDiameter) + " mm", "", material.Title]);
         }
         rows.Add([]);
         rows.Add(["SETTINGS", "LAYER, LINE", "SPEED", "", ""]);
         foreach (var name in profiles.SettingsNames)
         {
-            if (Read(profiles.Settings(name), session) is not { } settings) continue;
+            if (Read(profiles.Settings(name)) is not { } settings) continue;
             rows.Add([name, $"{Number(settings.LayerHeight)}, {Number(settings.LineWidth)} mm", Number(settings.PrintSpeed) + " mm/s", "", settings.Title]);
         }
         TextTable.Write(text, rows);
+        return good;
+
+        T? Read<T>(Result<T> result)
+            where T : class
+        {
+            session.Print(result.Diagnostics);
+            good &= result.Value is not null;
+            return result.Value;
+        }
     }
 
     private static void WriteKeys(TextWriter text)
@@ -109,14 +127,6 @@ internal sealed class PrintersVerb : Verb
         void Settings(string which) => Out(ProfileWriter.Write(session.Need(profiles.Settings(which), Code(which))));
         void Out(string json) => session.WriteText(output, text => text.Write(json));
         int Code(string which) => File.Exists(which) ? ExitCode.BadInput : ExitCode.Usage;
-    }
-
-    // A bad profile is reported; the others are listed all the same.
-    private static T? Read<T>(Result<T> result, Session session)
-        where T : class
-    {
-        session.Print(result.Diagnostics);
-        return result.Value;
     }
 
     private static string Number(double value) => NumberFormatter.Format(value, 3);

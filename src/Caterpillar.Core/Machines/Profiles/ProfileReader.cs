@@ -102,6 +102,8 @@ public static class ProfileReader
         "mm_s2" => "mm/s²",
         "mm3_s" => "mm³/s",
         "c" => "°C",
+        "f" => "°F",
+        "k" => "K",
         "deg" => "degrees",
         "percent" => "%",
         "g_cm3" => "g/cm³",
