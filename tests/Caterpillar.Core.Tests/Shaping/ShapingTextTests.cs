@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 using System.Linq;
 using System.Threading.Tasks;
 using Caterpillar.Basics;
@@ -36,6 +37,22 @@ public class ShapingTextTests
             var byText = DeformationText.Compile(text, "0.96*c", system: DeformationSystem.Cylindrical, axis: axis).Value!.Apply(cup, 0.05).Value!;
             Assert.That(byText.Single().Points, Is.EqualTo(byCode.Single().Points));
             Assert.That(byText.Single().BeadOf(100), Is.EqualTo(byCode.Single().BeadOf(100)));
+        }
+    }
+
+    [Test]
+    public void The_formulas_of_the_manual_work()
+    {
+        var rows = File.ReadLines(Path.Combine(TestData.Repository, "docs", "traces.md"))
+            .Select(l => l.Split('|').Select(c => c.Trim(' ', '`')).ToArray()).Where(c => c.Length == 7 && c[2] is "cylindrical" or "Cartesian").ToArray();
+        Assert.That(rows, Has.Length.EqualTo(3));
+        var helix = new Trace(0.196).SetSpeed(25).Helix(Vec3.Zero, 25, 20, 0.4, 36).ToPaths();
+        foreach (var row in rows)
+        {
+            var system = row[2] == "Cartesian" ? DeformationSystem.Cartesian : DeformationSystem.Cylindrical;
+            var deformation = DeformationText.Compile(row[3], row[4], row[5], system);
+            Assert.That(deformation.Diagnostics, Is.Empty, row[1]);
+            Assert.That(deformation.Value!.Apply(helix).Diagnostics, Is.Empty, row[1]);
         }
     }
 

@@ -23,6 +23,7 @@ public static class ProfileManual
             ```
             caterpillar printers                     all profiles
             caterpillar printers ender3              one of them with all its keys, a start for your own
+            caterpillar printers --import HEADER FOOTER -o mine.json     a printer of two files of G-code, such as those of ExtruderTurtle
             caterpillar slice part.stl --printer ender3 --material petg --settings fine --set layer_height_mm=0.15
             ```
 
