@@ -33,7 +33,7 @@ internal static class App
             session.Messages.WriteLine("Interrupted; nothing was written.");
             return ExitCode.Interrupted;
         }
-        catch (Exception disk) when (disk is IOException or UnauthorizedAccessException)
+        catch (Exception disk) when (disk is IOException or UnauthorizedAccessException or InvalidDataException)
         {
             session.Messages.WriteLine(Sentence(disk));
             return ExitCode.BadInput;

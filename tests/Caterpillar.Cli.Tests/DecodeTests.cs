@@ -76,6 +76,8 @@ public class DecodeTests : CliFixture
         Assert.That((run.Code, run.Text), Is.EqualTo((1, "")));
         Assert.That(run.Messages, Does.Contain("b.gcode.gz"));
         Assert.That(Run("decode", "a.gcode", "none.gcode").Code, Is.EqualTo(1));
+        foreach (var verb in new[] { "picture", "convert", "check" }) Assert.That(Run(verb, "b.gcode.gz", "-o", "out").Code, Is.InRange(1, 2), verb);
+        Assert.That(File.Exists("out"), Is.False);
     }
 
     [Test]
