@@ -116,6 +116,7 @@ public sealed class ToolpathEditTests
             canvas.Component.ExpireSolution(false);
             canvas.Solve();
             Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo("changed"), "Held down it does not write again.");
+            Assert.That(canvas.Errors, Is.Empty, "Nor does it try to.");
             canvas.Feed("Save", false).Solve().Feed("Save", true).Solve();
             Assert.That(canvas.Errors, Has.One.Contains("is there already, and Overwrite is false."));
             Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo("changed"));

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Grasshopper.Kernel
 {
-    public class GH_Document
+    public sealed partial class GH_Document : GH_IO.GH_ISerializable
     {
         // What a test stands in for the keyboard.
         internal static Func<bool> EscapeKey = () => false;

@@ -15,6 +15,7 @@ namespace Grasshopper.Kernel
         protected GH_Structure<T> m_data = new GH_Structure<T>();
         private readonly List<IGH_Param> _sources = new List<IGH_Param>();
         private readonly List<IGH_Param> _recipients = new List<IGH_Param>();
+        private readonly List<Guid> _proxySources = new List<Guid>();
 
         protected GH_Param(string name, string nickname, string description, string category, string subcategory, GH_ParamAccess access)
             : base(name, nickname, description, category, subcategory)
@@ -150,8 +151,26 @@ namespace Grasshopper.Kernel
         {
             base.Read(reader);
             var mapping = 0;
-            if (reader.TryGetInt32("Mapping", ref mapping)) DataMapping = (GH_DataMapping)mapping;
+            DataMapping = reader.TryGetInt32("Mapping", ref mapping) ? (GH_DataMapping)mapping : GH_DataMapping.None;
+            var count = 0;
+            reader.TryGetInt32("SourceCount", ref count);
+            _proxySources.Clear();
+            for (var i = 0; i < count; i++) _proxySources.Add(reader.GetGuid("Source", i));
             return true;
+        }
+
+        /// <summary>Makes wires of the ids that were read, once all objects of the definition are there.</summary>
+        public virtual bool RelinkProxySources(GH_Document document)
+        {
+            var found = true;
+            foreach (var id in _proxySources)
+            {
+                var source = document.FindParam(id);
+                if (source != null) AddSource(source);
+                found &= source != null;
+            }
+            _proxySources.Clear();
+            return found;
         }
 
         protected virtual T InstantiateT() => typeof(T).IsAbstract || typeof(T).IsInterface ? null : (T)Activator.CreateInstance(typeof(T));

@@ -113,6 +113,8 @@ namespace Grasshopper.Kernel
 
         void RemoveAllSources();
 
+        bool RelinkProxySources(GH_Document document);
+
         bool AddVolatileData(GH_Path path, int index, object data);
 
         bool AddVolatileDataList(GH_Path path, IEnumerable list);

@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.Drawing;
 using System.IO;
+using System.Linq;
+using System.Reflection;
 using Grasshopper.Kernel;
 
 namespace Grasshopper
@@ -25,9 +27,26 @@ namespace Grasshopper.Kernel
     public class GH_ComponentServer
     {
         internal readonly Dictionary<string, object> Categories = new Dictionary<string, object>();
+        private readonly Dictionary<Guid, Type> _types = new Dictionary<Guid, Type>();
+        private readonly Dictionary<Assembly, GH_AssemblyInfo> _libraries = new Dictionary<Assembly, GH_AssemblyInfo>();
 
-        internal GH_ComponentServer()
+        internal GH_ComponentServer() => Load(typeof(GH_ComponentServer).Assembly);
+
+        /// <summary>A new object by the id of its kind, or null where no library has it.</summary>
+        public IGH_DocumentObject EmitObject(Guid id) => _types.TryGetValue(id, out var type) ? (IGH_DocumentObject)Activator.CreateInstance(type) : null;
+
+        /// <summary>Takes the objects of a library, as Grasshopper does with a .gha.</summary>
+        internal void Load(Assembly library)
         {
+            foreach (var type in library.GetExportedTypes().Where(t => !t.IsAbstract && typeof(IGH_DocumentObject).IsAssignableFrom(t)))
+                _types[((IGH_DocumentObject)Activator.CreateInstance(type)).ComponentGuid] = type;
+        }
+
+        internal GH_AssemblyInfo InfoOf(Assembly library)
+        {
+            if (_libraries.TryGetValue(library, out var info)) return info;
+            var type = library.GetExportedTypes().FirstOrDefault(t => typeof(GH_AssemblyInfo).IsAssignableFrom(t));
+            return _libraries[library] = type == null ? new GH_AssemblyInfo() : (GH_AssemblyInfo)Activator.CreateInstance(type);
         }
 
         public bool AddCategoryIcon(string fullCategoryName, Bitmap icon)
