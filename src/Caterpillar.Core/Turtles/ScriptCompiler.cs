@@ -144,7 +144,8 @@ internal sealed partial class ScriptCompiler
             case "param": Param(token); return;
             case "array": NewArray(token); return;
             case "seed": Emit(new Instruction(ScriptOp.Seed, token) { Arguments = [Value("seed", "a number")] }); return;
-            case "return" or "stop": Emit(new Instruction(_scope.InProcedure ? ScriptOp.Return : ScriptOp.Stop, token)); return;
+            case "return": Emit(new Instruction(_scope.InProcedure ? ScriptOp.Return : ScriptOp.Stop, token)); return;
+            case "stop": Emit(new Instruction(ScriptOp.Stop, token)); return;
             case "lsystem": Grow(token); return;
         }
         if (Next.Kind == TokenKind.Symbol && Next.Text is "=" or "+=" or "-=" or "*=" or "/=") Assign(token, declare: false);

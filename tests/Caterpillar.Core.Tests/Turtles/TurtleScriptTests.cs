@@ -103,6 +103,8 @@ internal sealed class TurtleScriptTests
         Assert.That(X("def even n [ if n > 0 [ forward 1; odd n-1 ] ]\ndef odd n [ if n > 0 [ forward 10; even n-1 ] ]\neven 4"), Is.EqualTo(22));
         // Each call has its own variables, also after a deeper one has come back.
         Assert.That(X("def tree n [ if n > 0 [ let d = n\n for i = 1 to 2 [ tree n-1 ]\n forward d ] ]\ntree 3"), Is.EqualTo(3 + (2 * 2) + (4 * 1)));
+        Assert.That(X("def f [ forward 1; stop ]\nrepeat 3 [ f ]\nforward 5"), Is.EqualTo(1), "stop ends the program");
+        Assert.That(X("forward 1; return; forward 5"), Is.EqualTo(1));
         Assert.That(X("def two a, b [ forward a * 10 + b ]\ntwo 1 2\ntwo 3, 4"), Is.EqualTo(46));
     }
 
