@@ -46,6 +46,31 @@ public sealed class GCodeTests
         Assert.That(decoded.Moves().Where(m => m.Kind == MoveKind.Print && m.Role is not (Role.Unspecified or Role.Purge)).Sum(m => m.Deposited), Is.EqualTo(planned.DepositedE).Within(1e-3));
     }
 
+    [TestCase("de-DE")]
+    [TestCase("tr-TR")]
+    [TestCase("ar-SA")]
+    public void The_culture_of_the_user_changes_nothing(string culture)
+    {
+        string[] Lines()
+        {
+            var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20.125), Line(40)).Feed("Printer", "ender3").Feed("Policy", "PRINTER").Solve();
+            Assert.That(plan.Errors, Is.Empty);
+            var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", plan.Output("Toolpath").VolatileData.get_Branch(0)[0]).Solve();
+            return write.One<GCodeDocument>("G-code").Lines(1, 10000).Select(l => l.Text).Concat(plan.All("Toolpath").Select(t => t!.ToString()!)).ToArray();
+        }
+        var expected = Lines();
+        var before = System.Threading.Thread.CurrentThread.CurrentCulture;
+        try
+        {
+            System.Threading.Thread.CurrentThread.CurrentCulture = new System.Globalization.CultureInfo(culture);
+            Assert.That(Lines(), Is.EqualTo(expected));
+        }
+        finally
+        {
+            System.Threading.Thread.CurrentThread.CurrentCulture = before;
+        }
+    }
+
     [Test]
     public void Steps_of_several_branches_follow_each_other()
     {
