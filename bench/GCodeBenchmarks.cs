@@ -4,6 +4,7 @@ using System.Text;
 using BenchmarkDotNet.Attributes;
 using Caterpillar.GCode;
 using Caterpillar.Toolpaths;
+using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Bench;
 

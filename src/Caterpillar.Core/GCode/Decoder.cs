@@ -118,6 +118,7 @@ public static class Decoder
                 Checkpoints = checkpoints?.ToArray() ?? [],
                 Axis = axis,
                 LastModeLine = core.LastModeLine,
+                FirstMarkLine = core.FirstMarkLine,
             },
             diagnostics);
     }

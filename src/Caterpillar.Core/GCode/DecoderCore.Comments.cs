@@ -79,16 +79,26 @@ internal sealed partial class DecoderCore
 
     private bool _ownMarks;
 
+    /// <summary>The line of the first comment that begins a layer, or 0.</summary>
+    public int FirstMarkLine { get; private set; }
+
+    private void FirstMark()
+    {
+        if (Layers.Marked) return;
+        FirstMarkLine = _line;
+        _out.ForgetLayers();
+    }
+
     private void MarkByMove(int layer)
     {
-        if (!Layers.Marked) _out.ForgetLayers();
+        FirstMark();
         Layers.Mark(layer, double.NaN, 0);
     }
 
     private void Mark(int? number, double z, double thickness)
     {
         _ownMarks = true;
-        if (!Layers.Marked) _out.ForgetLayers();
+        FirstMark();
         Layers.Mark(number, z, thickness);
         _lastFlatZ = double.NaN;
     }

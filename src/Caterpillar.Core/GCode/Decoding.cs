@@ -51,6 +51,9 @@ public sealed class Decoding
     /// <summary>The last line that changes how E is read.</summary>
     internal int LastModeLine { get; init; }
 
+    /// <summary>The line where the first layer begins, or 0.</summary>
+    internal int FirstMarkLine { get; init; }
+
     /// <summary>For a panel: moves, layers and dialect.</summary>
     public override string ToString()
         => Basics.NumberFormatter.Format(Toolpath.Count) + " moves, " + Basics.NumberFormatter.Format(Toolpath.Layers.Count) + " layers, " + Dialect.Title;

@@ -7,6 +7,19 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
+/// <summary>What else is changed in a file that is written again.</summary>
+public sealed record EditOptions
+{
+    /// <summary>
+    /// Lines in place of everything before the first layer (its first comment, or the first strand where there are none); null keeps it. Behind them the modes, E, feed and place are stated that the
+    /// rest of the file expects.
+    /// </summary>
+    public IReadOnlyList<string>? Start { get; init; }
+
+    /// <summary>Lines in place of everything behind the last strand of the last layer; null keeps it.</summary>
+    public IReadOnlyList<string>? End { get; init; }
+}
+
 /// <summary>Writes a decoded file again with an edited toolpath: untouched lines byte for byte, changed ones in the file's own style, and at the splices the state that the rest of the file expects.</summary>
 public static class GCodeEditor
 {
@@ -16,23 +29,34 @@ public static class GCodeEditor
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
     public static IReadOnlyList<Diagnostic> Write(Decoding decoding, Toolpath edited, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+        => Write(decoding, edited, new EditOptions(), stream, progress, cancel);
+
+    /// <inheritdoc cref="Write(Decoding, Toolpath, Stream, IProgress{double}?, CancellationToken)"/>
+    public static IReadOnlyList<Diagnostic> Write(
+        Decoding decoding, Toolpath edited, EditOptions options, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (edited is null) throw new ArgumentNullException(nameof(edited));
+        if (options is null) throw new ArgumentNullException(nameof(options));
         if (decoding.Document is null) throw new ArgumentException("Writing a file again needs its document.", nameof(decoding));
         var plan = SplicePlan.Of(decoding, edited);
         if (!plan.InOrder || edited.Source != MoveSource.Lines)
             return [new Diagnostic(Severity.Error, "gcode.reordered", "The moves are not in the order of the file's lines; write the toolpath as new G-code instead.")];
         var splicer = new Splicer(decoding, null, stream);
+        splicer.Replace(options, plan);
         splicer.Run(edited, plan, progress, cancel);
         return splicer.Diagnostics.ToList();
     }
 
-    /// <inheritdoc cref="Write" path="/summary"/>
+    /// <inheritdoc cref="Write(Decoding, Toolpath, Stream, IProgress{double}?, CancellationToken)" path="/summary"/>
     public static Result<GCodeDocument> ToDocument(Decoding decoding, Toolpath edited, IProgress<double>? progress = null, CancellationToken cancel = default)
+        => ToDocument(decoding, edited, new EditOptions(), progress, cancel);
+
+    /// <inheritdoc cref="ToDocument(Decoding, Toolpath, IProgress{double}?, CancellationToken)"/>
+    public static Result<GCodeDocument> ToDocument(Decoding decoding, Toolpath edited, EditOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         using var memory = new MemoryStream();
-        var problems = Write(decoding, edited, memory, progress, cancel);
+        var problems = Write(decoding, edited, options, memory, progress, cancel);
         var failed = new Result<GCodeDocument>(null, problems);
         return failed.HasErrors ? failed : new Result<GCodeDocument>(GCodeDocument.FromBytes(memory.ToArray(), decoding.Document!.Name), problems);
     }

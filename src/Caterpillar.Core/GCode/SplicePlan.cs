@@ -24,6 +24,16 @@ internal sealed class SplicePlan
 
     public bool IsDirty(int chunk) => _dirty[chunk];
 
+    /// <summary>The chunks with these lines are gone through line by line.</summary>
+    public void Touch(int firstLine, int lastLine)
+    {
+        for (var i = 0; i < _dirty.Length; i++)
+        {
+            var next = i + 1 < _checkpoints.Length ? _checkpoints[i + 1].Line : int.MaxValue;
+            if (_checkpoints[i].Line < lastLine && next >= firstLine) _dirty[i] = true;
+        }
+    }
+
     public static SplicePlan Of(Decoding decoding, Toolpath edited)
     {
         var plan = new SplicePlan(decoding.Checkpoints);

@@ -82,6 +82,7 @@ internal sealed partial class Splicer
         }
         FlushComments(true);
         End();
+        foreach (var line in _end) Command(line);
         _text.Flush();
     }
 
@@ -114,7 +115,13 @@ internal sealed partial class Splicer
 
     private void Line(byte[] text, int start, int end, int next)
     {
+        if (_number == _firstKept) Begin();
         var moves = _in.ReadLine(text, start, end, out var commands);
+        if (_number < _firstKept || _number > _lastKept)
+        {
+            _cursor.SkipTo(_number + 1);
+            return;
+        }
         if (moves == 0 && commands == 0)
         {
             _line.Scan(text, start, end);
