@@ -71,7 +71,7 @@ public sealed record PrintSettings
     public bool Detour { get; init; }
 
     /// <summary>Travels within a layer that stay inside the part are made without a lift and a retraction.</summary>
-    public bool Comb { get; init; }
+    public bool Comb { get; init; } = true;
 
     /// <summary>Travels up to this length are made without a retraction, mm.</summary>
     public double RetractionMinTravel { get; init => field = SettingsKeys.RetractionMinTravel.Check(value); } = 1.5;
