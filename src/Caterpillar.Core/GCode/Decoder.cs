@@ -53,6 +53,7 @@ public static class Decoder
         Stream stream, DecodeOptions? options = null, string name = "", IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
+        var tail = Tail(stream);
         using var chunks = ChunkReader.Read(stream, 1024 * 1024, cancel).GetEnumerator();
         var head = new List<GCodeChunk>();
         var seen = 0L;
@@ -76,7 +77,24 @@ public static class Decoder
         }
         var axis = ExtrusionAxis.Detect(Head());
         var length = stream.CanSeek ? stream.Length : 0;
-        return Run(null, All(), axis, length, name, options ?? new DecodeOptions(), progress, cancel, head);
+        var told = new List<GCodeChunk>(head);
+        if (tail is not null) told.Add(tail);
+        return Run(null, All(), axis, length, name, options ?? new DecodeOptions(), progress, cancel, told);
+    }
+
+    // The end of a plain file, where some slicers say what it is for; null where it cannot be read yet.
+    private static GCodeChunk? Tail(Stream stream)
+    {
+        const int Length = 96 * 1024;
+        if (!stream.CanSeek) return null;
+        var position = stream.Position;
+        if (stream.Length - position < 2 * Length) return null;
+        var bytes = new byte[Length];
+        stream.Seek(-Length, SeekOrigin.End);
+        var count = 0;
+        for (int read; count < Length && (read = stream.Read(bytes, count, Length - count)) > 0;) count += read;
+        stream.Position = position;
+        return new GCodeChunk(bytes, 0, count);
     }
 
     private static Result<Decoding> Run(
@@ -107,6 +125,8 @@ public static class Decoder
         core.ReportIgnored();
         if (detected is { } found && found.IsDefault)
             core.Diagnostics.Add(Severity.Remark, "gcode.dialect_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
+        if (detected is { IsDefault: true } && core.Settings.TryGetValue("gcode_flavor", out var flavour) && DialectDetector.OfFlavour(flavour) is { } meant && meant != rules.Name)
+            core.Diagnostics.Add(Severity.Warning, "gcode.dialect_late", "The settings at the end of the file name the flavour \"" + flavour + "\"; it was read as " + rules.Title + ". State the dialect.");
         var settings = core.Settings.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
         var toolpath = core.Finish(FilamentFactors.Of(settings, options.FilamentDiameter));
         var report = Reports.Of(core, axis, name, bytes, mark);

@@ -84,6 +84,17 @@ internal static class DialectDetector
         return name;
     }
 
+    /// <summary>The dialect that a slicer's word for a flavour means, or null.</summary>
+    public static string? OfFlavour(string flavour)
+    {
+        var plain = flavour.Trim().ToLowerInvariant();
+        foreach (var (known, name) in Flavours)
+        {
+            if (plain == known) return name;
+        }
+        return DialectTable.Find(plain)?.Name;
+    }
+
     private static string? ByFlavour(string text, List<string> evidence)
     {
         foreach (var key in new[] { ";FLAVOR:", "; gcode_flavor = ", "gcode_flavor = ", "machine_gcode_flavor = " })
@@ -96,13 +107,7 @@ internal static class DialectDetector
             var plain = flavour.ToLowerInvariant();
             // Cura calls Marlin 1 and 2 alike.
             if (plain == "marlin" && key[1] == 'F') plain = "marlin2";
-            string? found = null;
-            foreach (var (known, name) in Flavours)
-            {
-                if (plain == known) found = name;
-            }
-            found ??= DialectTable.Find(plain)?.Name;
-            if (found is null) continue;
+            if (OfFlavour(plain) is not { } found) continue;
             evidence.Add("A comment says: " + text.Substring(at, end - at).Trim());
             return found;
         }

@@ -246,6 +246,24 @@ public class DialectTests
     }
 
     [Test]
+    public void The_end_of_a_stream_is_looked_at_first_where_that_can_be_done()
+    {
+        var text = new StringBuilder("G21\nG90\nM83\n");
+        for (var i = 0; i < 20_000; i++) text.Append("G1 X").Append(i % 7).Append(" Y").Append(i % 5).Append(" E0.1\n");
+        var bytes = Encoding.ASCII.GetBytes(text.Append("; gcode_flavor = klipper\n").ToString());
+        using var plain = new MemoryStream(bytes);
+        var decoding = Decoder.DecodeStream(plain).Value!;
+        Assert.That(decoding.Dialect.Name, Is.EqualTo("klipper"));
+        Assert.That(decoding.Report.Bytes, Is.EqualTo(bytes.Length));
+        using var memory = new MemoryStream();
+        using (var packed = new System.IO.Compression.GZipStream(memory, System.IO.Compression.CompressionMode.Compress, true)) packed.Write(bytes, 0, bytes.Length);
+        memory.Position = 0;
+        var late = Decoder.DecodeStream(memory);
+        Assert.That(late.Value!.Toolpath.Count, Is.EqualTo(decoding.Toolpath.Count));
+        if (late.Value.Dialect.Name != "klipper") Assert.That(late.Diagnostics.Select(d => d.Code), Does.Contain("gcode.dialect_late"));
+    }
+
+    [Test]
     public void The_manual_is_current()
     {
         var file = Path.Combine(TestData.Repository, "docs", "gcode.md");
