@@ -239,7 +239,8 @@ internal sealed class ParsedLine
         }
         Letters[Count] = letter;
         Values[Count] = value;
-        HasValue[Count] = has;
+        // A number beyond all numbers is none.
+        HasValue[Count] = has && !double.IsInfinity(value);
         LetterAt[Count] = at;
         NumberAt[Count] = numberAt;
         NumberEnd[Count] = numberEnd;
