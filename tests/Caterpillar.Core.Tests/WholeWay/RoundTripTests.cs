@@ -55,6 +55,33 @@ public class RoundTripTests
         Assert.That(after.WorstDrift(before), Is.LessThan(1e-4), "E does not drift along the file");
     }
 
+    /// <summary>Every closed mesh with every profile that extrudes, in both modes: a minute on .NET, so only where it is asked for.</summary>
+    [Test, Explicit]
+    public void What_is_written_is_what_was_planned_for_all_meshes_and_profiles()
+    {
+        var library = new ProfileLibrary();
+        var runs = 0;
+        foreach (var mesh in Closed)
+        {
+            foreach (var profile in library.PrinterNames.Where(name => library.Printer(name).Value!.ExtrusionUnit != ExtrusionUnit.None))
+            {
+                foreach (var mode in new[] { ExtrusionMode.Relative, ExtrusionMode.Absolute })
+                {
+                    try
+                    {
+                        What_is_written_is_what_was_planned(mesh, profile, mode);
+                        runs++;
+                    }
+                    catch (IgnoreException tooThin)
+                    {
+                        TestContext.Out.WriteLine($"{mesh} with {profile}: {tooThin.Message}");
+                    }
+                }
+            }
+        }
+        TestContext.Out.WriteLine($"{runs} round trips");
+    }
+
     [TestCase("beetle_open.obj")]
     [TestCase("ogre_bodies.ply")]
     [TestCase("bowl_open.ply")]
