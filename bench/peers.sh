@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Whole programs side by side: Caterpillar against the slicers and the viewer that are installed.
+# Whole programs side by side: Caterpillar against the slicers that are installed.
 #   bench/peers.sh MESH.stl [GCODE]
-# Needs GNU time; CuraEngine (CURA_ENGINE_SEARCH_PATH names its definitions and extruders), prusa-slicer and node with gcode-preview are used where found.
+# Needs GNU time; CuraEngine (CURA_ENGINE_SEARCH_PATH names its definitions and extruders) and prusa-slicer are used where found.
 # The settings are the same: 0.2 mm layers, width 0.4 mm, 2 walls, 20 % line infill, no skins, no skirt. A comparison counts where printed length and volume agree within 2 %.
 set -eu
 cd "$(dirname "$0")/.."
@@ -30,7 +30,7 @@ if command -v CuraEngine >/dev/null; then
   measure cura-slice CuraEngine slice -m"$(nproc)" -j "$definition" -o "$out/cura.gcode" -s layer_height=0.2 -s layer_height_0=0.2 -s wall_line_count=2 -s infill_pattern=lines -s infill_sparse_density=20 \
     -s infill_line_distance=2 -s top_layers=0 -s bottom_layers=0 -s initial_bottom_layers=0 -s adhesion_type=none -s support_enable=false -s machine_nozzle_size=0.4 -s machine_width=220 -s machine_depth=220 \
     -s machine_height=250 -s machine_center_is_zero=false -s center_object=true -s retraction_enable=true -s retraction_amount=0.8 -s retraction_min_travel=1.5 -s line_width=0.4 -s wall_line_width=0.4 -s wall_line_width_0=0.4 \
-    -s wall_line_width_x=0.4 -s infill_line_width=0.4 -s material_diameter=1.75 -l "$mesh"
+    -s wall_line_width_x=0.4 -s infill_line_width=0.4 -s material_diameter=1.75 -e0 -s material_diameter=1.75 -l "$mesh"
 fi
 if command -v prusa-slicer >/dev/null; then
   measure prusa-slice prusa-slicer --export-gcode --loglevel 0 -o "$out/prusa.gcode" --nozzle-diameter 0.4 --filament-diameter 1.75 --layer-height 0.2 --first-layer-height 0.2 --center 110,110 --perimeters 2 \
@@ -44,12 +44,4 @@ done
 
 if [ -n "$gcode" ]; then
   measure caterpillar-decode "$caterpillar" decode "$gcode" --json
-  if [ -d "${GCODE_PREVIEW:-node_modules/gcode-preview}" ]; then
-    cat > "$out/preview.cjs" <<'JS'
-const { Parser } = require(process.argv[2]);
-const text = require('fs').readFileSync(process.argv[3], 'utf8');
-new Parser().parseGCode(text);
-JS
-    measure gcode-preview node "$out/preview.cjs" "$(realpath "${GCODE_PREVIEW:-node_modules/gcode-preview}")" "$gcode"
-  fi
 fi

@@ -3,17 +3,35 @@ using System.Security.Cryptography;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Reads through another stream and adds what was read to a hash.</summary>
+/// <summary>
+/// Reads through another stream and adds what was read to a hash. A reader may look ahead and come back: every byte is hashed once, in the order of the file.
+/// </summary>
 internal sealed class HashingStream(Stream inner, IncrementalHash hash) : ReadStream
 {
+    private long _hashed;
+
     public override bool CanSeek => inner.CanSeek;
 
     public override long Length => inner.Length;
 
+    public override long Position
+    {
+        get => inner.Position;
+        set => inner.Position = value;
+    }
+
+    public override long Seek(long offset, SeekOrigin origin) => inner.Seek(offset, origin);
+
     public override int Read(byte[] buffer, int offset, int count)
     {
+        var at = inner.CanSeek ? inner.Position : _hashed;
         var read = inner.Read(buffer, offset, count);
-        hash.AppendData(buffer, offset, read);
+        var known = _hashed - at;
+        if (known >= 0 && known < read)
+        {
+            hash.AppendData(buffer, offset + (int)known, read - (int)known);
+            _hashed = at + read;
+        }
         return read;
     }
 }

@@ -65,8 +65,8 @@ public static class DialectManual
         text.Append("\nThe same for all: `G0` and `G1` move in a straight line; `G17` is the plane XY; `G21` is millimetres; `G90` and `G91` switch X, Y and Z; `F` holds until the next (mm/min); `G92 E` names the\n");
         text.Append("position of E; `M104`, `M109`, `M140`, `M190`, `M106`, `M107`, `M204` become events of the toolpath. A line that begins with `M` never moves. `;` and `( )` are comments, `*` begins a\n");
         text.Append("checksum, a leading `N` word and `/` are dropped, lines that begin with `%`, `@`, `<` or an extended command do nothing. Everything else is counted and reported.\n");
-        text.Append("\n## Sources\n\n| name | dialect | read from |\n|---|---|---|\n");
-        foreach (var dialect in all) text.Append("| `").Append(dialect.Name).Append("` | ").Append(dialect.Title).Append(" | ").Append(dialect.Source).Append(" |\n");
+        text.Append("\n## Sources\n\n| name | dialect | where its rules stand | compared with it |\n|---|---|---|---|\n");
+        foreach (var dialect in all) text.Append("| `").Append(dialect.Name).Append("` | ").Append(dialect.Title).Append(" | ").Append(dialect.Source).Append(dialect.Confirmed ? " | yes |\n" : " | not yet: from documentation and experience |\n");
         return text.ToString();
     }
 

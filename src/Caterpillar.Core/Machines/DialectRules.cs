@@ -75,8 +75,11 @@ public sealed record DialectRules
     /// <summary>Name for people.</summary>
     public string Title { get; init; } = "Slicers";
 
-    /// <summary>Where the rules were read.</summary>
+    /// <summary>Where the rules stand.</summary>
     public string Source { get; init; } = "";
+
+    /// <summary>The rules were compared with that source; false where they are from documentation and experience.</summary>
+    public bool Confirmed { get; init; } = true;
 
     public RelativeERule RelativeE { get; init; } = RelativeERule.EitherG91OrM83;
 
