@@ -13,6 +13,10 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager)
     public void Number(string name, string nick, string description, double? fallback = null, GH_ParamAccess access = Item)
         => Add(Default(new Param_Number(), fallback), name, nick, description, access);
 
+    /// <summary>An angle: degrees, or radians where the user switches the port.</summary>
+    public void Angle(string name, string nick, string description, double fallback)
+        => Add(Default(new Param_Number { AngleParameter = true, UseDegrees = true }, fallback), name, nick, description, Item);
+
     /// <summary>A number that may be left out; the component then falls back to something that is no number.</summary>
     public void OptionalNumber(string name, string nick, string description) => Add(new Param_Number { Optional = true }, name, nick, description, Item);
 

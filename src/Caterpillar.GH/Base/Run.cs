@@ -7,6 +7,7 @@ using Caterpillar.Basics;
 using Caterpillar.GH.Conversion;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Data;
+using Grasshopper.Kernel.Parameters;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Base;
@@ -84,10 +85,11 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
         return value > 0 ? value : throw new InputProblem($"{component.Params.Input[input].Name} must be greater than zero, not {NumberFormatter.Format(value, 6)}.");
     }
 
-    /// <summary>A finite number.</summary>
+    /// <summary>A finite number; of an angle port in degrees, whichever its switch says.</summary>
     public double Finite(int input)
     {
         var value = Get<double>(input);
+        if (component.Params.Input[input] is Param_Number { AngleParameter: true, UseDegrees: false }) value = Angle.ToDegrees(value);
         return !double.IsNaN(value) && !double.IsInfinity(value)
             ? value
             : throw new InputProblem($"{component.Params.Input[input].Name} must be a finite number.");

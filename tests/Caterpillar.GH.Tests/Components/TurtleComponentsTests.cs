@@ -73,6 +73,16 @@ public sealed class TurtleComponentsTests
     }
 
     [Test]
+    public void Angle_ports_take_radians_where_they_are_switched()
+    {
+        var canvas = new Canvas<TurtleRotateComponent>().Feed("Yaw", System.Math.PI / 2);
+        var port = (Grasshopper.Kernel.Parameters.Param_Number)canvas.Component.Params.Input[0];
+        Assert.That((port.AngleParameter, port.UseDegrees), Is.EqualTo((true, true)));
+        port.UseDegrees = false;
+        Assert.That(Line(canvas), Is.EqualTo("yaw 90"));
+    }
+
+    [Test]
     public void Bad_values_are_named_and_the_rest_goes_on()
     {
         var canvas = new Canvas<TurtleMoveComponent>().Feed("Distance", 1.0, double.NaN, null, 3.0).Solve();

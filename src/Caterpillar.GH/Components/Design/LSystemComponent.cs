@@ -21,7 +21,7 @@ public sealed class LSystemComponent() : CaterpillarComponent(
         ports.Text("Axiom", "A", "Word of generation 0, for example F.");
         ports.Text("Rules", "R", "Rules, for example F -> F[+F]F[-F]F; 0.3 F -> FF draws by chance; A(l) : l > 1 -> F(l)A(l*0.7) has values.", access: GH_ParamAccess.list);
         ports.Integer("Generations", "G", "Number of times that the word is rewritten.");
-        ports.Number("Angle", "An", "Turn of + - ^ & \\ /, in degrees.", 90);
+        ports.Angle("Angle", "An", "Turn of + - ^ & \\ /, in degrees.", 90);
         ports.Integer("Seed", "Sd", "Seed of the choices by chance, from 0.", 0);
         ports.Number("Step", "St", "Length of F and f, in mm.", 1);
     }

@@ -50,7 +50,7 @@ public sealed class TurtleMoveComponent() : TurtleCommandComponent("Move", "Move
         ports.Number("Distance", "D", "Distance, radius of arcs and circles, or side of polygons, in mm.", 10);
         ports.Number("Height", "H", "Way along up, in mm: of Forward And Up, and what an arc climbs; lifts take the distance.", 0);
         ports.Add(new Param_Point(), "Point", "Pt", "Point to go or jump to, in document units.", optional: true);
-        ports.Number("Angle", "A", "Turn of an arc, in degrees; positive to the left.", 90);
+        ports.Angle("Angle", "A", "Turn of an arc, in degrees; positive to the left.", 90);
         ports.Integer("Count", "N", "Number of segments of arcs and circles (0: as many as they need), or of sides of polygons.", 0);
     }
 
@@ -92,9 +92,9 @@ public sealed class TurtleRotateComponent() : TurtleCommandComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Number("Yaw", "Y", "Turn about up, in degrees.", 0);
-        ports.Number("Pitch", "P", "Turn about left, in degrees.", 0);
-        ports.Number("Roll", "R", "Turn about forward, in degrees.", 0);
+        ports.Angle("Yaw", "Y", "Turn about up, in degrees.", 0);
+        ports.Angle("Pitch", "P", "Turn about left, in degrees.", 0);
+        ports.Angle("Roll", "R", "Turn about forward, in degrees.", 0);
         ports.Choice("Kind", "K", "Turn about its own axes, set the heading from the axes of the world, or add to the angles of the heading.", TurtleRotateKind.Turn);
     }
 

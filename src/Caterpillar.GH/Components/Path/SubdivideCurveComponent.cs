@@ -35,7 +35,7 @@ public sealed class SubdivideCurveComponent() : CaterpillarComponent(
         ports.Choice("Mode", "M", "How curved parts are divided: by distance, by chord tolerance or by angle.", SubdivisionMode.Distance);
         ports.Number("Distance", "D", "Largest length of a segment of a curved part, in mm.", 1);
         ports.Number("Tolerance", "T", "Largest distance between curve and segment, in mm.", 0.05);
-        ports.Number("Angle", "A", "Largest turn of the curve along a segment, in degrees.", 5);
+        ports.Angle("Angle", "A", "Largest turn of the curve along a segment, in degrees.", 5);
         ports.Number("Shortest", "S", "No segment of a curved part is shorter, in mm; 0 for no such limit.", 0);
         ports.Number("Longest", "L", "No segment of a curved part is longer, in mm; 0 for no such limit.", 0);
     }
