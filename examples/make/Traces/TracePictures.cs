@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using Caterpillar.Display;
-using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples;
@@ -29,21 +31,7 @@ internal static class TracePictures
         }
     }
 
-    // The moves that print the paths one after the other; E in mm³.
     private static Toolpath Drawn(IReadOnlyList<PrintPath> paths)
-    {
-        var builder = new ToolpathBuilder(MoveSource.Steps, paths[0].Start);
-        for (var step = 0; step < paths.Count; step++)
-        {
-            var path = paths[step];
-            if (path.Start != builder.Position) builder.Add(path.Start, 0, 0, 100, MoveKind.Travel, path.Role, -1, 0, step);
-            for (var i = 0; i < path.SegmentCount; i++)
-            {
-                var bead = path.BeadOf(i);
-                var volume = path.LengthOf(i) * bead.Area;
-                builder.Add(path.EndOf(i), volume, volume, bead.Speed, MoveKind.Print, path.Role, -1, 0, step, path.ArcOf(i));
-            }
-        }
-        return builder.Build([new ToolpathTool(1)]);
-    }
+        => Planner.Plan(paths.Select(path => (Step)path).ToArray(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn, Start = paths[0].Start }).Value
+            ?? throw new InvalidOperationException("The example cannot be planned.");
 }

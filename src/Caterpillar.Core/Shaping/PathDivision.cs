@@ -20,22 +20,17 @@ internal static class PathDivision
     /// <summary>All vertices (the first again at the end of a closed path) and a bead for each segment.</summary>
     public static (Vec3[] Points, Bead[] Beads) Divide(PrintPath path, double tolerance, Deformation deformation, CancellationToken cancel)
     {
+        if (!(tolerance > 0))
+        {
+            var straight = Straight(path, 0, cancel);
+            return (straight.Closed ? [.. straight.Points, path.Start] : straight.Points, straight.Beads);
+        }
         var points = new List<Vec3> { path.Start };
         var beads = new List<Bead>();
         for (var i = 0; i < path.SegmentCount; i++)
         {
             if ((i & 0xFFF) == 0) cancel.ThrowIfCancellationRequested();
-            var piece = new Piece(path, i);
-            if (tolerance > 0)
-            {
-                Split(piece, 0, 1, tolerance, deformation, 0, points);
-            }
-            else
-            {
-                var parts = path.ArcOf(i)?.ChordCount(path.Points[i], ArcTolerance) ?? 1;
-                for (var k = 1; k < parts; k++) points.Add(piece.At((double)k / parts));
-                points.Add(piece.End);
-            }
+            Split(new Piece(path, i), 0, 1, tolerance, deformation, 0, points);
             while (beads.Count < points.Count - 1) beads.Add(path.BeadOf(i));
         }
         return (points.ToArray(), beads.ToArray());
