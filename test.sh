@@ -2,7 +2,7 @@
 # Builds everything and runs all tests: on .NET and, where `mono` is found, on Mono too.
 #   ./test.sh             run
 #   ./test.sh --install   install Mono first (Debian, Ubuntu: apt-get, as root or with sudo)
-# Closes with "N passed, N failed, N skipped", both runtimes counted.
+# Closes with "N passed, N failed" on a line of its own, both runtimes counted.
 set -u
 cd "$(dirname "$0")"
 
@@ -52,5 +52,6 @@ total() { sed -nE "s/.*- Failed: .*$1: +([0-9]+),.*/\1/p" "$log"/* | awk '{ n +=
 failed=$(sed -nE 's/.*- Failed: +([0-9]+), Passed.*/\1/p' "$log"/* | awk '{ n += $1 } END { print n + 0 }')
 # A test process that died has no summary line; it counts as a failure.
 if [ "$failed" = 0 ] && [ "$failed_steps" -gt 0 ]; then failed=$failed_steps; fi
-echo "$(total Passed) passed, $failed failed, $(total Skipped) skipped"
+echo "$(total Skipped) skipped"
+echo "$(total Passed) passed, $failed failed"
 [ "$failed" = 0 ]
