@@ -68,35 +68,43 @@ public sealed class Deformation
         var divided = PathDivision.Divide(path, tolerance, this, cancel);
         var points = divided.Points;
         var values = divided.Beads;
-        foreach (var stage in _stages)
+        var areas = Array.ConvertAll(values, v => v.Area);
+        var speeds = Array.ConvertAll(values, v => v.Speed);
+        if (Run(ref points, areas, speeds) is { } problem)
         {
-            var before = stage.Coordinates(points);
-            for (var i = 0; i < values.Length; i++)
-            {
-                var middle = (before[i] + before[i + 1]) * 0.5;
-                var area = stage.Area?.Invoke(values[i].Area, middle) ?? values[i].Area;
-                var speed = stage.Speed?.Invoke(values[i].Speed, middle) ?? values[i].Speed;
-                if (!(area >= 0) || double.IsInfinity(area) || !(speed >= 0) || double.IsInfinity(speed))
-                {
-                    problems.Add(Severity.Error, "shape.value", "The area or speed map gives a value that is negative or not finite.", new SourceLocation(Step: number));
-                    return null;
-                }
-                values[i] = new Bead(area, values[i].Height, speed);
-            }
-            for (var i = 0; i < points.Length; i++)
-            {
-                points[i] = stage.Map(before[i]);
-                if (points[i].IsFinite) continue;
-                problems.Add(Severity.Error, "shape.position", "The position map gives a point that is not finite.", new SourceLocation(Step: number));
-                return null;
-            }
+            problems.Add(problem with { Source = new SourceLocation(Step: number) });
+            return null;
         }
+        for (var i = 0; i < values.Length; i++) values[i] = new Bead(areas[i], values[i].Height, speeds[i]);
         if (!path.IsClosed) return path.WithGeometry(points, values, false);
         // A closed path stays closed where its ends still meet: a map of the angle may open it.
         var last = points.Length - 1;
         if (points[last].DistanceTo(points[0]) > 1e-6) return path.WithGeometry(points, values, false);
         Array.Resize(ref points, last);
         return path.WithGeometry(points, values, true);
+    }
+
+    /// <summary>Maps a run of points, and the areas (mm²) and speeds (mm/s) of the segments between them; gives the mistake of a map, after which nothing is of use.</summary>
+    internal Diagnostic? Run(ref Vec3[] points, double[] areas, double[] speeds)
+    {
+        foreach (var stage in _stages)
+        {
+            var before = stage.Coordinates(points);
+            for (var i = 0; i < areas.Length; i++)
+            {
+                var middle = (before[i] + before[i + 1]) * 0.5;
+                areas[i] = stage.Area?.Invoke(areas[i], middle) ?? areas[i];
+                speeds[i] = stage.Speed?.Invoke(speeds[i], middle) ?? speeds[i];
+                if (!(areas[i] >= 0) || double.IsInfinity(areas[i]) || !(speeds[i] >= 0) || double.IsInfinity(speeds[i]))
+                    return new Diagnostic(Severity.Error, "shape.value", "The area or speed map gives a value that is negative or not finite.");
+            }
+            points = Array.ConvertAll(before, stage.Map);
+            foreach (var point in points)
+            {
+                if (!point.IsFinite) return new Diagnostic(Severity.Error, "shape.position", "The position map gives a point that is not finite.");
+            }
+        }
+        return null;
     }
 
     /// <summary>Maps a run of points through all stages; angles run on from point to point.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
@@ -26,27 +27,21 @@ public static class Mapping
     public static Toolpath Transformed(this Toolpath toolpath, Affine map, double tolerance = 0.01)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        var keepsArcs = KeepsCircles(map);
-        var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start is { } from ? map.Apply(from) : null);
-        foreach (var layer in toolpath.Layers) builder.AddLayer(Image(layer, map));
-        var next = 0;
-        void Events(int before)
-        {
-            for (; next < toolpath.Events.Count && toolpath.Events[next].Move <= before; next++) builder.AddEvent(toolpath.Events[next].Event);
-        }
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
-        {
-            var columns = toolpath.Blocks[block].Columns;
-            for (var i = 0; i < columns.Count; i++)
-            {
-                var move = toolpath[toolpath.FirstOf(block) + i];
-                Events(move.Index);
-                Add(builder, move, map, keepsArcs, tolerance);
-                if (columns.A is not null) builder.SetRotary(columns.A[i], columns.B![i], columns.C![i]);
-            }
-        }
-        Events(toolpath.Count);
-        return builder.Build(toolpath.Tools);
+        var start = toolpath.Start is { } from ? map.Apply(from) : (Vec3?)null;
+        var mapped = new ToolpathMapper(toolpath, _ => true, new AffineRunMap(map, tolerance), tolerance).Run(start ?? map.Apply(Vec3.Zero));
+        return mapped.With(start, toolpath.Layers.Select(l => Image(l, map)));
+    }
+
+    /// <summary>
+    /// The same for the chosen moves; the others stay, and travels lead to where the strands now begin. Layers that are chosen whole (by number and object) get their new heights.
+    /// </summary>
+    /// <inheritdoc cref="Transformed(Toolpath, Affine, double)" path="/param"/>
+    public static Toolpath Transformed(this Toolpath toolpath, MoveFilter filter, Affine map, double tolerance = 0.01)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (filter is null) throw new ArgumentNullException(nameof(filter));
+        var mapped = new ToolpathMapper(toolpath, move => filter.Matches(toolpath, move), new AffineRunMap(map, tolerance), tolerance).Run(toolpath.Start ?? Vec3.Zero);
+        return mapped.With(toolpath.Start, toolpath.Layers.Select(l => filter.MatchesWhole(l) ? Image(l, map) : l));
     }
 
     private static PrintPath Mapped(PrintPath path, Affine map, bool keepsArcs, double tolerance)
@@ -82,36 +77,15 @@ public static class Mapping
         return path.WithGeometry(points, beads, path.IsClosed, arcs);
     }
 
-    private static void Add(ToolpathBuilder builder, Move move, Affine map, bool keepsArcs, double tolerance)
-    {
-        var arc = move.Arc;
-        var chords = arc is { } a && !keepsArcs ? a.ChordCount(move.Start, tolerance) : 1;
-        var image = arc is { } kept && keepsArcs ? Image(kept, map) : (Arc?)null;
-        var last = move.Start;
-        var length = move.Length;
-        for (var k = 1; k <= chords; k++)
-        {
-            var point = chords == 1 ? move.End : arc!.Value.PointAt(move.Start, move.End, (double)k / chords);
-            var end = map.Apply(point);
-            var start = map.Apply(last);
-            var share = chords == 1 ? 1 : 1.0 / chords;
-            var deposited = move.Deposited * share;
-            if (move.Kind == MoveKind.Print && length > 0) deposited = move.Deposited / length * (image is { } turned ? turned.Length(start, end) : start.DistanceTo(end));
-            var e = move.E * share + (deposited - move.Deposited * share);
-            builder.Add(end, e, deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source, image);
-            last = point;
-        }
-    }
-
     // Circles in XY stay circles in XY and Z stays linear along them.
-    private static bool KeepsCircles(Affine map)
+    internal static bool KeepsCircles(Affine map)
     {
         double x = map.XAxis.LengthXY, y = map.YAxis.LengthXY;
         return map.XAxis.Z == 0 && map.YAxis.Z == 0 && map.ZAxis.X == 0 && map.ZAxis.Y == 0
             && x > 0 && Math.Abs(x - y) <= 1e-9 * x && Math.Abs(Vec3.Dot(map.XAxis, map.YAxis)) <= 1e-9 * x * y;
     }
 
-    private static Arc Image(Arc arc, Affine map)
+    internal static Arc Image(Arc arc, Affine map)
     {
         var turned = map.XAxis.X * map.YAxis.Y - map.XAxis.Y * map.YAxis.X < 0;
         return new Arc(map.Apply(arc.Center), turned ? -arc.Sweep : arc.Sweep, arc.Plane);

@@ -39,6 +39,10 @@ public sealed record MoveFilter
             && (Tool is null || move.Tool == Tool)
             && (Region is null || Region.Value.Contains(move.End));
 
+    /// <summary>True when a layer is chosen whole.</summary>
+    internal bool MatchesWhole(Layer layer)
+        => Roles is null && Kinds is null && Tool is null && Region is null && Matches(default, layer);
+
     /// <summary>True when the move of a toolpath is chosen.</summary>
     internal bool Matches(Toolpath toolpath, Move move) => Matches(move, move.Layer >= 0 ? toolpath.Layers[move.Layer] : null);
 }

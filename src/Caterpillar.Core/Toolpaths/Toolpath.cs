@@ -99,6 +99,15 @@ public sealed class Toolpath
     internal Toolpath WithBlocks(IEnumerable<ToolpathBlock> blocks, IEnumerable<MoveEvent>? events = null, IEnumerable<Layer>? layers = null)
         => new(blocks, layers ?? Layers, events ?? _events, Tools, Start, Source);
 
+    /// <summary>The same moves with other events.</summary>
+    internal Toolpath WithEvents(IEnumerable<MoveEvent> events) => new(_blocks, Layers, events, Tools, Start, Source);
+
+    /// <summary>The same moves with other tools.</summary>
+    internal Toolpath WithTools(IEnumerable<ToolpathTool> tools) => new(_blocks, Layers, _events, tools, Start, Source);
+
+    /// <summary>The same moves from another start, in layers of other heights.</summary>
+    internal Toolpath With(Vec3? start, IEnumerable<Layer> layers) => new(_blocks, layers, _events, Tools, start, Source);
+
     /// <summary>Number of the first move of a block.</summary>
     internal int FirstOf(int block) => _firsts[block];
 

@@ -34,15 +34,18 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Moves the ends of the chosen moves, and the starts of chosen strands, by a map of points in mm. The material of printing moves follows their length; arcs of changed moves become
-    /// chords within <paramref name="tolerance"/> mm. For shifts, turns and scaling of everything see <see cref="Mapping"/>, which keeps arcs.
+    /// Maps the ends of the chosen moves, and the starts of chosen strands. Strands are divided until their image is met within <paramref name="tolerance"/> mm, arcs become chords, and the
+    /// material of printing moves follows their length. For shifts, turns and scaling see <see cref="Mapping"/>, which keeps arcs.
     /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
     /// <exception cref="InvalidOperationException">The map gives a point that is not finite.</exception>
     public static Toolpath Deform(this Toolpath toolpath, MoveFilter filter, Func<Vec3, Vec3> map, double tolerance = 0.01)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (filter is null) throw new ArgumentNullException(nameof(filter));
         if (map is null) throw new ArgumentNullException(nameof(map));
-        return new Deformer(toolpath, filter, map, tolerance).Run();
+        Positive(tolerance, nameof(tolerance));
+        return new ToolpathMapper(toolpath, move => filter.Matches(toolpath, move), new PointRunMap(map, tolerance), tolerance).Run(toolpath.Start ?? Vec3.Zero);
     }
 
     /// <summary>
@@ -63,7 +66,7 @@ public static class ToolpathEdits
         return new Remover(toolpath, move => !filter.Matches(toolpath, move)).Run();
     }
 
-    /// <summary>Puts an event before a move (its number; the number of moves for the end).</summary>
+    /// <summary>Puts an event before a move (its number; the number of moves for the end). Behind a <see cref="ToolEvent"/> its tool makes the moves up to the next one.</summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
     public static Toolpath Insert(this Toolpath toolpath, int move, PrinterEvent what)
     {
@@ -72,8 +75,10 @@ public static class ToolpathEdits
         if (move < 0 || move > toolpath.Count) throw new ArgumentOutOfRangeException(nameof(move), move, "There is no such move.");
         var events = toolpath.Events.ToList();
         var at = events.FindIndex(e => e.Move > move);
-        events.Insert(at < 0 ? events.Count : at, new MoveEvent(move, what));
-        return toolpath.WithBlocks(toolpath.Blocks, events);
+        if (at < 0) at = events.Count;
+        var next = events.Skip(at).Where(e => e.Event is ToolEvent).Select(e => (int?)e.Move).FirstOrDefault() ?? toolpath.Count;
+        events.Insert(at, new MoveEvent(move, what));
+        return (what is ToolEvent tool ? Retooled(toolpath, move, next, tool.Tool) : toolpath).WithEvents(events);
     }
 
     /// <summary>Puts an event (a pause, a tool, a temperature) before the first move of a layer by its number in its object; unchanged where there is no such layer.</summary>
@@ -91,10 +96,25 @@ public static class ToolpathEdits
         return toolpath;
     }
 
+    // A tool that is new is like the last one.
+    private static Toolpath Retooled(Toolpath toolpath, int from, int to, int tool)
+    {
+        var number = checked((short)tool);
+        var retooled = Change(toolpath, move => move.Index >= from && move.Index < to, (columns, i) => columns.Tool[i] = number);
+        var tools = toolpath.Tools.ToList();
+        while (tools.Count <= tool) tools.Add(tools.Count > 0 ? tools[tools.Count - 1] : new ToolpathTool(null));
+        return retooled.WithTools(tools);
+    }
+
     private static Toolpath Change(Toolpath toolpath, MoveFilter filter, Action<ToolpathColumns, int> change)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
+        return Change(toolpath, move => filter.Matches(toolpath, move), change);
+    }
+
+    private static Toolpath Change(Toolpath toolpath, Func<Move, bool> chooses, Action<ToolpathColumns, int> change)
+    {
         var blocks = new List<ToolpathBlock>(toolpath.Blocks.Count);
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
@@ -102,7 +122,7 @@ public static class ToolpathEdits
             ToolpathColumns? copy = null;
             for (var i = 0; i < columns.Count; i++)
             {
-                if (!filter.Matches(toolpath, toolpath[toolpath.FirstOf(block) + i])) continue;
+                if (!chooses(toolpath[toolpath.FirstOf(block) + i])) continue;
                 copy ??= columns.Copy(columns.Count);
                 change(copy, i);
             }

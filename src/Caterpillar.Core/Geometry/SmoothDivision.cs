@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>Divides a line or arc until its image under a map is smooth: met within a tolerance by straight segments between the images of the dividing points.</summary>
+internal static class SmoothDivision
+{
+    private const int MaxDepth = 14;
+
+    // The image of a piece is tested at these places; the odd spacing keeps periodic maps from hiding between them.
+    private static readonly double[] Tests = [0.19, 0.37, 0.5, 0.68, 0.83];
+
+    /// <summary>Appends the dividing points behind <paramref name="start"/>, the last of which is <paramref name="end"/>, and for each the share of the segment that leads to it.</summary>
+    /// <param name="start">Where the segment begins, mm.</param>
+    /// <param name="end">Where it ends, mm.</param>
+    /// <param name="arc">Its geometry where it is not straight.</param>
+    /// <param name="tolerance">mm; positive.</param>
+    /// <param name="map">Maps a run of points along the segment.</param>
+    /// <param name="points">Gets the points, before the mapping.</param>
+    /// <param name="shares">Gets the shares, whose sum is 1; null where nobody asks.</param>
+    public static void Divide(Vec3 start, Vec3 end, Arc? arc, double tolerance, Func<Vec3[], Vec3[]> map, List<Vec3> points, List<double>? shares = null)
+        => Split(new Piece(start, end, arc), 0, 1, tolerance, map, 0, points, shares);
+
+    private static void Split(Piece piece, double from, double to, double tolerance, Func<Vec3[], Vec3[]> map, int depth, List<Vec3> points, List<double>? shares)
+    {
+        if (depth < MaxDepth && !IsSmooth(piece, from, to, tolerance, map))
+        {
+            var middle = (from + to) / 2;
+            Split(piece, from, middle, tolerance, map, depth + 1, points, shares);
+            Split(piece, middle, to, tolerance, map, depth + 1, points, shares);
+            return;
+        }
+        points.Add(to == 1 ? piece.End : piece.At(to));
+        shares?.Add(to - from);
+    }
+
+    private static bool IsSmooth(Piece piece, double from, double to, double tolerance, Func<Vec3[], Vec3[]> map)
+    {
+        var samples = new Vec3[Tests.Length + 2];
+        samples[0] = piece.At(from);
+        for (var i = 0; i < Tests.Length; i++) samples[i + 1] = piece.At(from + (to - from) * Tests[i]);
+        samples[samples.Length - 1] = piece.At(to);
+        var mapped = map(samples);
+        Vec3 a = mapped[0], b = mapped[mapped.Length - 1];
+        for (var i = 1; i < mapped.Length - 1; i++)
+        {
+            // Points that are not finite are reported where the segment is mapped, not here.
+            if (Distance(mapped[i], a, b) > tolerance) return false;
+        }
+        return true;
+    }
+
+    private static double Distance(Vec3 p, Vec3 a, Vec3 b)
+    {
+        var d = b - a;
+        var length = d.LengthSquared;
+        var t = length > 0 ? Math.Max(0, Math.Min(1, Vec3.Dot(p - a, d) / length)) : 0;
+        return p.DistanceTo(a + d * t);
+    }
+
+    private readonly struct Piece(Vec3 start, Vec3 end, Arc? arc)
+    {
+        public Vec3 End => end;
+
+        public Vec3 At(double t) => arc is { } turn ? turn.PointAt(start, end, t) : Vec3.Lerp(start, end, t);
+    }
+}

@@ -1,0 +1,67 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Shaping;
+
+/// <summary>Deformations of toolpaths, planned or decoded.</summary>
+public static class ToolpathDeformation
+{
+    /// <summary>
+    /// Deforms the chosen moves; the others stay, and travels lead to where the strands now begin. Strands are divided until their image is met within the tolerance, arcs become chords. The
+    /// material of a strand follows its length and the map of areas, which sees mm² where the toolpath knows its filament, else E for each mm; the map of speeds acts on what is printed.
+    /// </summary>
+    /// <param name="toolpath">The toolpath.</param>
+    /// <param name="filter">The moves that are meant.</param>
+    /// <param name="deformation">The deformation.</param>
+    /// <param name="tolerance">mm.</param>
+    /// <returns>The toolpath; none with an error where a map gives what is not finite or, for areas and speeds, negative.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
+    public static Result<Toolpath> Deform(this Toolpath toolpath, MoveFilter filter, Deformation deformation, double tolerance = 0.01)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (filter is null) throw new ArgumentNullException(nameof(filter));
+        if (deformation is null) throw new ArgumentNullException(nameof(deformation));
+        if (!(tolerance > 0) || double.IsInfinity(tolerance)) throw new ArgumentOutOfRangeException(nameof(tolerance), tolerance, "The tolerance is a positive number of mm.");
+        var map = new DeformationRunMap(deformation, tolerance);
+        var mapped = new ToolpathMapper(toolpath, move => filter.Matches(toolpath, move), map, tolerance).Run(toolpath.Start ?? Vec3.Zero);
+        return map.Problem is { } problem ? new Result<Toolpath>(null, [problem]) : new Result<Toolpath>(mapped, []);
+    }
+
+    private sealed class DeformationRunMap(Deformation deformation, double tolerance) : RunMap
+    {
+        private readonly Func<Vec3[], Vec3[]> _map = deformation.Map;
+
+        public Diagnostic? Problem { get; private set; }
+
+        public override void Divide(Move move, MoveRun run) => DivideSmoothly(move, run, tolerance, _map);
+
+        public override void Map(MoveRun run)
+        {
+            var points = run.Points.ToArray();
+            var areas = new double[run.Moves.Count];
+            var speeds = run.Speeds.ToArray();
+            for (var i = 0; i < areas.Length; i++)
+            {
+                var move = run.Toolpath[run.Moves[i]];
+                areas[i] = move.Kind == MoveKind.Print && move.Length > 0 ? move.Deposited / move.Length * (run.Toolpath.VolumePerE(move.Tool) ?? 1) : 0;
+            }
+            var before = areas.ToArray();
+            if (deformation.Run(ref points, areas, speeds) is { } problem)
+            {
+                var first = run.Toolpath[run.Moves[0]];
+                Problem ??= problem with { Source = run.Toolpath.Source == MoveSource.Lines ? new SourceLocation(Line: first.Source) : new SourceLocation(Move: first.Index) };
+                return;
+            }
+            for (var i = 0; i < points.Length; i++) run.Points[i] = points[i];
+            for (var i = 0; i < areas.Length; i++)
+            {
+                if (before[i] <= 0) continue;
+                run.Flows[i] = areas[i] / before[i];
+                run.Speeds[i] = speeds[i];
+            }
+        }
+    }
+}

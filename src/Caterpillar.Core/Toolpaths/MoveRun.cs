@@ -1,0 +1,58 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Consecutive moves of a toolpath that are mapped together, divided into pieces where the map bends them.</summary>
+internal sealed class MoveRun(Toolpath toolpath, Vec3 start)
+{
+    public Toolpath Toolpath => toolpath;
+
+    /// <summary>Where the first piece begins, and where each ends, mm.</summary>
+    public List<Vec3> Points { get; } = [start];
+
+    /// <summary>For each piece its geometry where it is not straight.</summary>
+    public List<Arc?> Arcs { get; } = [];
+
+    /// <summary>For each piece the move it belongs to, and its share of that move.</summary>
+    public List<int> Moves { get; } = [];
+
+    public List<double> Shares { get; } = [];
+
+    /// <summary>For each piece the factor of its material for a mm of its way, and its speed in mm/s.</summary>
+    public List<double> Flows { get; } = [];
+
+    public List<double> Speeds { get; } = [];
+
+    /// <summary>The points behind the last are pieces of a move.</summary>
+    public void Close(Move move, Arc? arc = null)
+    {
+        while (Moves.Count < Points.Count - 1)
+        {
+            Moves.Add(move.Index);
+            Arcs.Add(arc);
+            Flows.Add(1);
+            Speeds.Add(move.Speed);
+        }
+        if (Shares.Count < Moves.Count) Shares.Add(1);
+    }
+}
+
+/// <summary>A map of runs of moves.</summary>
+internal abstract class RunMap
+{
+    /// <summary>Adds the pieces of a move to a run, before the mapping.</summary>
+    public abstract void Divide(Move move, MoveRun run);
+
+    /// <summary>Maps a run in place.</summary>
+    public abstract void Map(MoveRun run);
+
+    /// <summary>Pieces of what is printed, and of arcs, whose images are met within the tolerance (mm) by straight ones; the rest stays whole.</summary>
+    protected static void DivideSmoothly(Move move, MoveRun run, double tolerance, Func<Vec3[], Vec3[]> map)
+    {
+        if (move.Kind == MoveKind.Print || move.Arc is not null) SmoothDivision.Divide(move.Start, move.End, move.Arc, tolerance, map, run.Points, run.Shares);
+        else run.Points.Add(move.End);
+        run.Close(move);
+    }
+}

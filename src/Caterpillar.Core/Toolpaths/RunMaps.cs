@@ -1,0 +1,47 @@
+using System;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Shifts, turns and scales; arcs stay arcs where circles stay circles.</summary>
+internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
+{
+    private readonly bool _keepsArcs = Mapping.KeepsCircles(map);
+
+    public override void Divide(Move move, MoveRun run)
+    {
+        var chords = move.Arc is { } arc && !_keepsArcs ? arc.ChordCount(move.Start, tolerance) : 1;
+        for (var k = 1; k <= chords; k++)
+        {
+            run.Points.Add(k == chords ? move.End : move.Arc!.Value.PointAt(move.Start, move.End, (double)k / chords));
+            run.Shares.Add(1.0 / chords);
+        }
+        run.Close(move, _keepsArcs ? move.Arc : null);
+    }
+
+    public override void Map(MoveRun run)
+    {
+        for (var i = 0; i < run.Points.Count; i++) run.Points[i] = map.Apply(run.Points[i]);
+        for (var i = 0; i < run.Arcs.Count; i++)
+        {
+            if (run.Arcs[i] is { } arc) run.Arcs[i] = Mapping.Image(arc, map);
+        }
+    }
+}
+
+/// <summary>Maps point by point; what is printed is divided until its image is smooth.</summary>
+internal sealed class PointRunMap(Func<Vec3, Vec3> map, double tolerance) : RunMap
+{
+    private readonly Func<Vec3[], Vec3[]> _map = points => Array.ConvertAll(points, p => map(p));
+
+    public override void Divide(Move move, MoveRun run) => DivideSmoothly(move, run, tolerance, _map);
+
+    public override void Map(MoveRun run)
+    {
+        for (var i = 0; i < run.Points.Count; i++)
+        {
+            run.Points[i] = map(run.Points[i]);
+            if (!run.Points[i].IsFinite) throw new InvalidOperationException("The map gives a point that is not finite.");
+        }
+    }
+}

@@ -1,0 +1,132 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// Maps chosen moves of a toolpath, run by run; blocks without any are shared. The material of strands follows their length. The end of a move goes with it, or with the strand that begins
+/// there, so that strands that are mapped are mapped whole.
+/// </summary>
+internal sealed class ToolpathMapper(Toolpath toolpath, Func<Move, bool> chooses, RunMap map, double tolerance)
+{
+    private readonly List<ToolpathBlock> _blocks = [];
+    private readonly List<MoveEvent> _events = [];
+    private readonly bool[] _chosen = new bool[toolpath.Count];
+    private BlockEditor? _editor;
+    private MoveRun? _run;
+    private int _piece;
+    private Vec3 _position;
+    private int _made;
+    private int _nextEvent;
+
+    /// <summary>The mapped toolpath, which begins at <paramref name="start"/>.</summary>
+    public Toolpath Run(Vec3 start)
+    {
+        _position = start;
+        foreach (var move in toolpath.Moves()) _chosen[move.Index] = chooses(move);
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        {
+            var first = toolpath.FirstOf(block);
+            var count = toolpath.Blocks[block].Count;
+            if (_run is null && _position == toolpath.StartOf(block) && !IsTouched(first, count))
+            {
+                Events(first + count);
+                _blocks.Add(toolpath.Blocks[block]);
+                _made += count;
+                _position = toolpath[first + count - 1].End;
+                continue;
+            }
+            _editor = new BlockEditor();
+            for (var i = first; i < first + count; i++) Step(toolpath[i]);
+            _blocks.AddRange(_editor.ToBlocks());
+        }
+        Events(int.MaxValue);
+        return toolpath.WithBlocks(_blocks, _events);
+    }
+
+    // The last move of a block may lead to a strand of the next.
+    private bool IsTouched(int first, int count)
+    {
+        for (var i = first; i < first + count; i++)
+        {
+            if (_chosen[i]) return true;
+        }
+        return LeadsToRun(toolpath[first + count - 1]);
+    }
+
+    private bool LeadsToRun(Move move)
+        => !_chosen[move.Index] && move.Index + 1 < _chosen.Length && _chosen[move.Index + 1] && move.Kind != MoveKind.Print && toolpath[move.Index + 1].Kind == MoveKind.Print;
+
+    private void Step(Move move)
+    {
+        Events(move.Index);
+        if (_chosen[move.Index])
+        {
+            _run ??= RunFrom(move.Index);
+            for (; _piece < _run.Moves.Count && _run.Moves[_piece] == move.Index; _piece++) Piece(move, _run, _piece);
+            if (_piece == _run.Moves.Count) _run = null;
+            return;
+        }
+        var end = move.End;
+        if (LeadsToRun(move))
+        {
+            _run = RunFrom(move.Index + 1);
+            end = _run.Points[0];
+        }
+        Unchosen(move, end);
+    }
+
+    private MoveRun RunFrom(int first)
+    {
+        var run = new MoveRun(toolpath, toolpath[first].Start);
+        for (var i = first; i < _chosen.Length && _chosen[i]; i++) map.Divide(toolpath[i], run);
+        map.Map(run);
+        _piece = 0;
+        return run;
+    }
+
+    private void Piece(Move move, MoveRun run, int piece)
+    {
+        var arc = run.Arcs[piece];
+        var to = run.Points[piece + 1];
+        var share = run.Shares[piece];
+        var deposited = move.Deposited * share;
+        // The strand that leads here is not mapped: the way begins where it ends.
+        if (arc is not null && _position != run.Points[piece]) arc = null;
+        if (move.Kind == MoveKind.Print && move.Length > 0)
+            deposited = move.Deposited / move.Length * run.Flows[piece] * (arc?.Length(_position, to) ?? _position.DistanceTo(to));
+        Add(move, to, move.E * share + (deposited - move.Deposited * share), deposited, run.Speeds[piece], arc);
+    }
+
+    // Its start or end may have gone with a strand.
+    private void Unchosen(Move move, Vec3 end)
+    {
+        if (_position == move.Start && end == move.End)
+        {
+            Add(move, end, move.E, move.Deposited, move.Speed, move.Arc);
+            return;
+        }
+        var chords = move.Arc is { } arc ? arc.ChordCount(move.Start, tolerance) : 1;
+        for (var k = 1; k <= chords; k++)
+        {
+            var to = k == chords ? end : move.Arc!.Value.PointAt(move.Start, move.End, (double)k / chords);
+            var deposited = move.Deposited / chords;
+            if (move.Kind == MoveKind.Print && move.Length > 0) deposited = move.Deposited / move.Length * _position.DistanceTo(to);
+            Add(move, to, move.E / chords + (deposited - move.Deposited / chords), deposited, move.Speed, null);
+        }
+    }
+
+    private void Add(Move move, Vec3 end, double e, double deposited, double speed, Arc? arc)
+    {
+        _editor!.Add(end, e, deposited, speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source, arc);
+        _position = end;
+        _made++;
+    }
+
+    private void Events(int before)
+    {
+        for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move <= before; _nextEvent++)
+            _events.Add(new MoveEvent(_made, toolpath.Events[_nextEvent].Event));
+    }
+}

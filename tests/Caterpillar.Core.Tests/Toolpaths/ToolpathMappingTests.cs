@@ -1,0 +1,148 @@
+using System;
+using System.Linq;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Shaping;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+using Decoder = Caterpillar.GCode.Decoder;
+
+namespace Caterpillar.Tests.Toolpaths;
+
+/// <summary>Chosen moves of a toolpath are shifted and bent.</summary>
+public class ToolpathMappingTests
+{
+    private const string TwoLayers =
+        "G21\nG90\nM83\nG1 X0 Y-3 E5 F600\n;LAYER:0\nG0 X0 Y0 Z0.2 F6000\nG1 X40 E2 F1200\nG3 X40 Y20 I0 J10 E1\nG1 E-1 F2400\n;LAYER:1\nG0 X0 Y0 Z0.4 F6000\nG1 E1 F2400\nG1 X40 E2 F1200\nG1 Y20 E1\n";
+
+    private static readonly MoveFilter Layers = new() { FirstLayer = 0 };
+
+    [Test]
+    public void A_shift_of_the_layers_keeps_arcs_lengths_and_what_is_outside()
+    {
+        var before = Decode(TwoLayers);
+        var after = before.Transformed(Layers, Affine.Move(new Vec3(5, 6, 1)));
+        Assert.That(after[0].End, Is.EqualTo(before[0].End), "the purge line has no layer");
+        Assert.That(after.Count, Is.EqualTo(before.Count));
+        for (var i = 1; i < before.Count; i++)
+        {
+            Assert.That((after[i].End - before[i].End - new Vec3(5, 6, 1)).Length, Is.LessThan(1e-12), $"move {i}");
+            Assert.That(after[i].E, Is.EqualTo(before[i].E).Within(1e-12));
+        }
+        var arc = after.Moves().Single(m => m.Arc is not null);
+        Assert.That(arc.Arc!.Value.Center, Is.EqualTo(new Vec3(45, 16, arc.Arc.Value.Center.Z)));
+        Assert.That(after.Layers.Select(l => l.Z), Is.EqualTo(before.Layers.Select(l => l.Z + 1)));
+    }
+
+    [Test]
+    public void A_shift_of_one_layer_leads_there_by_travel_and_back()
+    {
+        var before = Decode(TwoLayers);
+        var after = before.Transformed(new MoveFilter { FirstLayer = 1, LastLayer = 1, Kinds = [MoveKind.Print] }, Affine.Move(new Vec3(0, 100)));
+        var moves = after.Moves().ToArray();
+        Assert.That(moves.Where(m => m.Layer == 0).Select(m => m.End), Is.EqualTo(before.Moves().Where(m => m.Layer == 0).Select(m => m.End)));
+        var strand = moves.First(m => m.Layer == 1 && m.Kind == MoveKind.Print);
+        Assert.That(strand.Start, Is.EqualTo(new Vec3(0, 100, 0.4)));
+        Assert.That(strand.Length, Is.EqualTo(40));
+        Assert.That(after.Layers.Select(l => l.Z), Is.EqualTo(before.Layers.Select(l => l.Z)), "strands are not the whole layer");
+    }
+
+    [Test]
+    public void Strands_are_divided_until_their_image_is_smooth()
+    {
+        var before = Decode(TwoLayers);
+        static Vec3 Bend(Vec3 p) => new(p.X, p.Y, p.Z + p.X * p.X / 200);
+        var after = before.Deform(Layers, Bend, 0.01);
+        var line = after.Moves().Where(m => m.Source == before[2].Source).ToArray();
+        Assert.That(line, Has.Length.GreaterThan(8).And.Length.LessThan(200));
+        foreach (var piece in line)
+        {
+            for (var t = 0.0; t <= 1; t += 0.125)
+            {
+                var on = Vec3.Lerp(piece.Start, piece.End, t);
+                Assert.That(Math.Abs(Bend(new Vec3(on.X, on.Y, 0.2)).Z - on.Z), Is.LessThan(0.0101));
+            }
+        }
+        // The length of z = x²/200 from 0 to 40: x/2 √(1 + (x/100)²) + 50 asinh(x/100).
+        var exact = 20 * Math.Sqrt(1.16) + 50 * Math.Log(0.4 + Math.Sqrt(1.16));
+        Assert.That(line.Sum(m => m.Length), Is.EqualTo(exact).Within(1e-3));
+        Assert.That(line.Sum(m => m.E), Is.EqualTo(2 * exact / 40).Within(1e-4), "the material follows the length");
+        Assert.That(after.Moves().Where(m => m.Kind == MoveKind.Retract).Sum(m => m.E), Is.EqualTo(-1));
+    }
+
+    [Test]
+    public void Formulas_of_area_and_speed_act_on_what_is_printed()
+    {
+        var before = Decode(TwoLayers);
+        var twist = DeformationText.Compile("r, theta + 2 * z, z", "2 * c", "v / 4", DeformationSystem.Cylindrical).Value!;
+        var after = before.Deform(Layers, twist, 0.001).Value!;
+        foreach (var z in new[] { 0.2, 0.4 })
+        {
+            var was = before.Moves().Where(m => m.Kind == MoveKind.Print && m.Layer >= 0 && m.End.Z == z).ToArray();
+            var now = after.Moves().Where(m => m.Kind == MoveKind.Print && m.Layer >= 0 && m.End.Z == z).ToArray();
+            Assert.That(now.Sum(m => m.Length), Is.EqualTo(was.Sum(m => m.Length)).Within(1e-2), "a turn keeps lengths");
+            Assert.That(now.Sum(m => m.Deposited), Is.EqualTo(2 * was.Sum(m => m.Deposited)).Within(1e-3));
+            Assert.That(now.Select(m => m.Speed).Distinct().Single(), Is.EqualTo(was[0].Speed / 4));
+            Assert.That(now.Last().End.LengthXY, Is.EqualTo(was.Last().End.LengthXY).Within(1e-9));
+        }
+        Assert.That(after.Moves().Where(m => m.Kind == MoveKind.Travel).Select(m => m.Speed), Is.All.EqualTo(100));
+    }
+
+    [Test]
+    public void Angles_run_on_along_strands()
+    {
+        // Three quarters of a circle in chords, whose angle is halved: three eighths, without a jump at 180°.
+        var text = "G90\nM83\n;LAYER:0\nG0 X10 Y0 Z0.2 F6000\n" + string.Concat(Enumerable.Range(1, 27).Select(i => FormattableString.Invariant($"G1 X{10 * Math.Cos(i * Math.PI / 18)} Y{10 * Math.Sin(i * Math.PI / 18)} E1\n")));
+        var half = DeformationText.Compile("r, theta / 2, z", null, null, DeformationSystem.Cylindrical).Value!;
+        var after = Decode(text).Deform(Layers, half).Value!;
+        var end = after[after.Count - 1].End;
+        Assert.That(Math.Atan2(end.Y, end.X) * 180 / Math.PI, Is.EqualTo(135).Within(1e-6));
+        Assert.That(after.Moves().Where(m => m.Kind == MoveKind.Print).Max(m => m.Length), Is.LessThan(0.9));
+    }
+
+    [Test]
+    public void What_is_not_finite_is_an_error_with_the_line()
+    {
+        var result = Decode(TwoLayers).Deform(Layers, DeformationText.Compile("x, y, z / (x - x)").Value!);
+        Assert.That(result.Value, Is.Null);
+        Assert.That(result.Diagnostics.Single().Code, Is.EqualTo("shape.position"));
+        Assert.That(result.Diagnostics.Single().Source!.Line, Is.EqualTo(6));
+        Assert.That(() => Decode(TwoLayers).Deform(Layers, p => new Vec3(double.NaN, 0)), Throws.InvalidOperationException);
+    }
+
+    [Test]
+    public void Blocks_without_chosen_moves_are_shared()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        for (var layer = 0; layer < 3; layer++)
+        {
+            builder.AddLayer(new Layer(layer, layer + 1, 1));
+            for (var i = 0; i < 70_000; i++) builder.Add(new Vec3(i % 2, i % 3, layer + 1), 1, 1, 10, MoveKind.Print, Role.Infill, layer, 0, i);
+        }
+        var before = builder.Build([new ToolpathTool(1)]);
+        var after = before.Transformed(new MoveFilter { FirstLayer = 2 }, Affine.Move(new Vec3(1, 0)));
+        Assert.That(after.Blocks[0], Is.SameAs(before.Blocks[0]));
+        Assert.That(after.Blocks[1], Is.SameAs(before.Blocks[1]));
+        Assert.That(after[209_999].End.X, Is.EqualTo(before[209_999].End.X + 1));
+        Assert.That(after.Count, Is.EqualTo(before.Count));
+    }
+
+    [Test]
+    public void A_tool_that_is_put_in_makes_the_moves_up_to_the_next_tool()
+    {
+        var before = Decode(TwoLayers + ";LAYER:2\nT1\nG0 X0 Y0 Z0.6\nG1 X10 E1\n");
+        var after = before.InsertAtLayer(1, new ToolEvent(2));
+        Assert.That(after.Moves().Select(m => m.Tool), Is.EqualTo(before.Moves().Select(m => m.Layer == 1 ? 2 : m.Layer == 2 ? 1 : 0)));
+        Assert.That(after.Tools, Has.Count.EqualTo(3));
+        var decoding = DecodeAll(TwoLayers);
+        var edited = decoding.Toolpath.InsertAtLayer(1, new ToolEvent(1));
+        var text = System.Text.Encoding.ASCII.GetString(GCodeEditor.ToDocument(decoding, edited).Value!.ToBytes());
+        Assert.That(text, Is.EqualTo(TwoLayers.Replace("G0 X0 Y0 Z0.4 F6000", "T1\nG0 X0 Y0 Z0.4 F6000")));
+    }
+
+    private static Toolpath Decode(string text) => DecodeAll(text).Toolpath;
+
+    private static Decoding DecodeAll(string text)
+        => Decoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Slicer, FilamentDiameter = 1.75 }).Value!;
+}
