@@ -23,6 +23,9 @@ internal sealed class SetupOptions
         verb.Options.Add(Set);
     }
 
+    /// <summary>True when a printer was named, and not just the default one.</summary>
+    public bool IsGiven(ParseResult arguments) => arguments.GetResult(Printer) is { Implicit: false };
+
     /// <summary>The setup that was asked for; its problems are printed.</summary>
     /// <exception cref="CliException">There is no such profile or key (wrong usage), or a profile is bad (bad input).</exception>
     public PrintSetup Resolve(ParseResult arguments, Session session)

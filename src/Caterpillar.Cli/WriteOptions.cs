@@ -18,7 +18,9 @@ internal sealed class WriteOptions
         HelpName = "FILE",
     };
 
-    private readonly Option<string?> _reason = new("--override")
+    private readonly Option<string?> _reason = Override();
+
+    public static Option<string?> Override() => new("--override")
     {
         Description = "Write in spite of what the checks found; the reason in words stays in the file as a comment.",
         HelpName = "REASON",

@@ -50,7 +50,68 @@ public class ConvertTests : CliFixture
         Assert.That(Run("decode", "b.gcode", "--json").Text, Does.Contain("\"e_used\": 3,"));
     }
 
+    [Test]
+    public void Layers_move_turn_and_scale_and_the_start_code_stays()
+    {
+        const string Square = "G21\nG90\nM83\nG1 X0 Y-3 E5 F600\n;LAYER:0\nG0 X10 Y10 Z0.2 F6000\nG1 X30 E2 F1200\nG1 Y20 E1\n;LAYER:1\nG0 X10 Y10 Z0.4 F6000\nG1 X30 E2 F1200\nG1 Y20 E1\n";
+        File.WriteAllText("a.gcode", Square);
+        Assert.That(Run("convert", "a.gcode", "-o", "-", "--move", "1,2,0.1").Text, Is.EqualTo(
+            Square.Replace("X10 Y10 Z0.2", "X11 Y12 Z0.3").Replace("X10 Y10 Z0.4", "X11 Y12 Z0.5").Replace("X30", "X31").Replace("Y20", "Y22")));
+        Assert.That(Run("convert", "a.gcode", "-o", "-", "--scale", "2").Text, Is.EqualTo(
+            Square.Replace("X10 Y10 Z0.2", "X0 Y5 Z0.4").Replace("X10 Y10 Z0.4", "X0 Y5 Z0.8").Replace("X30 E2", "X40 E4").Replace("Y20 E1", "Y25 E2")));
+        Assert.That(Run("convert", "a.gcode", "-o", "-", "--turn", "180", "--last-layer", "0").Text, Is.EqualTo(
+            Square.Replace("X10 Y10 Z0.2 F6000\nG1 X30 E2 F1200\nG1 Y20 E1", "X30 Y20 Z0.2 F6000\nG1 X10 E2 F1200\nG1 Y10 E1")));
+    }
+
+    [Test]
+    public void Formulas_bend_what_is_printed()
+    {
+        File.WriteAllText("a.gcode", File1);
+        var text = Run("convert", "a.gcode", "-o", "-", "--deform", "x, y, z + x * x / 100", "--last-layer", "0").Text;
+        Assert.That(text, Does.Contain("G1 X5 Z0.45 E0.50078\n").And.Contain("G1 X10 Z1.2 E1.00653\n"), "0.1 mm of E for each mm of the parabola");
+        Assert.That(text, Does.EndWith("G1 Z0.4\nG92 E1\nG1 X0 E2 ; back\n"), "what stays is counted on");
+    }
+
+    [Test]
+    public void Tools_and_lines_are_put_before_layers()
+    {
+        File.WriteAllText("a.gcode", File1);
+        Assert.That(Run("convert", "a.gcode", "-o", "-", "--tool-at-layer", "1=1", "--line-at-layer", "0=M104 S210").Text, Is.EqualTo(
+            File1.Replace("G1 X0 Y0 Z0.2", "M104 S210\nG1 X0 Y0 Z0.2").Replace("G1 Z0.4", "T1\nG1 Z0.4")));
+        Assert.That(Run("convert", "a.gcode", "-o", "b.gcode", "--pause-at-layer", "7").Code, Is.EqualTo(2));
+    }
+
+    [Test]
+    public void Start_and_end_code_are_replaced()
+    {
+        File.WriteAllText("a.gcode", File1 + "M104 S0\n");
+        File.WriteAllText("start.gcode", "; mine\nG28\nM83\n");
+        File.WriteAllText("end.gcode", "M84\n");
+        var text = Run("convert", "a.gcode", "-o", "-", "--start-code", "start.gcode", "--end-code", "end.gcode").Text;
+        Assert.That(text, Does.StartWith("; mine\nG28\n").And.EndWith("G1 X0 E2 ; back\nM84\n").And.Not.Contain("head"));
+    }
+
+    [Test]
+    public void A_named_printer_checks_what_is_written()
+    {
+        File.WriteAllText("a.gcode", File1);
+        Assert.That(Run("convert", "a.gcode", "-o", "b.gcode", "--move", "500,0").Code, Is.Zero, "no printer, no check");
+        File.Delete("b.gcode");
+        var refused = Run("convert", "a.gcode", "-o", "b.gcode", "--move", "500,0", "--printer", "generic");
+        Assert.That(refused.Code, Is.EqualTo(3));
+        Assert.That(File.Exists("b.gcode"), Is.False);
+        Assert.That(Run("convert", "a.gcode", "-o", "b.gcode", "--move", "500,0", "--printer", "generic", "--override", "a longer bed").Code, Is.Zero);
+        Assert.That(File.ReadAllText("b.gcode"), Does.Contain("Reason: a longer bed"));
+        Assert.That(Run("convert", "a.gcode", "-o", "c.gcode", "--override", "why").Code, Is.EqualTo(2));
+    }
+
     [TestCase("--speed", "-1")]
+    [TestCase("--scale", "0")]
+    [TestCase("--box", "1,2,3")]
+    [TestCase("--object", "nobody")]
+    [TestCase("--deform", "x, y")]
+    [TestCase("--axis", "middle")]
+    [TestCase("--tool-at-layer", "1")]
     [TestCase("--role", "Nose")]
     [TestCase("--move", "a,b")]
     [TestCase("--dialect", "basic")]

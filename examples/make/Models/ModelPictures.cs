@@ -1,10 +1,14 @@
 using System;
 using System.IO;
+using Caterpillar.Checks;
 using Caterpillar.Display;
+using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
+using Caterpillar.Shaping;
 using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples;
 
@@ -20,12 +24,28 @@ internal static class ModelPictures
             var meshes = ModelPlacement.OnBed(MeshReader.Read(model).Value ?? throw new InvalidDataException(model), setup.Printer.BuildBounds.Center);
             var sliced = PlanarSlicer.Slice(meshes, setup.Settings).Value ?? throw new InvalidDataException(model);
             var toolpath = Planner.Plan(sliced.ToSteps(), setup).Value ?? throw new InvalidDataException(model);
+            var name = Path.GetFileNameWithoutExtension(model);
             // Cut open in the upper third, so that walls and infill show.
-            var options = new PictureOptions { Width = 800, Height = 600, View = new View(-60, 35), Layers = (0, toolpath.Layers.Count * 2 / 3) };
-            var bytes = PngWriter.ToBytes(Picture.Draw(toolpath, options));
-            var name = Path.GetFileNameWithoutExtension(model) + ".png";
-            File.WriteAllBytes(Path.Combine(folder, name), bytes);
-            Console.WriteLine($"{name}: {bytes.Length} bytes");
+            Write(toolpath, toolpath.Layers.Count * 2 / 3, Path.Combine(folder, name + ".png"));
+            if (name == "bracket") Write(Twisted(toolpath, setup), toolpath.Layers.Count, Path.Combine(folder, "bracket_twisted.png"));
         }
+    }
+
+    // As the manual says: the G-code is read back and bent.
+    private static Toolpath Twisted(Toolpath toolpath, PrintSetup setup)
+    {
+        var gcode = SafeWriter.ToDocument(toolpath, setup).Value ?? throw new InvalidOperationException("The bracket can't be printed.");
+        var decoded = Decoder.Decode(gcode).Value ?? throw new InvalidDataException("The bracket can't be read.");
+        var middle = ToolpathTotals.Of(decoded.Toolpath).PrintBounds.Center;
+        var twist = DeformationText.Compile("r, theta + 1.2 * z, z", system: DeformationSystem.Cylindrical, axis: middle).Value!;
+        return decoded.Toolpath.Deform(new MoveFilter { FirstLayer = 0 }, twist).Value!;
+    }
+
+    private static void Write(Toolpath toolpath, int layers, string file)
+    {
+        var options = new PictureOptions { Width = 800, Height = 600, View = new View(-60, 35), Layers = (0, layers) };
+        var bytes = PngWriter.ToBytes(Picture.Draw(toolpath, options));
+        File.WriteAllBytes(file, bytes);
+        Console.WriteLine($"{Path.GetFileName(file)}: {bytes.Length} bytes");
     }
 }

@@ -46,7 +46,7 @@ internal sealed class CheckVerb : Verb
         {
             var name = Session.NameOf(file);
             var toolpath = Decoded(file, name, options, session);
-            var findings = session.Long("Checking " + name, progress => LimitCheck.Run(toolpath, Cold(setup, toolpath), progress, session.Cancel));
+            var findings = session.Long("Checking " + name, progress => LimitCheck.Run(toolpath, SafeEditor.ForFile(setup, toolpath), progress, session.Cancel));
             all.AddRange(findings.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }));
         }
         session.WriteText("-", text =>
@@ -68,8 +68,4 @@ internal sealed class CheckVerb : Verb
             throw new CliException(ExitCode.BadInput, $"{name}: the file is a broken gzip file: {broken.Message}");
         }
     }
-
-    // A file that heats begins cold; one that leaves the heating to a macro of the firmware is taken as hot.
-    private static PrintSetup Cold(PrintSetup setup, Toolpath toolpath)
-        => toolpath.Events.Any(e => e.Event is NozzleTemperatureEvent) ? setup with { Material = setup.Material with { NozzleTemperature = 0 } } : setup;
 }

@@ -24,7 +24,7 @@ public static class SafeEditor
         Decoding decoding, Toolpath edited, PrintSetup setup, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
-        var findings = LimitCheck.Run(edited, setup, progress.Part(0, 0.2), cancel);
+        var findings = LimitCheck.Run(edited, ForFile(setup, edited), progress.Part(0, 0.2), cancel);
         var errors = findings.Where(d => d.Severity == Severity.Error).ToArray();
         var problems = new DiagnosticList();
         if (errors.Length > 0 && !SafeWriter.IsReason(reason))
@@ -41,5 +41,13 @@ public static class SafeEditor
         var written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0.2, 1), cancel);
         problems.AddRange(written.Diagnostics);
         return new Result<GCodeDocument>(written.Value, problems.ToList());
+    }
+
+    /// <summary>The setup to check a file against that may heat by itself: one that does begins cold; one that leaves the heating to a macro of the firmware is taken as hot.</summary>
+    public static PrintSetup ForFile(PrintSetup setup, Toolpath toolpath)
+    {
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        return toolpath.Events.Any(e => e.Event is NozzleTemperatureEvent) ? setup with { Material = setup.Material with { NozzleTemperature = 0 } } : setup;
     }
 }

@@ -10,7 +10,7 @@ namespace Caterpillar.Shaping;
 public static class ToolpathDeformation
 {
     /// <summary>
-    /// Deforms the chosen moves; the others stay, and travels lead to where the strands now begin. Strands are divided until their image is met within the tolerance, arcs become chords. The
+    /// Deforms the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Strands are divided until their image is met within the tolerance, arcs become chords. The
     /// material of a strand follows its length and the map of areas, which sees mm² where the toolpath knows its filament, else E for each mm; the map of speeds acts on what is printed.
     /// </summary>
     /// <param name="toolpath">The toolpath.</param>
@@ -26,7 +26,7 @@ public static class ToolpathDeformation
         if (deformation is null) throw new ArgumentNullException(nameof(deformation));
         if (!(tolerance > 0) || double.IsInfinity(tolerance)) throw new ArgumentOutOfRangeException(nameof(tolerance), tolerance, "The tolerance is a positive number of mm.");
         var map = new DeformationRunMap(deformation, tolerance);
-        var mapped = new ToolpathMapper(toolpath, move => filter.Matches(toolpath, move), map, tolerance).Run(toolpath.Start ?? Vec3.Zero);
+        var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), map, tolerance).Run(toolpath.Start ?? Vec3.Zero);
         return map.Problem is { } problem ? new Result<Toolpath>(null, [problem]) : new Result<Toolpath>(mapped, []);
     }
 

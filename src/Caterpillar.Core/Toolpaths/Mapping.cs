@@ -28,19 +28,19 @@ public static class Mapping
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var start = toolpath.Start is { } from ? map.Apply(from) : (Vec3?)null;
-        var mapped = new ToolpathMapper(toolpath, _ => true, new AffineRunMap(map, tolerance), tolerance).Run(start ?? map.Apply(Vec3.Zero));
+        var mapped = new ToolpathMapper(toolpath, MappedMoves.All(toolpath), new AffineRunMap(map, tolerance), tolerance).Run(start ?? map.Apply(Vec3.Zero));
         return mapped.With(start, toolpath.Layers.Select(l => Image(l, map)));
     }
 
     /// <summary>
-    /// The same for the chosen moves; the others stay, and travels lead to where the strands now begin. Layers that are chosen whole (by number and object) get their new heights.
+    /// The same for the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Layers that are chosen whole (by number and object) get their new heights.
     /// </summary>
     /// <inheritdoc cref="Transformed(Toolpath, Affine, double)" path="/param"/>
     public static Toolpath Transformed(this Toolpath toolpath, MoveFilter filter, Affine map, double tolerance = 0.01)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
-        var mapped = new ToolpathMapper(toolpath, move => filter.Matches(toolpath, move), new AffineRunMap(map, tolerance), tolerance).Run(toolpath.Start ?? Vec3.Zero);
+        var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), new AffineRunMap(map, tolerance), tolerance).Run(toolpath.Start ?? Vec3.Zero);
         return mapped.With(toolpath.Start, toolpath.Layers.Select(l => filter.MatchesWhole(l) ? Image(l, map) : l));
     }
 

@@ -34,7 +34,7 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Maps the ends of the chosen moves, and the starts of chosen strands. Strands are divided until their image is met within <paramref name="tolerance"/> mm, arcs become chords, and the
+    /// Maps the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Strands are divided until their image is met within <paramref name="tolerance"/> mm, arcs become chords, and the
     /// material of printing moves follows their length. For shifts, turns and scaling see <see cref="Mapping"/>, which keeps arcs.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
@@ -45,7 +45,7 @@ public static class ToolpathEdits
         if (filter is null) throw new ArgumentNullException(nameof(filter));
         if (map is null) throw new ArgumentNullException(nameof(map));
         Positive(tolerance, nameof(tolerance));
-        return new ToolpathMapper(toolpath, move => filter.Matches(toolpath, move), new PointRunMap(map, tolerance), tolerance).Run(toolpath.Start ?? Vec3.Zero);
+        return new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), new PointRunMap(map, tolerance), tolerance).Run(toolpath.Start ?? Vec3.Zero);
     }
 
     /// <summary>

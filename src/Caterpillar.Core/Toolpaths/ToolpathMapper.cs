@@ -5,14 +5,17 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Maps chosen moves of a toolpath, run by run; blocks without any are shared. The material of strands follows their length. The end of a move goes with it, or with the strand that begins
-/// there, so that strands that are mapped are mapped whole.
+/// Maps moves of a toolpath, run by run; blocks without any are shared. The material of strands follows their length. A travel that leads to a strand that is mapped ends where it now begins;
+/// what is done in place is done where the head now stands.
 /// </summary>
-internal sealed class ToolpathMapper(Toolpath toolpath, Func<Move, bool> chooses, RunMap map, double tolerance)
+/// <param name="toolpath">The toolpath.</param>
+/// <param name="mapped">For each move, whether its end is mapped.</param>
+/// <param name="map">The map.</param>
+/// <param name="tolerance">mm; of arcs that can't stay arcs.</param>
+internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap map, double tolerance)
 {
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<MoveEvent> _events = [];
-    private readonly bool[] _chosen = new bool[toolpath.Count];
     private BlockEditor? _editor;
     private MoveRun? _run;
     private int _piece;
@@ -24,7 +27,6 @@ internal sealed class ToolpathMapper(Toolpath toolpath, Func<Move, bool> chooses
     public Toolpath Run(Vec3 start)
     {
         _position = start;
-        foreach (var move in toolpath.Moves()) _chosen[move.Index] = chooses(move);
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
             var first = toolpath.FirstOf(block);
@@ -50,18 +52,17 @@ internal sealed class ToolpathMapper(Toolpath toolpath, Func<Move, bool> chooses
     {
         for (var i = first; i < first + count; i++)
         {
-            if (_chosen[i]) return true;
+            if (mapped[i]) return true;
         }
         return LeadsToRun(toolpath[first + count - 1]);
     }
 
-    private bool LeadsToRun(Move move)
-        => !_chosen[move.Index] && move.Index + 1 < _chosen.Length && _chosen[move.Index + 1] && move.Kind != MoveKind.Print && toolpath[move.Index + 1].Kind == MoveKind.Print;
+    private bool LeadsToRun(Move move) => !mapped[move.Index] && move.Index + 1 < mapped.Length && mapped[move.Index + 1] && move.Kind != MoveKind.Print;
 
     private void Step(Move move)
     {
         Events(move.Index);
-        if (_chosen[move.Index])
+        if (mapped[move.Index])
         {
             _run ??= RunFrom(move.Index);
             for (; _piece < _run.Moves.Count && _run.Moves[_piece] == move.Index; _piece++) Piece(move, _run, _piece);
@@ -74,13 +75,13 @@ internal sealed class ToolpathMapper(Toolpath toolpath, Func<Move, bool> chooses
             _run = RunFrom(move.Index + 1);
             end = _run.Points[0];
         }
-        Unchosen(move, end);
+        Unmapped(move, end);
     }
 
     private MoveRun RunFrom(int first)
     {
         var run = new MoveRun(toolpath, toolpath[first].Start);
-        for (var i = first; i < _chosen.Length && _chosen[i]; i++) map.Divide(toolpath[i], run);
+        for (var i = first; i < mapped.Length && mapped[i]; i++) map.Divide(toolpath[i], run);
         map.Map(run);
         _piece = 0;
         return run;
@@ -99,9 +100,10 @@ internal sealed class ToolpathMapper(Toolpath toolpath, Func<Move, bool> chooses
         Add(move, to, move.E * share + (deposited - move.Deposited * share), deposited, run.Speeds[piece], arc);
     }
 
-    // Its start or end may have gone with a strand.
-    private void Unchosen(Move move, Vec3 end)
+    // Its start or end may have gone with a strand. What goes straight up or down still does.
+    private void Unmapped(Move move, Vec3 end)
     {
+        if (end == move.End && _position != move.Start && move.Kind != MoveKind.Print && move.Start.X == end.X && move.Start.Y == end.Y) end = _position.WithZ(end.Z);
         if (_position == move.Start && end == move.End)
         {
             Add(move, end, move.E, move.Deposited, move.Speed, move.Arc);

@@ -49,6 +49,18 @@ public class ToolpathMappingTests
     }
 
     [Test]
+    public void What_is_done_in_place_or_straight_up_stays_so_and_the_way_home_stays()
+    {
+        var before = Decode("G90\nM83\n;LAYER:0\nG0 Z0.2 F600\nG0 X10 Y10 F6000\nG1 E1 F2400\nG1 X20 E1 F1200\nG1 E-1 F2400\nG0 Z5 F600\nG0 X0 Y200 F6000\n");
+        var after = before.Transformed(new MoveFilter { Kinds = [MoveKind.Print] }, Affine.Move(new Vec3(3, 4)));
+        Assert.That(after.Moves().Select(m => m.End), Is.EqualTo(new[]
+        {
+            new Vec3(0, 0, 0.2), new Vec3(13, 14, 0.2), new Vec3(13, 14, 0.2), new Vec3(23, 14, 0.2), new Vec3(23, 14, 0.2), new Vec3(23, 14, 5), new Vec3(0, 200, 5),
+        }));
+        Assert.That(after.Moves().Select(m => m.Kind), Is.EqualTo(before.Moves().Select(m => m.Kind)));
+    }
+
+    [Test]
     public void Strands_are_divided_until_their_image_is_smooth()
     {
         var before = Decode(TwoLayers);
@@ -107,7 +119,7 @@ public class ToolpathMappingTests
         var result = Decode(TwoLayers).Deform(Layers, DeformationText.Compile("x, y, z / (x - x)").Value!);
         Assert.That(result.Value, Is.Null);
         Assert.That(result.Diagnostics.Single().Code, Is.EqualTo("shape.position"));
-        Assert.That(result.Diagnostics.Single().Source!.Line, Is.EqualTo(6));
+        Assert.That(result.Diagnostics.Single().Source!.Line, Is.EqualTo(7));
         Assert.That(() => Decode(TwoLayers).Deform(Layers, p => new Vec3(double.NaN, 0)), Throws.InvalidOperationException);
     }
 

@@ -1,0 +1,64 @@
+using System;
+using System.CommandLine;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Cli.Commands;
+
+/// <summary>Options that choose moves of a decoded file.</summary>
+internal sealed class MoveFilterOptions
+{
+    private readonly Option<int?> _first = new("--first-layer") { Description = "First layer that is edited, by its number in the file or from 0.", HelpName = "N" };
+    private readonly Option<int?> _last = new("--last-layer") { Description = "Last layer that is edited.", HelpName = "N" };
+    private readonly Option<string[]> _roles = new("--role") { Description = "Edit strands of this role only (OuterWall, Infill …); may be repeated.", HelpName = "ROLE" };
+    private readonly Option<string[]> _objects = new("--object") { Description = "Edit this object only; may be repeated.", HelpName = "NAME" };
+    private readonly Option<int?> _tool = new("--tool") { Description = "Edit what this tool makes only.", HelpName = "N" };
+    private readonly Option<string?> _box = new("--box") { Description = "Edit moves that end in this box only: two corners in mm.", HelpName = "X,Y,Z,X,Y,Z" };
+
+    public void AddTo(Verb verb)
+    {
+        foreach (var option in new Option[] { _first, _last, _roles, _objects, _tool, _box }) verb.Options.Add(option);
+    }
+
+    /// <summary>True when something is chosen.</summary>
+    public bool IsGiven(ParseResult arguments)
+        => arguments.GetValue(_first) is not null || arguments.GetValue(_last) is not null || arguments.GetValue(_roles) is { Length: > 0 } || arguments.GetValue(_objects) is { Length: > 0 }
+            || arguments.GetValue(_tool) is not null || arguments.GetValue(_box) is not null;
+
+    /// <summary>True when single strands are chosen, and not whole layers or objects with their travel.</summary>
+    public bool NamesStrands(ParseResult arguments) => arguments.GetValue(_roles) is { Length: > 0 } || arguments.GetValue(_box) is not null;
+
+    /// <summary>The moves that are meant: of the layers, where the file has any.</summary>
+    /// <exception cref="CliException">There is no such role or object, or the box is none.</exception>
+    public MoveFilter Of(Toolpath toolpath, ParseResult arguments)
+    {
+        var objects = arguments.GetValue(_objects) is { Length: > 0 } named ? named : null;
+        foreach (var name in objects ?? [])
+        {
+            if (toolpath.Layers.All(l => l.Object != name))
+                throw new CliException(ExitCode.Usage, $"There is no object \"{name}\"; there are " + string.Join(", ", toolpath.Layers.Select(l => $"\"{l.Object}\"").Distinct().Take(20)) + ".");
+        }
+        return new MoveFilter
+        {
+            FirstLayer = arguments.GetValue(_first) ?? (toolpath.Layers.Count > 0 ? int.MinValue : null),
+            LastLayer = arguments.GetValue(_last),
+            Roles = arguments.GetValue(_roles) is { Length: > 0 } roles ? roles.Select(RoleOf).ToArray() : null,
+            Objects = objects,
+            Tool = arguments.GetValue(_tool),
+            Region = arguments.GetValue(_box) is { } box ? BoxOf(box) : null,
+        };
+    }
+
+    private static Bounds BoxOf(string text)
+    {
+        var v = Numbers.List(text, "--box");
+        if (v.Length != 6) throw new CliException(ExitCode.Usage, "--box needs two corners: X,Y,Z,X,Y,Z in mm.");
+        return Bounds.Empty.Include(new Vec3(v[0], v[1], v[2])).Include(new Vec3(v[3], v[4], v[5]));
+    }
+
+    private static Role RoleOf(string name)
+        => Enum.TryParse<Role>(name.Replace("-", "").Replace("_", ""), true, out var role) && Enum.IsDefined(role)
+            ? role
+            : throw new CliException(ExitCode.Usage, $"There is no role \"{name}\"; there are " + string.Join(", ", Enum.GetNames<Role>()) + ".");
+}

@@ -1,0 +1,49 @@
+using System.Globalization;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Cli.Commands;
+
+/// <summary>Numbers in the values of options. What is wrong is wrong usage.</summary>
+internal static class Numbers
+{
+    public static double[] List(string text, string option) => text.Split(',').Select(part => Number(part, option)).ToArray();
+
+    /// <summary><c>X,Y</c> or <c>X,Y,Z</c> in mm.</summary>
+    public static Vec3 Vector(string text, string option)
+        => List(text, option) switch
+        {
+            [var x, var y] => new Vec3(x, y),
+            [var x, var y, var z] => new Vec3(x, y, z),
+            _ => throw new CliException(ExitCode.Usage, option + " needs X,Y or X,Y,Z in mm."),
+        };
+
+    /// <summary>One factor for all axes, or one for each.</summary>
+    public static Vec3 Scale(string text)
+    {
+        var scale = List(text, "--scale") switch
+        {
+            [var all] => new Vec3(all, all, all),
+            [var x, var y, var z] => new Vec3(x, y, z),
+            _ => throw new CliException(ExitCode.Usage, "--scale needs a factor, or X,Y,Z."),
+        };
+        return new Vec3(Factor(scale.X, "--scale", 1e-6), Factor(scale.Y, "--scale", 1e-6), Factor(scale.Z, "--scale", 1e-6));
+    }
+
+    public static double Factor(double value, string option, double least)
+        => value >= least && value < 1e6 ? value : throw new CliException(ExitCode.Usage, option + " needs a positive factor.");
+
+    /// <summary><c>N=TEXT</c>.</summary>
+    public static (int Number, string Text) Pair(string text, string option)
+    {
+        var at = text.IndexOf('=');
+        return at > 0 && Whole(text[..at]) is { } number ? (number, text[(at + 1)..]) : throw new CliException(ExitCode.Usage, $"{option} needs N=…, \"{text}\" is none.");
+    }
+
+    /// <summary>A whole number, or null.</summary>
+    public static int? Whole(string text) => int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var number) ? number : null;
+
+    private static double Number(string text, string option)
+        => NumberReader.TryParse(text.Trim(), out var value) && double.IsFinite(value) ? value : throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is no number.");
+}

@@ -1,0 +1,113 @@
+using System.CommandLine;
+using System.IO;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Shaping;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Cli.Commands;
+
+/// <summary>Options that change what a decoded file prints. They act on the layers that are chosen; start and end code have none and stay.</summary>
+internal sealed class ToolpathEditOptions
+{
+    private readonly MoveFilterOptions _filter = new();
+    private readonly Option<double?> _speed = new("--speed") { Description = "Multiply the speed of the chosen strands.", HelpName = "FACTOR" };
+    private readonly Option<double?> _flow = new("--flow") { Description = "Multiply the material of the chosen strands.", HelpName = "FACTOR" };
+    private readonly Option<string?> _scale = new("--scale") { Description = "Scale what is chosen about the middle of its foot.", HelpName = "FACTOR|X,Y,Z" };
+    private readonly Option<double?> _turn = new("--turn") { Description = "Turn what is chosen about its middle, counter-clockwise from above.", HelpName = "DEGREES" };
+    private readonly Option<string?> _move = new("--move") { Description = "Move what is chosen.", HelpName = "X,Y,Z" };
+    private readonly Option<string?> _deform = new("--deform") { Description = "Bend what is chosen: the new x, y, z in mm as formulas of the old.", HelpName = "FORMULAS" };
+    private readonly Option<string?> _axis = new("--axis") { Description = "The formulas are of r, theta (degrees), z about this vertical axis.", HelpName = "X,Y|middle" };
+    private readonly Option<bool> _remove = new("--remove") { Description = "Cut out what is chosen." };
+    private readonly Option<int[]> _pauses = new("--pause-at-layer") { Description = "Put a pause in front of a layer; may be repeated.", HelpName = "N" };
+    private readonly Option<string[]> _tools = new("--tool-at-layer") { Description = "Change the tool in front of a layer; may be repeated.", HelpName = "N=TOOL" };
+    private readonly Option<string[]> _lines = new("--line-at-layer") { Description = "Put a line of G-code in front of a layer; may be repeated.", HelpName = "N=LINE" };
+    private readonly Option<string?> _start = new("--start-code") { Description = "File with lines in place of everything before the first layer.", HelpName = "FILE" };
+    private readonly Option<string?> _end = new("--end-code") { Description = "File with lines in place of everything behind the last layer.", HelpName = "FILE" };
+
+    public void AddTo(Verb verb)
+    {
+        _filter.AddTo(verb);
+        foreach (var option in new Option[] { _speed, _flow, _scale, _turn, _move, _deform, _axis, _remove, _pauses, _tools, _lines, _start, _end }) verb.Options.Add(option);
+    }
+
+    /// <summary>The edited toolpath; the same one where nothing is asked for.</summary>
+    /// <exception cref="CliException">An option is wrong, or a formula gives no place.</exception>
+    public Toolpath Edit(Toolpath toolpath, double tolerance, ParseResult arguments, Session session)
+    {
+        var filter = _filter.Of(toolpath, arguments);
+        var strands = filter with { Kinds = [MoveKind.Print] };
+        if (arguments.GetValue(_speed) is { } speed) toolpath = toolpath.ScaleSpeed(strands, Numbers.Factor(speed, "--speed", 1e-6));
+        if (arguments.GetValue(_flow) is { } flow) toolpath = toolpath.ScaleFlow(strands, Numbers.Factor(flow, "--flow", 0));
+        if (Map(toolpath, strands, arguments) is { } map) toolpath = toolpath.Transformed(filter, map, tolerance);
+        if (arguments.GetValue(_deform) is { } formulas)
+        {
+            var deformation = session.Need(Deformation(toolpath, strands, formulas, arguments.GetValue(_axis)), ExitCode.Usage);
+            toolpath = session.Need(toolpath.Deform(filter, deformation, tolerance));
+        }
+        else if (arguments.GetValue(_axis) is not null)
+        {
+            throw new CliException(ExitCode.Usage, "--axis needs --deform.");
+        }
+        foreach (var layer in arguments.GetValue(_pauses) ?? []) toolpath = AtLayer(toolpath, layer, new PauseEvent());
+        foreach (var text in arguments.GetValue(_tools) ?? [])
+        {
+            var (layer, tool) = Numbers.Pair(text, "--tool-at-layer");
+            if (Numbers.Whole(tool) is not (>= 0 and < 100 and var number)) throw new CliException(ExitCode.Usage, $"--tool-at-layer: \"{tool}\" is no number of a tool.");
+            toolpath = AtLayer(toolpath, layer, new ToolEvent(number));
+        }
+        foreach (var text in arguments.GetValue(_lines) ?? [])
+        {
+            var (layer, line) = Numbers.Pair(text, "--line-at-layer");
+            toolpath = AtLayer(toolpath, layer, new RawEvent(line));
+        }
+        if (!arguments.GetValue(_remove)) return toolpath;
+        if (!_filter.IsGiven(arguments)) throw new CliException(ExitCode.Usage, "--remove needs layers, roles, objects, a tool or a box to cut out.");
+        return toolpath.Remove(_filter.NamesStrands(arguments) ? strands : filter);
+    }
+
+    /// <summary>Other start and end code.</summary>
+    public EditOptions Code(ParseResult arguments) => new() { Start = Lines(arguments.GetValue(_start)), End = Lines(arguments.GetValue(_end)) };
+
+    private static string[]? Lines(string? file) => file is null ? null : File.ReadAllLines(file);
+
+    private static Toolpath AtLayer(Toolpath toolpath, int layer, PrinterEvent what)
+    {
+        var changed = toolpath.InsertAtLayer(layer, what);
+        return !ReferenceEquals(changed, toolpath) ? changed : throw new CliException(ExitCode.Usage, $"There is no layer {NumberFormatter.Format(layer)}.");
+    }
+
+    // Null where nothing is moved.
+    private Affine? Map(Toolpath toolpath, MoveFilter strands, ParseResult arguments)
+    {
+        var scale = arguments.GetValue(_scale) is { } scales ? Numbers.Scale(scales) : (Vec3?)null;
+        var turn = arguments.GetValue(_turn);
+        var move = arguments.GetValue(_move) is { } shift ? Numbers.Vector(shift, "--move") : (Vec3?)null;
+        if (scale is null && turn is null && move is null) return null;
+        var foot = Foot(toolpath, strands);
+        var map = Affine.Move(-foot);
+        if (scale is { } s) map = map.Then(Affine.Scale(s.X, s.Y, s.Z));
+        if (turn is { } degrees) map = map.Then(Affine.Rotate(Vec3.UnitZ, double.IsFinite(degrees) ? degrees : throw new CliException(ExitCode.Usage, "--turn needs a number of degrees.")));
+        return scale is null && turn is null ? Affine.Move(move!.Value) : map.Then(Affine.Move(foot + (move ?? Vec3.Zero)));
+    }
+
+    private static Result<Deformation> Deformation(Toolpath toolpath, MoveFilter strands, string formulas, string? axis)
+    {
+        var system = axis is null ? DeformationSystem.Cartesian : DeformationSystem.Cylindrical;
+        var at = axis is null ? Vec3.Zero : axis == "middle" ? Foot(toolpath, strands) : Numbers.Vector(axis, "--axis");
+        return DeformationText.Compile(formulas, null, null, system, at.WithZ(0), new SourceLocation("--deform"));
+    }
+
+    // The middle of what the strands cover, on the bed.
+    private static Vec3 Foot(Toolpath toolpath, MoveFilter strands)
+    {
+        var box = Bounds.Empty;
+        foreach (var move in toolpath.Moves())
+        {
+            if (strands.Matches(move, move.Layer >= 0 ? toolpath.Layers[move.Layer] : null))
+                box = box.Include(move.Arc is { } arc ? arc.Bounds(move.Start, move.End) : Bounds.Empty.Include(move.Start).Include(move.End));
+        }
+        return box.IsEmpty ? Vec3.Zero : box.Center.WithZ(0);
+    }
+}

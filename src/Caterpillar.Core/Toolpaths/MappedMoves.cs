@@ -1,0 +1,41 @@
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Which moves a map of chosen moves takes along.</summary>
+internal static class MappedMoves
+{
+    public static bool[] All(Toolpath toolpath)
+    {
+        var all = new bool[toolpath.Count];
+        for (var i = 0; i < all.Length; i++) all[i] = true;
+        return all;
+    }
+
+    /// <summary>
+    /// The chosen strands, what is chosen between them, and what is done in place at their ends. Travels that lead to the first strand or away from the last have one end elsewhere: a way from or to
+    /// the home position stays.
+    /// </summary>
+    public static bool[] Of(Toolpath toolpath, MoveFilter filter)
+    {
+        var chosen = new bool[toolpath.Count];
+        var inPlace = new bool[toolpath.Count];
+        var strands = new bool[toolpath.Count];
+        foreach (var move in toolpath.Moves())
+        {
+            chosen[move.Index] = filter.Matches(toolpath, move);
+            inPlace[move.Index] = move.Arc is null && move.Start == move.End;
+            strands[move.Index] = move.Kind is MoveKind.Print or MoveKind.Wipe or MoveKind.MovingRestore;
+        }
+        var mapped = new bool[toolpath.Count];
+        var last = -1;
+        for (var i = 0; i < mapped.Length; i++)
+        {
+            if (!chosen[i]) last = -1;
+            if (!chosen[i] || !strands[i]) continue;
+            for (var k = last < 0 ? i : last + 1; k <= i; k++) mapped[k] = true;
+            last = i;
+        }
+        for (var i = 1; i < mapped.Length; i++) mapped[i] |= inPlace[i] && mapped[i - 1];
+        for (var i = mapped.Length - 2; i >= 0; i--) mapped[i] |= inPlace[i] && mapped[i + 1];
+        return mapped;
+    }
+}
