@@ -60,6 +60,8 @@ internal static class Drawings
             .Line(17, 13, 20.5, 13, 1.4, Ink.Grey).Line(17, 16, 20.5, 16, 1.4, Ink.Grey).Line(17, 19, 20.5, 19, 1.4, Ink.Grey),
         ["FilterToolpath"] = c => c.Polygon(Ink.Grey, 3, 4, 21, 4, 14, 12, 14, 20, 10, 18, 10, 12).Line(6, 6.5, 18, 6.5, 1.8, Ink.Green),
         ["EditToolpath"] = c => c.Polyline(2.2, Ink.Green, 3.5, 19, 9, 19, 9, 12, 14, 12).Line(13, 17, 19.5, 6, 3, Ink.Orange).Line(12.4, 18, 13.4, 16.3, 2, Ink.Dark),
+        ["InsertAtLayer"] = c => c.Line(4, 19, 20, 19, 2, Ink.Green).Line(4, 15, 20, 15, 2, Ink.Green).Line(4, 7, 20, 7, 2, Ink.Green).Line(4, 11, 14, 11, 1.4, Ink.Grey).Polygon(Ink.Orange, 20, 8, 20, 14, 14.5, 11),
+        ["DeformToolpath"] = c => c.Line(4, 19, 20, 19, 1.8, Ink.Grey).Polyline(2, Ink.Green, 4, 15, 9, 13.4, 15, 13.4, 20, 15).Polyline(2, Ink.Green, 4, 11, 9, 7.8, 15, 7.8, 20, 11).Disc(20, 11, 1.7, Ink.Orange),
         ["SaveGCode"] = c => { Page(c); c.Line(12, 7, 12, 15, 2.4, Ink.Green).Polygon(Ink.Green, 8, 13, 16, 13, 12, 18); },
         ["PrintPathParam"] = c => c.Hexagon().Polyline(2.4, Ink.Green, 7, 16, 10.5, 8, 14, 15, 17, 8),
         ["ToolpathParam"] = c => c.Hexagon().Polyline(1.8, Ink.Green, 7, 16, 17, 16, 17, 13, 7, 13, 7, 10, 17, 10).Disc(17, 9.5, 1.6, Ink.Orange),

@@ -80,7 +80,7 @@ internal sealed class ConvertVerb : Verb
         if (!_setup.IsGiven(arguments))
             return arguments.GetValue(_reason) is null ? decoding.Document! : throw new CliException(ExitCode.Usage, "--override needs --printer: without it nothing is checked.");
         var setup = _setup.Resolve(arguments, session);
-        return session.Need(session.Long("Checking", p => SafeEditor.ToDocument(decoding, decoding.Toolpath, setup, arguments.GetValue(_reason), p, session.Cancel)), ExitCode.Refused);
+        return session.Need(session.Long("Checking", p => SafeEditor.ToDocument(decoding, decoding.Toolpath, setup, arguments.GetValue(_reason), null, p, session.Cancel)), ExitCode.Refused);
     }
 
     // Null where nothing is to be converted.

@@ -16,14 +16,24 @@ public static class SafeEditor
     /// <param name="edited">Its toolpath after the edits.</param>
     /// <param name="setup">The printer, material and settings that it is checked against.</param>
     /// <param name="reason">Why findings of the checks are to be ignored, in words that stay in the file as a comment; null where they are not.</param>
+    /// <param name="code">Other start and end code; with it what is written is what is checked, and lines in messages are its.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
     /// <returns>The file, or none with the findings and <see cref="SafeWriter.Refused"/>.</returns>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     public static Result<GCodeDocument> ToDocument(
-        Decoding decoding, Toolpath edited, PrintSetup setup, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+        Decoding decoding, Toolpath edited, PrintSetup setup, string? reason = null, EditOptions? code = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        if (code is { Start: not null } or { End: not null })
+        {
+            var replaced = GCodeEditor.ToDocument(decoding, edited, code, null, cancel);
+            if (replaced.Value is null) return replaced;
+            var options = new DecodeOptions { Dialect = decoding.Dialect, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
+            decoding = Decoder.Decode(replaced.Value, options, null, cancel).Value!;
+            edited = decoding.Toolpath;
+        }
         var findings = LimitCheck.Run(edited, ForFile(setup, edited), progress.Part(0, 0.2), cancel);
         var errors = findings.Where(d => d.Severity == Severity.Error).ToArray();
         var problems = new DiagnosticList();

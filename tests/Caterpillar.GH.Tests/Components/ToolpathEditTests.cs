@@ -88,13 +88,61 @@ public sealed class ToolpathEditTests
             Is.EqualTo(Encoding.UTF8.GetBytes(File)));
 
     [Test]
-    public void A_pause_comes_before_its_layer()
+    public void Pauses_tools_and_lines_come_before_their_layers()
     {
-        var canvas = new Canvas<EditToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Pause Layer", 1).Solve();
-        Assert.That(canvas.One<Toolpath>("Toolpath").Events.Count(e => e.Event is PauseEvent), Is.EqualTo(1));
-        Assert.That(canvas.Feed("Pause Layer", 17).Solve().Warnings, Has.One.Contains("There is no such layer to pause at."));
-        Assert.That(canvas.Feed("Speed Factor", 0).Solve().Errors, Has.One.Contains("Speed Factor must be greater than zero"));
+        var canvas = new Canvas<InsertAtLayerComponent>().Feed("Toolpath", Decoded()).Feed("Layers", 0, 1).Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That(canvas.One<Toolpath>("Toolpath").Events.Count(e => e.Event is PauseEvent), Is.EqualTo(2));
+        Assert.That(canvas.Feed("Layers", 17).Solve().Warnings, Has.One.Contains("There is no layer 17."));
+        canvas.Feed("Layers", 1).Feed("Kind", "Tool").Feed("Value", 1).Solve();
+        Assert.That(canvas.One<Toolpath>("Toolpath").Moves().Last().Tool, Is.EqualTo(1));
+        Assert.That(canvas.Feed("Value", 1.5).Solve().Errors, Has.One.Contains("number of a tool"));
+        Assert.That(canvas.Feed("Kind", "Fan").Feed("Value", 2).Solve().Errors, Has.One.Contains("from 0 to 1"));
+        var raw = canvas.Feed("Kind", "Raw Line").Feed("Text", "M117 nuts").Solve();
+        Assert.That(Written(raw.Output("Toolpath").VolatileData.get_Branch(0)[0]), Is.EqualTo(File.Replace("G1 X20 Y20 Z0.4", "M117 nuts\nG1 X20 Y20 Z0.4")));
     }
+
+    [Test]
+    public void A_transform_moves_the_layers_in_document_units()
+    {
+        var goo = Decoded();
+        using var _ = new InDocument(UnitSystem.Centimeters);
+        var edit = new Canvas<EditToolpathComponent>().Feed("Toolpath", goo).Feed("Transform", Rg.Transform.Translation(0.5, 0, 0)).Solve();
+        Assert.That(edit.Errors, Is.Empty);
+        Assert.That(Written(edit.Output("Toolpath").VolatileData.get_Branch(0)[0]), Is.EqualTo(File.Replace("X20", "X25").Replace("X10", "X15")));
+        Assert.That(edit.Feed("Flow Factor", -1).Solve().Errors, Has.One.Contains("Flow Factor must be 0 or more"));
+        Assert.That(edit.Feed("Flow Factor", 1).Feed("Speed Factor", 0).Solve().Errors, Has.One.Contains("Speed Factor must be greater than zero"));
+    }
+
+    [Test]
+    public void Formulas_bend_a_decoded_file()
+    {
+        var bend = new Canvas<DeformToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Z", "z + x / 100").Solve();
+        Assert.That(bend.Errors, Is.Empty);
+        var before = Value(Decoded()).Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
+        var after = bend.One<Toolpath>("Toolpath").Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
+        Assert.That(after.Select(m => m.End.Z), Is.EqualTo(before.Select(m => m.End.Z + m.End.X / 100)).Within(1e-12));
+        Assert.That(after[0].E, Is.EqualTo(0.5 * Math.Sqrt(1 + 1e-4)).Within(1e-12));
+        Assert.That(bend.Feed("Z", "z +").Solve().Errors, Is.Not.Empty);
+        Assert.That(bend.Feed("Z", "z").Feed("Tolerance", 0).Solve().Errors, Has.One.Contains("Tolerance must be greater than zero"));
+        var turned = new Canvas<DeformToolpathComponent>().Feed("Toolpath", Decoded()).Feed("System", "Cylindrical").Feed("Y", "theta + 90")
+            .Feed("Plane", new Rg.Plane(new Rg.Point3d(10, 10, 0), Rg.Vector3d.XAxis, Rg.Vector3d.YAxis)).Solve();
+        Assert.That(turned.One<Toolpath>("Toolpath").Moves().First(m => m.Kind == MoveKind.Print).End.DistanceTo(new Caterpillar.Geometry.Vec3(10, 20, 0.2)), Is.LessThan(1e-9));
+    }
+
+    [Test]
+    public void Start_and_end_code_of_a_decoded_file_are_replaced_and_checked()
+    {
+        var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Printer", "generic").Feed("Start Code", "M104 S200\nM109 S200\nG28").Feed("End Code", "M84").Solve();
+        Assert.That(write.Errors, Is.Empty);
+        var text = Encoding.UTF8.GetString(write.One<GCodeDocument>("G-code").ToBytes());
+        Assert.That(text, Does.StartWith("M104 S200\nM109 S200\nG28\n").And.EndWith("M84\n").And.Contain("G1 X20 Y10 E0.5 F1200 ; one").And.Not.Contain("by hand"));
+        Assert.That(write.Feed("Start Code", "M104 S200\nG1 X900").Solve().Errors, Is.Not.Empty, "the new lines are checked too");
+        Assert.That(write.Feed("Write Anew", true).Solve().Warnings, Has.Some.Contains("Start Code"));
+    }
+
+    private static string Written(object? goo)
+        => Encoding.UTF8.GetString(new Canvas<GenerateGCodeComponent>().Feed("Toolpath", goo).Feed("Printer", "generic").Solve().One<GCodeDocument>("G-code").ToBytes());
 
     [Test]
     public void Saving_happens_once_at_the_press_and_never_over_a_file_unasked()

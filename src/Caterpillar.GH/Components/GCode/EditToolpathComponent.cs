@@ -1,16 +1,19 @@
 using System;
 using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.GCode;
 
-/// <summary>Changes speed and flow of some moves.</summary>
+/// <summary>Changes speed, flow and place of some moves.</summary>
 public sealed class EditToolpathComponent() : CaterpillarComponent(
-    "Edit Toolpath", "EditTP", "Changes speed and flow of the moves of some roles, layers or places; Grasshopper's own Move and Scale change the rest.", Panel.GCode)
+    "Edit Toolpath", "EditTP", "Changes speed, flow and place of the moves of some roles, layers, objects or places.", Panel.GCode)
 {
+    private const int After = 1 + MoveFilterPorts.Count;
+
     public override Guid ComponentGuid => new("6d772550-a4bb-485d-addc-16452e9b9ef2");
 
     private protected override void Inputs(InputPorts ports)
@@ -19,7 +22,7 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
         MoveFilterPorts.Declare(ports);
         ports.Number("Speed Factor", "S", "Speed of the chosen moves, as a factor of what it was.", 1);
         ports.Number("Flow Factor", "Fl", "Material of the chosen moves, as a factor of what it was.", 1);
-        ports.OptionalInteger("Pause Layer", "P", "Number of the layer, from 0, before which the machine pauses; without it there is no pause.");
+        ports.Add(new Param_Transform(), "Transform", "X", "Moves, turns or scales the chosen strands, in document units; start and end code stay where they are.", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "The changed toolpath.");
@@ -28,15 +31,15 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
     {
         var goo = run.Get<ToolpathGoo>(0);
         var filter = MoveFilterPorts.Read(run, 1);
-        var (speed, flow) = (run.Positive(5), run.Finite(6));
+        var (speed, flow) = (run.Positive(After), run.Finite(After + 1));
+        if (flow < 0) throw new InputProblem("Flow Factor must be 0 or more.");
         var edited = goo.Value;
         if (speed != 1) edited = edited.ScaleSpeed(filter, speed);
         if (flow != 1) edited = edited.ScaleFlow(filter, flow);
-        if (run.MaybeValue<int>(7) is { } layer)
+        if (run.MaybeValue<Rg.Transform>(After + 2) is { } transform)
         {
-            var paused = edited.InsertAtLayer(layer, new PauseEvent());
-            if (ReferenceEquals(paused, edited)) run.Report(GH_RuntimeMessageLevel.Warning, "There is no such layer to pause at.");
-            edited = paused;
+            var map = RhinoGeometry.ToAffine(transform, run.Units) ?? throw new InputProblem("Transform must keep lines parallel: it moves, turns, scales or shears.");
+            edited = edited.Transformed(MoveFilterPorts.ReadLayers(run, 1, edited), map);
         }
         run.Set(0, goo.With(edited));
     }

@@ -1,12 +1,15 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
+using Caterpillar.GCode;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.GH.Plugin;
 using Caterpillar.Machines;
+using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.GCode;
 
@@ -24,6 +27,8 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; without it the one it was planned for.", optional: true);
         ports.Add(new SettingsParam(), "Settings", "S", "Print settings, or the name of their profile; without them those it was planned for.", optional: true);
         ports.Boolean("Write Anew", "A", "False writes a decoded file again with only its edits changed; true writes all of it anew, with the printer's start and end code.", false);
+        ports.Text("Start Code", "SC", "Lines in place of everything before the first layer of a decoded file; without it what is there stays.", optional: true);
+        ports.Text("End Code", "EC", "Lines in place of everything behind the last layer of a decoded file; without it what is there stays.", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -44,14 +49,19 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         }
         if (string.IsNullOrWhiteSpace(reason)) reason = null;
         var anew = run.Get<bool>(5) || goo.Decoding is null;
-        var result = run.Cached([goo.Value, setup, reason, anew], () => run.Work("Writing", (progress, cancel) => anew
+        var (start, end) = (run.Maybe<string>(6), run.Maybe<string>(7));
+        if (anew && (start ?? end) is not null) run.Report(GH_RuntimeMessageLevel.Warning, "Start Code and End Code are for decoded files that are written again; this one is written anew, with those of its printer.");
+        var code = new EditOptions { Start = Lines(start), End = Lines(end) };
+        var result = run.Cached([goo.Value, setup, reason, anew, start, end], () => run.Work("Writing", (progress, cancel) => anew
             ? SafeWriter.ToDocument(goo.Value, setup, reason, progress, cancel)
-            : SafeEditor.ToDocument(goo.Decoding!, goo.Value, setup, reason, progress, cancel)));
+            : SafeEditor.ToDocument(goo.Decoding!, goo.Value, setup, reason, code, progress, cancel)));
         var document = run.Accept(result, texts);
         run.Set(0, document is null ? null : new GCodeGoo(document));
         run.SetList(1, texts);
         run.Summarize(document is null ? "refused" : $"{NumberFormatter.Format(document.LineCount)} lines");
     }
+
+    private static string[]? Lines(string? text) => text?.TrimEnd('\r', '\n').Split('\n').Select(line => line.TrimEnd('\r')).ToArray();
 
     private static PrintSetup? Setup(Run run, PrintSetup? planned, List<string> texts)
     {

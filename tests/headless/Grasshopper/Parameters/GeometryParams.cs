@@ -57,6 +57,19 @@ namespace Grasshopper.Kernel.Parameters
         protected override GH_GetterResult Prompt_Plural(ref List<GH_Plane> values) => GH_GetterResult.cancel;
     }
 
+    public class Param_Transform : GH_PersistentParam<GH_Transform>
+    {
+        public Param_Transform() : base("Transform", "Transform", "Contains a collection of three-dimensional transformations", "Params", "Primitive")
+        {
+        }
+
+        public override Guid ComponentGuid => new Guid("28f40e48-e739-4211-91bd-f4aefa5965f8");
+
+        protected override GH_GetterResult Prompt_Singular(ref GH_Transform value) => GH_GetterResult.cancel;
+
+        protected override GH_GetterResult Prompt_Plural(ref List<GH_Transform> values) => GH_GetterResult.cancel;
+    }
+
     public class Param_Curve : GH_PersistentGeometryParam<GH_Curve>, IGH_PreviewObject
     {
         public Param_Curve() : base("Curve", "Crv", "Contains a collection of generic curves", "Params", "Geometry")

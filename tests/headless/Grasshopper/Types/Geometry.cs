@@ -78,6 +78,36 @@ namespace Grasshopper.Kernel.Types
         }
     }
 
+    public class GH_Transform : GH_Goo<Transform>
+    {
+        public GH_Transform()
+        {
+        }
+
+        internal GH_Transform(Transform transform) : base(transform)
+        {
+        }
+
+        public override bool IsValid => m_value.M33 != 0;
+
+        public override string TypeName => "Transform";
+
+        public override string TypeDescription => "A three-dimensional transformation";
+
+        public override IGH_Goo Duplicate() => new GH_Transform(m_value);
+
+        public override string ToString() => m_value.ToString();
+
+        public override bool CastFrom(object source)
+        {
+            if (Casting.Bare(source) is not Transform transform) return false;
+            m_value = transform;
+            return true;
+        }
+
+        public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
+    }
+
     public class GH_Plane : GH_GeometricGoo<Plane>
     {
         public GH_Plane()

@@ -1,0 +1,56 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Components.Path;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Shaping;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel.Parameters;
+
+namespace Caterpillar.GH.Components.GCode;
+
+/// <summary>Bends a toolpath by formulas.</summary>
+public sealed class DeformToolpathComponent() : CaterpillarComponent(
+    "Deform Toolpath", "DeformTP", "Bends what a toolpath prints by formulas of position, area and speed; the material follows the length of the strands.", Panel.GCode)
+{
+    private const int Formulas = 1 + MoveFilterPorts.Count;
+
+    public override Guid ComponentGuid => new("0f6d3c8e-91b7-4a25-b2d4-5ce81f7a0936");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "TP", "Toolpath to bend, planned or decoded.");
+        MoveFilterPorts.Declare(ports);
+        DeformationPorts.Declare(ports);
+        ports.Add(new Param_Plane(), "Plane", "Pl", "Frame of the coordinates, in document units; its Z is the axis of angles. The world's origin without it.", optional: true);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "The bent toolpath.");
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var goo = run.Get<ToolpathGoo>(0);
+        var filter = MoveFilterPorts.ReadLayers(run, 1, goo.Value);
+        var asked = DeformationPorts.Read(run, Formulas);
+        if (asked.Tolerance == 0) throw new InputProblem("Tolerance must be greater than zero.");
+        var frame = run.MaybeValue<Rg.Plane>(Formulas + DeformationPorts.Count) is { } plane ? RhinoGeometry.ToFrame(plane, run.Units) : Frame.World;
+        var compiled = asked.Compile();
+        if (compiled.Value is not { } deformation)
+        {
+            run.SetList(1, run.Report(compiled.Diagnostics));
+            run.Set(0, null);
+            return;
+        }
+        if (frame != Frame.World) deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation).Then(Deformation.Cartesian(p => frame.ToWorld(p)));
+        var result = run.Cached([goo.Value, frame, .. MoveFilterPorts.Key(filter), .. asked.Key], () => run.Work("Deform", (_, _) => goo.Value.Deform(filter, deformation, asked.Tolerance)));
+        run.SetList(1, run.Report(result.Diagnostics));
+        run.Set(0, result.Value is { } bent ? goo.With(bent) : null);
+    }
+}

@@ -1,0 +1,74 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Components.GCode;
+
+/// <summary>What is put in front of a layer.</summary>
+public enum LayerEventKind
+{
+    Pause,
+    Tool,
+    NozzleTemperature,
+    BedTemperature,
+    Fan,
+    Dwell,
+    Comment,
+    RawLine,
+}
+
+/// <summary>Puts pauses, tools and other events in front of layers.</summary>
+public sealed class InsertAtLayerComponent() : CaterpillarComponent(
+    "Insert At Layer", "InsertTP", "Puts a pause, a tool change, a temperature or a line of G-code in front of layers of a toolpath.", Panel.GCode)
+{
+    public override Guid ComponentGuid => new("b4c1e0d7-58a2-4f6b-9e31-7d90a2c4f615");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to change, planned or decoded.");
+        ports.Integer("Layers", "L", "Numbers of the layers, from 0, in front of which it happens.", access: GH_ParamAccess.list);
+        ports.Choice("Kind", "K", "What happens.", LayerEventKind.Pause);
+        ports.Number("Value", "V", "Number of the tool, °C, fan from 0 to 1, or seconds.", 0);
+        ports.Text("Text", "Tx", "Message of a pause, comment, or line of G-code.", "");
+    }
+
+    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "The changed toolpath.");
+
+    private protected override void Solve(Run run)
+    {
+        var goo = run.Get<ToolpathGoo>(0);
+        var what = Event(run);
+        var edited = goo.Value;
+        foreach (var layer in run.List<GH_Integer>(1))
+        {
+            var changed = edited.InsertAtLayer(layer.Value, what);
+            if (ReferenceEquals(changed, edited)) run.Report(GH_RuntimeMessageLevel.Warning, $"There is no layer {NumberFormatter.Format(layer.Value)}.");
+            edited = changed;
+        }
+        run.Set(0, goo.With(edited));
+    }
+
+    private static PrinterEvent Event(Run run)
+    {
+        var value = run.Finite(3);
+        var text = run.Maybe<string>(4) ?? "";
+        double AtLeast(double least, double most, string meaning)
+            => value >= least && value <= most ? value : throw new InputProblem($"Value must be {meaning}, not {NumberFormatter.Format(value, 6)}.");
+        return run.Choice<LayerEventKind>(2) switch
+        {
+            LayerEventKind.Pause => new PauseEvent(text),
+            LayerEventKind.Tool => new ToolEvent(AtLeast(0, 99, "the number of a tool") is var tool && tool == Math.Floor(tool) ? (int)tool : throw new InputProblem("Value must be the number of a tool.")),
+            LayerEventKind.NozzleTemperature => new NozzleTemperatureEvent(AtLeast(0, 600, "a temperature in °C"), Wait: true),
+            LayerEventKind.BedTemperature => new BedTemperatureEvent(AtLeast(0, 300, "a temperature in °C"), Wait: true),
+            LayerEventKind.Fan => new FanEvent(AtLeast(0, 1, "a fan speed from 0 to 1")),
+            LayerEventKind.Dwell => new DwellEvent(AtLeast(0, 1e6, "a number of seconds")),
+            LayerEventKind.Comment => new CommentEvent(text),
+            _ => new RawEvent(text.Trim().Length > 0 ? text : throw new InputProblem("Text is missing.") { IsMissing = true }),
+        };
+    }
+}

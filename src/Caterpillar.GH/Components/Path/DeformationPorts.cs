@@ -1,0 +1,43 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.Shaping;
+
+namespace Caterpillar.GH.Components.Path;
+
+/// <summary>The ports that say how something is bent: system, five formulas, tolerance.</summary>
+internal static class DeformationPorts
+{
+    public const int Count = 7;
+
+    public static void Declare(InputPorts ports)
+    {
+        ports.Choice("System", "S", "Coordinates of the formulas: x, y, z in mm (Cartesian), or r in mm, theta in degrees and z in mm (Cylindrical).", DeformationSystem.Cartesian);
+        ports.Text("X", "X", "Formula of the new x, or of the new r in cylindrical coordinates, for example r + 1.05 * z; without it the coordinate stays.", optional: true);
+        ports.Text("Y", "Y", "Formula of the new y, or of the new theta in degrees, for example theta + 3 * z; without it the coordinate stays.", optional: true);
+        ports.Text("Z", "Z", "Formula of the new z, for example 0.3 * z; without it the coordinate stays.", optional: true);
+        ports.Text("Area", "A", "Formula of the new cross-section in mm² over c, the old one, and the coordinates before the mapping, for example 0.96 * c.", optional: true);
+        ports.Text("Speed", "V", "Formula of the new speed in mm/s over v, the old one, and the coordinates before the mapping, for example 0.5 * v.", optional: true);
+        ports.Number("Tolerance", "T", "Distance in mm that bent curves keep from straight segments, which are divided for it; 0 divides none.", 0.01);
+    }
+
+    public static Asked Read(Run run, int first)
+    {
+        var tolerance = run.Finite(first + 6);
+        if (tolerance < 0) throw new InputProblem("Tolerance must be 0 or more.");
+        return new Asked(run.Choice<DeformationSystem>(first), Enumerable.Range(first + 1, 5).Select(i => run.Maybe<string>(i) ?? "").ToArray(), tolerance);
+    }
+
+    /// <summary>What the ports say.</summary>
+    public sealed record Asked(DeformationSystem System, IReadOnlyList<string> Formulas, double Tolerance)
+    {
+        public bool HasSpeed => Formulas[4].Trim().Length > 0;
+
+        public object?[] Key => [System, Tolerance, .. Formulas];
+
+        public Result<Deformation> Compile() => DeformationText.Compile(Formulas[0], Formulas[1], Formulas[2], Formulas[3], Formulas[4], System);
+    }
+}
