@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
 # Whole programs side by side: Caterpillar against the slicers that are installed.
-#   bench/peers.sh MESH.stl [GCODE]
+#   bench/peers.sh MESH.stl
 # Needs GNU time; CuraEngine (CURA_ENGINE_SEARCH_PATH names its definitions and extruders) and prusa-slicer are used where found.
 # The settings are the same: 0.2 mm layers, width 0.4 mm, 2 walls, 20 % line infill, no skins, no skirt. A comparison counts where printed length and volume agree within 2 %.
 set -eu
 cd "$(dirname "$0")/.."
 mesh=$(realpath "$1")
-gcode=${2:+$(realpath "$2")}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 runs=5
@@ -41,7 +40,3 @@ for file in caterpillar cura prusa; do
   [ -e "$out/$file.gcode" ] || continue
   "$caterpillar" decode "$out/$file.gcode" --json 2>/dev/null | awk -v name="$file" -F'[:,]' '/"print_length"/ { l = $2 } /"e_used"/ { e = $2 } END { printf "%-28s %s mm printed, %s mm of filament\n", name, l, e }'
 done
-
-if [ -n "$gcode" ]; then
-  measure caterpillar-decode "$caterpillar" decode "$gcode" --json
-fi
