@@ -27,7 +27,8 @@ public static class LimitCheck
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         var findings = new Findings(toolpath);
-        CheckTemperature(toolpath, setup, findings);
+        var needed = setup.Printer.ExtrusionUnit == ExtrusionUnit.None ? 0 : setup.Printer.MinExtrusionTemperature;
+        var nozzles = needed > 0 ? new NozzleTemperatures(toolpath, setup.Material.NozzleTemperature) : null;
         var start = toolpath.Start ?? Vec3.Zero;
         var known = toolpath.Start is not null;
         for (var block = 0; block < toolpath.Blocks.Count; block++)
@@ -41,6 +42,8 @@ public static class LimitCheck
                 var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
                 CheckPlace(columns, i, first + i, start, end, setup.Printer, findings);
                 if (known) CheckRates(toolpath, columns, i, first + i, start, end, setup, findings);
+                if (nozzles is not null && columns.E[i] > 0 && nozzles.At(first + i, columns.Tool[i]) < needed)
+                    ReportCold(nozzles.At(first + i, columns.Tool[i]), first + i, setup.Printer, findings);
                 known = true;
                 start = end;
             }
@@ -112,28 +115,6 @@ public static class LimitCheck
         if (way.Y != 0) most = Math.Min(most, axes.Y * length / Math.Abs(way.Y));
         if (way.Z != 0) most = Math.Min(most, axes.Z * length / Math.Abs(way.Z));
         return most == double.MaxValue ? Math.Min(axes.X, axes.Y) : most;
-    }
-
-    private static void CheckTemperature(Toolpath toolpath, PrintSetup setup, Findings findings)
-    {
-        var least = setup.Printer.MinExtrusionTemperature;
-        if (least <= 0 || setup.Printer.ExtrusionUnit == ExtrusionUnit.None) return;
-        var temperature = setup.Material.NozzleTemperature;
-        var next = 0;
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
-        {
-            var columns = toolpath.Blocks[block].Columns;
-            var first = toolpath.FirstOf(block);
-            for (var i = 0; i < columns.Count; i++)
-            {
-                for (; next < toolpath.Events.Count && toolpath.Events[next].Move <= first + i; next++)
-                {
-                    if (toolpath.Events[next].Event is NozzleTemperatureEvent heat) temperature = heat.Celsius;
-                }
-                if (columns.E[i] <= 0 || temperature >= least) continue;
-                ReportCold(temperature, first + i, setup.Printer, findings);
-            }
-        }
     }
 
     private static void ReportCold(double celsius, int move, Printer printer, Findings findings)

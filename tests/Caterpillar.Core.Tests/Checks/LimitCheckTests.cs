@@ -99,6 +99,21 @@ public class LimitCheckTests
     }
 
     [Test]
+    public void Each_nozzle_has_its_own_temperature_where_the_file_names_tools()
+    {
+        var two = new PrintSetup(new Printer { ToolOffsets = new(Vec3.Zero, Vec3.Zero) }, new Material { NozzleTemperature = 0 }, new PrintSettings());
+        void With(ToolpathBuilder b, int tool, params PrinterEvent[] before)
+        {
+            foreach (var what in before) b.AddEvent(what);
+            b.Add(new Vec3(20, 10, 0.2), 0.1, 0.1, 10, MoveKind.Print, Role.Unspecified, -1, tool, 0);
+        }
+        Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210), new ToolEvent(1))), Is.Empty, "one nozzle for both, or both heated");
+        Assert.That(Run(two, b => With(b, 0, new NozzleTemperatureEvent(210, Tool: 0), new NozzleTemperatureEvent(0, Tool: 1))), Is.Empty, "the other one is cold");
+        Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210, Tool: 0), new ToolEvent(1))).Single().Code, Is.EqualTo("limit.cold_extrusion"));
+        Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210, Tool: 0), new ToolEvent(1), new NozzleTemperatureEvent(205, true))), Is.Empty, "the tool at work is meant");
+    }
+
+    [Test]
     public void A_tool_that_the_printer_lacks_is_an_error()
         => Assert.That(Run(Generic, b => b.Add(new Vec3(20, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 1, 0)).Single().Code, Is.EqualTo("limit.tool"));
 
