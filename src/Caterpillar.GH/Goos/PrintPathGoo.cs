@@ -12,11 +12,8 @@ using Rhino.DocObjects;
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A print path on a wire: moves, turns and scales like a curve, and is one for native components.</summary>
-public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, IGH_BakeAwareData
+public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData
 {
-    private Rg.PolylineCurve? _curve;
-    private double _curveScale;
-
     public PrintPathGoo()
     {
     }
@@ -53,17 +50,9 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
     /// <summary>What the layer covers around it.</summary>
     public Region? Region { get; }
 
-    public override bool IsValid => Value is not null;
-
-    public override string IsValidWhyNot => IsValid ? "" : "There is no print path.";
-
     public override string TypeName => "Print Path";
 
     public override string TypeDescription => "A path to deposit, with its beads in mm² and speeds in mm/s.";
-
-    public override Rg.BoundingBox Boundingbox => Value is null ? Rg.BoundingBox.Empty : RhinoGeometry.ToBox(Value.Bounds, DocumentUnits.Current);
-
-    public Rg.BoundingBox ClippingBox => Boundingbox;
 
     public override IGH_GeometricGoo DuplicateGeometry() => new PrintPathGoo(this, Value);
 
@@ -72,18 +61,6 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
 
     /// <summary>Another path in its place.</summary>
     public PrintPathGoo With(PrintPath path) => new(this, path);
-
-    public override object? ScriptVariable() => Value;
-
-    public override Rg.BoundingBox GetBoundingBox(Rg.Transform xform)
-    {
-        var box = Boundingbox;
-        box.Transform(xform);
-        return box;
-    }
-
-    public override IGH_GeometricGoo? Transform(Rg.Transform xform)
-        => Value is not null && RhinoGeometry.ToAffine(xform, DocumentUnits.Current) is { } map ? With(Value.Transformed(map)) : null;
 
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)
     {
@@ -119,19 +96,9 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
         return true;
     }
 
-    public void DrawViewportWires(GH_PreviewWireArgs args)
-    {
-        if (Value is null || Value.Points.Count > PreviewLimits.Points) return;
-        args.Pipeline.DrawCurve(Curve(), args.Color, 1);
-    }
-
-    public void DrawViewportMeshes(GH_PreviewMeshArgs args)
-    {
-    }
-
     public bool BakeGeometry(RhinoDoc doc, ObjectAttributes att, out Guid obj_guid)
     {
-        obj_guid = Value is null || doc is null ? Guid.Empty : doc.Objects.AddCurve(Curve(), att);
+        obj_guid = Value is null || doc is null ? Guid.Empty : doc.Objects.AddCurve(Curves()[0], att);
         return obj_guid != Guid.Empty;
     }
 
@@ -143,11 +110,11 @@ public sealed class PrintPathGoo : GH_GeometricGoo<PrintPath>, IGH_PreviewData, 
             + $"{NumberFormatter.Format(Value.Volume, 2)} mm³{(Value.IsClosed ? ", closed" : "")})";
     }
 
-    private Rg.PolylineCurve Curve()
-    {
-        var units = DocumentUnits.Current;
-        if (_curve is null || _curveScale != units.ToMillimetres) _curve = RhinoGeometry.ToCurve(Value, units);
-        _curveScale = units.ToMillimetres;
-        return _curve;
-    }
+    private protected override Bounds Bounds => Value.Bounds;
+
+    private protected override bool IsVeryLarge => Value.Points.Count > PreviewLimits.Points;
+
+    private protected override IReadOnlyList<Rg.PolylineCurve> CurvesIn(DocumentUnits units) => [RhinoGeometry.ToCurve(Value, units)];
+
+    private protected override IGH_GeometricGoo Image(Affine map) => With(Value.Transformed(map));
 }

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.GCode;
+using Caterpillar.Geometry;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -10,11 +11,9 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A toolpath on a wire. Native Move, Orient and Scale work on it; its preview is one thin wire along what is printed.</summary>
-public sealed class ToolpathGoo : GH_GeometricGoo<Toolpath>, IGH_PreviewData
+public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 {
     private ToolpathTotals? _totals;
-    private List<Rg.PolylineCurve>? _curves;
-    private double _curveScale;
 
     public ToolpathGoo()
     {
@@ -51,17 +50,9 @@ public sealed class ToolpathGoo : GH_GeometricGoo<Toolpath>, IGH_PreviewData
     /// <summary>The file that it was decoded from, where it was: written again, lines that no edit touches stay as they are.</summary>
     public Decoding? Decoding { get; }
 
-    public override bool IsValid => Value is not null;
-
-    public override string IsValidWhyNot => IsValid ? "" : "There is no toolpath.";
-
     public override string TypeName => "Toolpath";
 
     public override string TypeDescription => "What the printer does, move by move: positions in mm, speeds in mm/s.";
-
-    public override Rg.BoundingBox Boundingbox => Value is null ? Rg.BoundingBox.Empty : RhinoGeometry.ToBox(Totals.PrintBounds, DocumentUnits.Current);
-
-    public Rg.BoundingBox ClippingBox => Boundingbox;
 
     private ToolpathTotals Totals => _totals ??= ToolpathTotals.Of(Value);
 
@@ -70,20 +61,14 @@ public sealed class ToolpathGoo : GH_GeometricGoo<Toolpath>, IGH_PreviewData
     /// <summary>An edit of it.</summary>
     public ToolpathGoo With(Toolpath edited) => new(this, edited);
 
-    public override object? ScriptVariable() => Value;
-
-    public override Rg.BoundingBox GetBoundingBox(Rg.Transform xform)
+    /// <summary>Bends the layers; start and end code stay.</summary>
+    public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)
     {
-        var box = Boundingbox;
-        box.Transform(xform);
-        return box;
+        if (Value is null) return null;
+        var units = DocumentUnits.Current;
+        var layers = new MoveFilter { FirstLayer = Value.Layers.Count > 0 ? int.MinValue : null };
+        return With(Value.Deform(layers, p => RhinoGeometry.ToVec(xmorph.MorphPoint(RhinoGeometry.ToPoint(p, units)), units)));
     }
-
-    public override IGH_GeometricGoo? Transform(Rg.Transform xform)
-        => Value is not null && RhinoGeometry.ToAffine(xform, DocumentUnits.Current) is { } map ? With(Value.Transformed(map)) : null;
-
-    /// <summary>A toolpath can't be bent as a whole: bend its print paths and plan again.</summary>
-    public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph) => null;
 
     public override bool CastFrom(object source)
     {
@@ -101,21 +86,16 @@ public sealed class ToolpathGoo : GH_GeometricGoo<Toolpath>, IGH_PreviewData
         return true;
     }
 
-    public void DrawViewportWires(GH_PreviewWireArgs args)
-    {
-        if (Value is null || Value.Count > PreviewLimits.Moves) return;
-        var units = DocumentUnits.Current;
-        if (_curves is null || _curveScale != units.ToMillimetres) _curves = RhinoGeometry.ToCurves(Value, units);
-        _curveScale = units.ToMillimetres;
-        foreach (var curve in _curves) args.Pipeline.DrawCurve(curve, args.Color, 1);
-    }
-
-    public void DrawViewportMeshes(GH_PreviewMeshArgs args)
-    {
-    }
-
     public override string ToString() => Value is null
         ? "No Toolpath"
         : $"Toolpath ({NumberFormatter.Format(Value.Count)} moves, {NumberFormatter.Format(Value.Layers.Count)} layers, "
             + $"{NumberFormatter.Format(Totals.PrintLength / 1000, 2)} m printed)";
+
+    private protected override Bounds Bounds => Totals.PrintBounds;
+
+    private protected override bool IsVeryLarge => Value.Count > PreviewLimits.Moves;
+
+    private protected override IReadOnlyList<Rg.PolylineCurve> CurvesIn(DocumentUnits units) => RhinoGeometry.ToCurves(Value, units);
+
+    private protected override IGH_GeometricGoo Image(Affine map) => With(Value.Transformed(map));
 }

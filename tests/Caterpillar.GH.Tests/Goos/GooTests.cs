@@ -126,7 +126,16 @@ public sealed class GooTests
         Assert.That(scaled.Setup, Is.SameAs(setup));
         Assert.That(((ToolpathGoo)scaled.Duplicate()).Setup, Is.SameAs(setup));
         Assert.That(scaled.Boundingbox.Max, Is.EqualTo(new Rg.Point3d(40, 60, 10)));
-        Assert.That(scaled.Morph(new Lift()), Is.Null);
+    }
+
+    [Test]
+    public void Bending_a_toolpath_bends_what_it_prints()
+    {
+        var bent = (ToolpathGoo)new ToolpathGoo(Toolpath(), new PrintSetup()).Morph(new Lift())!;
+        var before = Toolpath().Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
+        var after = bent.Value.Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
+        Assert.That(after.Select(m => m.End), Is.EqualTo(before.Select(m => m.End.WithZ(m.End.Z + m.End.X))));
+        Assert.That(after.Sum(m => m.Length), Is.GreaterThan(before.Sum(m => m.Length)));
     }
 
     [Test]
