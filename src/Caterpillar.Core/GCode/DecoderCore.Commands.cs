@@ -216,10 +216,10 @@ internal sealed partial class DecoderCore
         value = 0;
         if (!_axis.HasAmounts) return false;
         if (_axis != ExtrusionAxis.Both) return line.TryGet((char)_axis.Letter, out value);
-        var any = line.TryGet('A', out var a);
-        any |= line.TryGet('B', out var b);
-        value = TwoAxes(a, line.Find('A') >= 0, b, line.Find('B') >= 0);
-        return any;
+        var hasA = line.TryGet('A', out var a) && a is > -LargestE and < LargestE;
+        var hasB = line.TryGet('B', out var b) && b is > -LargestE and < LargestE;
+        value = TwoAxes(a, hasA, b, hasB);
+        return hasA || hasB;
     }
 
     // Two extruder axes become one E: the sum of what both change.

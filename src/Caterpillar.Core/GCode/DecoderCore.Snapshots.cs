@@ -9,6 +9,12 @@ internal sealed partial class DecoderCore
     /// <summary>Columns of the moves of the last line read by <see cref="ReadLine"/>.</summary>
     public Toolpaths.ToolpathColumns LastMoves => _out.Columns;
 
+    /// <summary>Events of the last line.</summary>
+    public IReadOnlyList<Toolpaths.MoveEvent> LastEvents => _events;
+
+    /// <summary>True where G1 to G3 print without any E.</summary>
+    public bool Strokes => _strokes;
+
     /// <summary>The geometry of the last line's arc, where it made one.</summary>
     public Geometry.Arc? LastArc => _out.LastArc;
 

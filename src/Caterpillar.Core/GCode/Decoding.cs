@@ -51,6 +51,19 @@ public sealed class Decoding
     /// <summary>The last line that changes how E is read.</summary>
     internal int LastModeLine { get; init; }
 
+    /// <summary>True when words turn rotary axes.</summary>
+    internal bool HasTurns
+    {
+        get
+        {
+            foreach (var block in Toolpath.Blocks)
+            {
+                if (block.Columns.A is not null) return true;
+            }
+            return false;
+        }
+    }
+
     /// <summary>The line where the first layer begins, or 0.</summary>
     internal int FirstMarkLine { get; init; }
 

@@ -23,9 +23,11 @@ internal sealed class ExtrusionAxis
     /// <summary>True when amounts of extrusion are in the file.</summary>
     public bool HasAmounts => this != Switched && this != None;
 
-    /// <summary>The axis with this letter; without a letter what <paramref name="otherwise"/> says.</summary>
-    public static ExtrusionAxis Of(byte letter, ExtrusionAxis otherwise)
-        => letter switch { (byte)'E' => E, (byte)'A' => A, (byte)'B' => B, _ => otherwise.HasAmounts && otherwise.Letter != 0 ? None : otherwise };
+    /// <summary>The letter of the amounts (the first of two), or 0.</summary>
+    public byte FirstLetter => this == Both ? (byte)'A' : Letter;
+
+    /// <summary>The axis with this letter, or <see cref="None"/>.</summary>
+    public static ExtrusionAxis Of(char letter) => letter switch { 'E' => E, 'A' => A, 'B' => B, _ => None };
 
     public bool Is(byte letter) => Letter == letter || (this == Both && (letter == 'A' || letter == 'B'));
 

@@ -10,6 +10,12 @@ internal static class FilamentFactors
     public static double?[] Of(IReadOnlyDictionary<string, string> settings, double? diameter)
     {
         if (settings.TryGetValue("use_volumetric_e", out var volumetric) && volumetric.Split(',')[0].Trim() == "1") return [1.0];
+        return Areas(settings, diameter);
+    }
+
+    /// <summary>mm² of the filament of each tool; the diameter that is given where the settings say none.</summary>
+    public static double?[] Areas(IReadOnlyDictionary<string, string> settings, double? diameter)
+    {
         if (settings.TryGetValue("filament_diameter", out var text))
         {
             var parts = text.Split(',');

@@ -34,16 +34,13 @@ public sealed record ConvertOptions
     public double RetractionLength { get; init; }
 
     public double RetractionSpeed { get; init; } = 35;
-}
 
-/// <summary>The target of a conversion, worked out.</summary>
-internal sealed record ConvertTarget(
-    DialectRules Dialect, bool? RelativeE, double EFactor, bool ExpandArcs, double ChordTolerance, bool Millimetres, double RetractionLength, double RetractionSpeed)
-{
-    public byte ExtruderLetter(ExtrusionAxis axis)
-        => axis.Letter == 0 ? (byte)0
-            : Dialect.ExtruderLetters.IndexOf(((char)axis.Letter).ToString(), StringComparison.Ordinal) >= 0 ? axis.Letter
-            : Dialect.ExtruderLetters.Length > 0 ? (byte)Dialect.ExtruderLetters[0] : (byte)0;
+    /// <summary>The most decimals of X, Y and Z, of E and of F; null keeps those of the file. What rounding of E leaves is carried on.</summary>
+    public int? DecimalsXyz { get; init; }
+
+    public int? DecimalsE { get; init; }
+
+    public int? DecimalsF { get; init; }
 }
 
 /// <summary>Writes a decoded file for another firmware or in another notation: lines that mean the same stay as they are, the others change in the file's own style.</summary>
@@ -59,27 +56,9 @@ public static class GCodeConverter
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (options is null) throw new ArgumentNullException(nameof(options));
         if (decoding.Document is null) throw new ArgumentException("A conversion needs the document of the file.", nameof(decoding));
-        var dialect = options.Dialect ?? decoding.Dialect;
         var problems = new DiagnosticList();
-        var factor = 1.0;
-        if (options.Volumetric is { } volumetric)
-        {
-            var now = decoding.Toolpath.Tools[0].VolumePerE;
-            var area = options.FilamentDiameter is { } d ? Math.PI / 4 * d * d : now is { } known && known != 1 ? known : (double?)null;
-            if (area is null || !(area > 0))
-            {
-                problems.Add(Severity.Error, "gcode.diameter_unknown", "Volumes need the diameter of the filament, which the file does not say.");
-                return problems.ToList();
-            }
-            var from = now == 1 ? 1 : area.Value;
-            factor = from / (volumetric ? 1 : area.Value);
-        }
-        if (!decoding.Axis.HasAmounts && decoding.Axis == ExtrusionAxis.Switched && dialect.Name != decoding.Dialect.Name)
-            problems.Add(Severity.Warning, "gcode.no_amounts", "The file switches its extruder by M101 and M103 and says no amounts of E; they cannot be made up.");
-        if (decoding.Axis.HasAmounts && dialect.ExtruderLetters.Length == 0)
-            problems.Add(Severity.Warning, "gcode.no_extruder", dialect.Title + " has no word for extrusion: it is left out.");
-        var target = new ConvertTarget(
-            dialect, options.RelativeE, factor, options.ExpandArcs, options.ChordTolerance, options.Millimetres || !dialect.Inches, options.RetractionLength, options.RetractionSpeed);
+        var target = ConvertTarget.Of(decoding, options, problems);
+        if (target is null) return problems.ToList();
         var splicer = new Splicer(decoding, target, stream);
         splicer.Run(decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), progress, cancel);
         problems.AddRange(splicer.Diagnostics.ToList());

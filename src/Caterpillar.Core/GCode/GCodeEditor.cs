@@ -18,6 +18,9 @@ public sealed record EditOptions
 
     /// <summary>Lines in place of everything behind the last strand of the last layer; null keeps it.</summary>
     public IReadOnlyList<string>? End { get; init; }
+
+    /// <summary>Every number of every motion is written anew, also of those that did not change.</summary>
+    internal bool Anew { get; init; }
 }
 
 /// <summary>Writes a decoded file again with an edited toolpath: untouched lines byte for byte, changed ones in the file's own style, and at the splices the state that the rest of the file expects.</summary>
@@ -42,8 +45,9 @@ public static class GCodeEditor
         var plan = SplicePlan.Of(decoding, edited);
         if (!plan.InOrder || edited.Source != MoveSource.Lines)
             return [new Diagnostic(Severity.Error, "gcode.reordered", "The moves are not in the order of the file's lines; write the toolpath as new G-code instead.")];
-        var splicer = new Splicer(decoding, null, stream);
+        var splicer = new Splicer(decoding, null, stream) { Anew = options.Anew };
         splicer.Replace(options, plan);
+        if (options.Anew) plan.Touch(1, int.MaxValue);
         splicer.Run(edited, plan, progress, cancel);
         return splicer.Diagnostics.ToList();
     }

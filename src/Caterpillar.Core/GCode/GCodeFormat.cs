@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
@@ -53,6 +54,26 @@ public sealed record GCodeFormat
 
     /// <summary>The letter of extrusion, or 0 where nothing is extruded by words.</summary>
     internal byte ExtruderLetter => HasE && Dialect.ExtruderLetters.Length > 0 ? (byte)Dialect.ExtruderLetters[0] : (byte)0;
+
+    /// <summary>True where extrusion is only switched on and off, by M101 and M103.</summary>
+    internal bool Switches => HasE && Dialect.ExtruderLetters.Length == 0 && Dialect.SwitchedExtruder;
+
+    /// <summary>True where strands need amounts of E that a toolpath does not have: it was decoded from a file that only switches its extruder.</summary>
+    internal bool LacksAmounts(Toolpath toolpath)
+    {
+        if (ExtruderLetter == 0 || toolpath.Source != MoveSource.Lines) return false;
+        var prints = false;
+        foreach (var block in toolpath.Blocks)
+        {
+            var c = block.Columns;
+            for (var i = 0; i < c.Count; i++)
+            {
+                if (c.E[i] != 0) return false;
+                prints |= c.Kind[i] == MoveKind.Print;
+            }
+        }
+        return prints;
+    }
 
     /// <summary>True where E is written as increments: by M83, or where there is no such word (an axis like the others) as sums.</summary>
     internal bool WritesRelative => RelativeE && Dialect.RelativeE != RelativeERule.OnlyG90G91;

@@ -82,7 +82,7 @@ public sealed partial class GCodeWriter
 
     private void Chords(Vec3 start, Vec3 end, double e, double speed, Arc arc, int code)
     {
-        var count = Math.Min(arc.ChordCount(start, _format.ChordTolerance), 100_000);
+        var count = Math.Min(arc.ChordCount(start, end, _format.ChordTolerance), 100_000);
         var done = 0.0;
         for (var k = 1; k <= count; k++)
         {

@@ -26,6 +26,7 @@ public sealed partial class GCodeWriter
     private readonly LineBuffer _out;
     private readonly byte _e;
     private readonly bool _relative;
+    private readonly bool _switches;
     private readonly Dictionary<int, ExtruderSum> _sums = [];
     private readonly long _largestSum;
     private ExtruderSum _sum = new();
@@ -41,6 +42,7 @@ public sealed partial class GCodeWriter
     private Role _role = Role.Unspecified;
     private string _object = "";
     private HomeEvent? _homed;
+    private bool _on;
 
     public GCodeWriter(Toolpath toolpath, GCodeFormat? format = null)
     {
@@ -50,6 +52,7 @@ public sealed partial class GCodeWriter
         _out = new LineBuffer(_format.Numbered);
         _e = _format.ExtruderLetter;
         _relative = _format.WritesRelative;
+        _switches = _format.Switches;
         _sums.Add(0, _sum);
         _largestSum = NumberFormatter.ToUnits(LargestSum, _format.DecimalsE);
     }
@@ -118,6 +121,7 @@ public sealed partial class GCodeWriter
     {
         if (_nextBlock != _toolpath.Blocks.Count) throw new InvalidOperationException("Not all blocks are written.");
         Events(_toolpath.Count);
+        if (_on) Switch(false);
         if (_format.Comments && _object.Length > 0) Object("");
         Template(_format.End);
         Flush(stream);
@@ -171,9 +175,19 @@ public sealed partial class GCodeWriter
                 }
                 break;
         }
+        if (_switches) Switch(kind == MoveKind.Print);
         SetTurns(c, i);
         if (c.TryGetArc(i, out var arc)) ArcMove(c, block, i, arc);
         else Straight(c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i], kind == MoveKind.Travel ? 0 : 1);
+    }
+
+    // Firmware without amounts: the extruder runs or stands.
+    private void Switch(bool on)
+    {
+        if (on == _on) return;
+        _on = on;
+        _out.Command((byte)'M', on ? 101 : 103);
+        _out.EndLine();
     }
 
     private bool IsWayHome(HomeEvent home, ToolpathColumns c, int block, int i)

@@ -7,10 +7,12 @@ using Caterpillar.Machines;
 namespace Caterpillar.GCode;
 
 /// <summary>Changes words of a line in place, in the style of its file, so that it does what is wanted from a given state.</summary>
-internal sealed class LineRewriter(LineStyle style, DialectRules rules, byte extruder, byte sourceExtruder)
+internal sealed class LineRewriter(LineStyle style, DialectRules rules, ExtrusionAxis axis, ExtrusionAxis source)
 {
     private const double NoChange = 1e-9;
+    private readonly byte _extruder = axis.FirstLetter;
     private readonly List<Edit> _edits = [];
+    private bool _anew;
     private readonly ParsedLine _line = new();
     private byte[] _out = new byte[256];
 
@@ -18,19 +20,23 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, byte ext
 
     public int Count { get; private set; }
 
-    /// <summary>Makes <paramref name="wanted"/> of the line between <paramref name="start"/> and <paramref name="end"/>; <paramref name="owed"/> is what rounding of E has left.</summary>
-    public void Rewrite(byte[] text, int start, int end, Wanted wanted, MachineSnapshot state, bool relativeE, double owed)
+    /// <summary>
+    /// Makes <paramref name="wanted"/> of the line between <paramref name="start"/> and <paramref name="end"/>; <paramref name="code"/> is the G of a straight move, or −1 for that of the line,
+    /// <paramref name="owed"/> what rounding of E has left; with <paramref name="anew"/> also numbers that are right are written again.
+    /// </summary>
+    public void Rewrite(byte[] text, int start, int end, Wanted wanted, MachineSnapshot state, int code, bool relativeE, double owed, bool anew)
     {
         _line.Scan(text, start, end);
         _edits.Clear();
-        Motion(wanted, state);
+        _anew = anew;
+        Motion(wanted, state, code);
         var unit = state.Inches ? 25.4 : 1;
         Axis(text, 'X', wanted.X - state.ShiftX, state.X, unit, state.Relative);
         Axis(text, 'Y', wanted.Y - state.ShiftY, state.Y, unit, state.Relative);
         Axis(text, 'Z', wanted.Z - state.ShiftZ, state.Z, unit, state.Relative);
         Centers(wanted, state, unit);
-        Extruder(wanted, state, unit, relativeE, owed);
-        Feed(wanted, state, unit);
+        Extruder(text, wanted, state, unit, relativeE, owed);
+        Feed(text, wanted, state, unit);
         Apply(text, start, end);
     }
 
@@ -49,9 +55,32 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, byte ext
         _ => 10,
     };
 
-    private void Motion(Wanted wanted, MachineSnapshot state)
+    /// <summary>True where a number has more decimals than are wanted.</summary>
+    public bool IsTooFine(ParsedLine line, byte[] text)
     {
-        var code = wanted.Arc is { } arc ? (arc.Sweep < 0 ? 2 : 3) : -1;
+        for (var i = 0; i < line.Count; i++)
+        {
+            if (line.Letters[i] is (byte)'G' or (byte)'P' || !line.HasValue[i]) continue;
+            if (Own(text, line, i) > Limit(line.Letters[i])) return true;
+        }
+        return false;
+    }
+
+    private int Limit(byte letter) => letter switch
+    {
+        (byte)'F' => style.LimitF ?? 99,
+        (byte)'E' or (byte)'A' or (byte)'B' => style.LimitE ?? 99,
+        (byte)'X' or (byte)'Y' or (byte)'Z' => style.LimitXyz ?? 99,
+        _ => 99,
+    };
+
+    private static int Own(byte[] text, ParsedLine line, int word) => LineStyle.Decimals(text, line.NumberAt[word], line.NumberEnd[word], out _, out _);
+
+    private bool MayStay(byte[] text, int word) => !_anew && Own(text, _line, word) <= Limit(_line.Letters[word]);
+
+    private void Motion(Wanted wanted, MachineSnapshot state, int straight)
+    {
+        var code = wanted.Arc is { } arc ? (arc.Sweep < 0 ? 2 : 3) : straight;
         for (var i = 0; i < _line.Count; i++)
         {
             if (_line.Letters[i] != 'G' || !_line.HasValue[i] || !(_line.Values[i] is 0 or 1 or 2 or 3)) continue;
@@ -67,13 +96,13 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, byte ext
     private void Axis(byte[] text, char letter, double target, double current, double unit, bool relative)
     {
         var word = _line.Find(letter);
-        var tolerance = Half(style.DecimalsXyz) * unit;
+        var tolerance = Half(Decimals(style.DecimalsXyz, unit)) * unit;
         if (word >= 0)
         {
             var says = relative ? current + _line.Values[word] * unit : _line.Values[word] * unit;
-            if (Math.Abs(says - target) <= NoChange) return;
-            var own = LineStyle.Decimals(text, _line.NumberAt[word], _line.NumberEnd[word], out _, out _);
-            Replace(word, (relative ? target - current : target) / unit, Math.Min(Math.Max(own, Decimals(style.DecimalsXyz, unit)), 12));
+            if (Math.Abs(says - target) <= NoChange && MayStay(text, word)) return;
+            var decimals = style.LimitXyz is null ? Math.Max(Own(text, _line, word), Decimals(style.DecimalsXyz, unit)) : Decimals(style.DecimalsXyz, unit);
+            Replace(word, (relative ? target - current : target) / unit, Math.Min(decimals, 12));
         }
         else if (Math.Abs(target - current) > tolerance)
         {
@@ -119,27 +148,31 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, byte ext
         }
     }
 
-    private void Extruder(Wanted wanted, MachineSnapshot state, double unit, bool relativeE, double owed)
+    private void Extruder(byte[] text, Wanted wanted, MachineSnapshot state, double unit, bool relativeE, double owed)
     {
-        if (extruder == 0) return;
-        var word = _line.Find((char)extruder);
         // An extruder of another letter goes.
-        if (sourceExtruder != extruder && sourceExtruder != 0) Delete((char)sourceExtruder);
+        if (source != axis && source.FirstLetter is not 0 and var old && old != _extruder) Delete((char)old);
+        if (source == ExtrusionAxis.Both) Delete('B');
+        if (_extruder == 0) return;
+        var word = _line.Find((char)_extruder);
         if (word < 0 && Math.Abs(wanted.E) < NoChange) return;
-        var value = ((relativeE ? 0 : state.E) + wanted.E + owed) / unit;
-        if (word >= 0) Replace(word, value, Decimals(style.DecimalsE, unit));
-        else Insert(extruder, value, Decimals(style.DecimalsE, unit));
+        // What is owed is not paid where nothing is to be pushed: a travel stays one.
+        var value = ((relativeE ? 0 : axis == ExtrusionAxis.Both ? state.A : state.E) + wanted.E + (wanted.E != 0 ? owed : 0)) / unit;
+        if (word < 0) Insert(_extruder, value, Decimals(style.DecimalsE, unit));
+        else if (Math.Abs(_line.Values[word] - value) > NoChange || !MayStay(text, word)) Replace(word, value, Decimals(style.DecimalsE, unit));
     }
 
-    private void Feed(Wanted wanted, MachineSnapshot state, double unit)
+    private void Feed(byte[] text, Wanted wanted, MachineSnapshot state, double unit)
     {
         if (!(wanted.Speed > 0)) return;
         var word = _line.Find('F');
         var feed = wanted.Speed * 60 / state.FeedFactor;
         var says = word >= 0 ? _line.Values[word] * unit : state.Feed;
-        if (Math.Abs(says - feed) <= 1e-9 * feed) return;
-        if (word >= 0) Replace(word, feed / unit, style.DecimalsF);
-        else Insert((byte)'F', feed / unit, style.DecimalsF);
+        if (Math.Abs(says - feed) <= 1e-9 * feed && (word < 0 || MayStay(text, word))) return;
+        if (word < 0 && Math.Abs(says - feed) <= style.FeedTolerance) return;
+        var decimals = style.LimitF ?? Math.Max(style.DecimalsF, word >= 0 ? Math.Min(Own(text, _line, word), 9) : 0);
+        if (word >= 0) Replace(word, feed / unit, decimals);
+        else Insert((byte)'F', feed / unit, decimals);
     }
 
     // An inch is coarser.

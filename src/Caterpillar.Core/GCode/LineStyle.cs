@@ -14,6 +14,16 @@ internal sealed class LineStyle
 
     public int DecimalsF { get; private set; } = 3;
 
+    /// <summary>Decimals that are not to be exceeded; null where the file's own may stay.</summary>
+    public int? LimitXyz { get; private set; }
+
+    public int? LimitE { get; private set; }
+
+    public int? LimitF { get; private set; }
+
+    /// <summary>What rounding may have left of F, mm/min.</summary>
+    public double FeedTolerance => LimitF is { } decimals ? 0.501 * NumberFormatter.FromUnits(1, decimals) : 0;
+
     public bool LowerCase { get; private set; }
 
     public bool NoSpace { get; private set; }
@@ -77,6 +87,20 @@ internal sealed class LineStyle
         style.Checksums = sums * 2 > code && code > 0;
         if (xyz > 0) style.DecimalsXyz = Math.Min(Math.Max(xyz, 3), 9);
         if (e > 0) style.DecimalsE = Math.Min(Math.Max(e, 5), 9);
+        return style;
+    }
+
+    /// <summary>The style with other decimals, which are then the most that any number has.</summary>
+    public LineStyle With(int? xyz, int? e, int? f)
+    {
+        if (xyz is null && e is null && f is null) return this;
+        var style = (LineStyle)MemberwiseClone();
+        style.LimitXyz = xyz;
+        style.LimitE = e;
+        style.LimitF = f;
+        style.DecimalsXyz = xyz ?? DecimalsXyz;
+        style.DecimalsE = e ?? DecimalsE;
+        style.DecimalsF = f ?? DecimalsF;
         return style;
     }
 

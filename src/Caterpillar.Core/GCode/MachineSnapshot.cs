@@ -40,11 +40,13 @@ internal sealed class MachineSnapshot
 
     /// <summary>True when lines are read alike in both states; where E is relative for good, its position does not matter.</summary>
     public bool ReadsAlike(MachineSnapshot other, bool positionOfEMatters)
-        => X == other.X && Y == other.Y && Z == other.Z && (E == other.E || !positionOfEMatters)
-            && ShiftX == other.ShiftX && ShiftY == other.ShiftY && ShiftZ == other.ShiftZ
+        => Near(X, other.X) && Near(Y, other.Y) && Near(Z, other.Z) && (Near(E, other.E) || !positionOfEMatters)
+            && Near(ShiftX, other.ShiftX) && Near(ShiftY, other.ShiftY) && Near(ShiftZ, other.ShiftZ)
             && Speed == other.Speed && Tool == other.Tool && Motion == other.Motion && Plane == other.Plane
             && Relative == other.Relative && Inches == other.Inches && M83 == other.M83 && LastRelative == other.LastRelative
-            && AbsoluteCenters == other.AbsoluteCenters && Volumetric == other.Volumetric;
+            && AbsoluteCenters == other.AbsoluteCenters && Volumetric == other.Volumetric && SwitchedOn == other.SwitchedOn;
+
+    private static bool Near(double a, double b) => System.Math.Abs(a - b) <= 1e-9;
 }
 
 /// <summary>The state before a chunk of the document, and how many lines are before it.</summary>

@@ -80,6 +80,16 @@ internal sealed class ParsedLine
         return false;
     }
 
+    /// <summary>True when one of its G words has this number.</summary>
+    public bool HasCode(double code)
+    {
+        for (var i = 0; i < Count; i++)
+        {
+            if (Letters[i] == 'G' && HasValue[i] && Values[i] == code) return true;
+        }
+        return false;
+    }
+
     public bool TryGet(char letter, out double value)
     {
         var at = Find(letter);

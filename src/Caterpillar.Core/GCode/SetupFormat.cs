@@ -9,7 +9,7 @@ namespace Caterpillar.GCode;
 /// <summary>The format in which a printer wants its G-code: dialect, mode of E, decimals, and its templates with the values of the print.</summary>
 public static class SetupFormat
 {
-    /// <summary>The format for a toolpath; none where a template of the printer is wrong.</summary>
+    /// <summary>The format for a toolpath; none where a template of the printer is wrong, or where it needs amounts of E that the toolpath does not have.</summary>
     public static Result<GCodeFormat> Of(PrintSetup setup, Toolpath toolpath)
     {
         if (setup is null) throw new ArgumentNullException(nameof(setup));
@@ -25,7 +25,7 @@ public static class SetupFormat
         if (layers is not null && toolpath.Layers.Count > 0) problems.AddRange(layers.Render(OfLayer(values, toolpath, 0)).Diagnostics);
         if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
         if (problems.HasErrors) return new Result<GCodeFormat>(null, problems.ToList());
-        return new Result<GCodeFormat>(new GCodeFormat
+        var format = new GCodeFormat
         {
             Dialect = printer.Dialect,
             RelativeE = printer.ExtrusionMode == ExtrusionMode.Relative,
@@ -39,7 +39,15 @@ public static class SetupFormat
             End = end,
             LayerLines = layers is null ? null : layer => layers.Render(OfLayer(values, toolpath, layer)).Value ?? [],
             ToolLines = tools is null ? null : (from, to) => tools.Render(values.With("tool", to).With("previous_tool", from)).Value ?? [],
-        }, problems.ToList());
+        };
+        if (format.LacksAmounts(toolpath))
+        {
+            problems.Add(Severity.Error, "gcode.no_amounts", "The toolpath prints without any amount of E, and " + printer.Dialect.Title + " needs them; they cannot be made up. Without an extruder say extrusion_unit none.");
+            return new Result<GCodeFormat>(null, problems.ToList());
+        }
+        if (format.Switches)
+            problems.Add(Severity.Warning, "gcode.amounts_lost", printer.Dialect.Title + " only switches its extruder on and off (M101, M103): amounts of E and retractions are not written.");
+        return new Result<GCodeFormat>(format, problems.ToList());
     }
 
     private static TemplateValues OfLayer(TemplateValues values, Toolpath toolpath, int layer) => values.With("layer", layer).With("layer_z_mm", toolpath.Layers[layer].Z);

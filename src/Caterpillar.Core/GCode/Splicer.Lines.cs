@@ -10,7 +10,8 @@ namespace Caterpillar.GCode;
 /// <summary>Lines that are put in, and the moves and events that ask for them.</summary>
 internal sealed partial class Splicer
 {
-    private readonly List<(byte[] Text, int Start, int End, int Next)> _comments = [];
+    private readonly List<CommentLine> _comments = [];
+    private readonly CutComments _cut = new();
     private MoveCursor _cursor = null!;
     private List<MoveEvent> _events = [];
     private int _nextEvent;
@@ -78,11 +79,41 @@ internal sealed partial class Splicer
 
     private void FlushComments(bool keep)
     {
-        foreach (var (text, start, end, next) in _comments)
+        foreach (var line in _comments)
         {
-            if (keep) _text.Line(text, start, end, next);
+            if (!keep)
+            {
+                _cut.Cut(line);
+                continue;
+            }
+            if (!_cut.IsEmpty) _cut.Keep(line);
+            if (!Unit(line)) _text.Line(line.Text, line.Start, line.End, line.Next);
         }
         _comments.Clear();
+    }
+
+    // Comments of moves that were cut out which those behind them need.
+    private void RestoreComments()
+    {
+        if (_cut.IsEmpty) return;
+        foreach (var line in _comments) _cut.Keep(line);
+        foreach (var line in _cut.Take())
+        {
+            var bytes = new byte[line.End - line.Start];
+            Buffer.BlockCopy(line.Text, line.Start, bytes, 0, bytes.Length);
+            _text.Own(bytes, bytes.Length);
+        }
+    }
+
+    // A setting that says in which unit E is goes with the unit.
+    private bool Unit(CommentLine line)
+    {
+        if (_target is not { ChangesUnit: true } || line.End - line.Start > 100) return false;
+        var text = TextEncoding.Decode(line.Text, line.Start, line.End);
+        if (text.IndexOf("use_volumetric_e = ", StringComparison.Ordinal) < 0) return false;
+        var own = TextEncoding.Encode("; use_volumetric_e = " + (_target.IsVolumetric ? "1" : "0"));
+        _text.Own(own, own.Length);
+        return true;
     }
 
     // A line of our own, read by the machine that follows what is written.
@@ -98,30 +129,31 @@ internal sealed partial class Splicer
     // A move as a line of its own.
     private void Fresh(Wanted wanted)
     {
-        var before = _now.Save();
-        if (wanted.Tool != before.Tool && wanted.Tool >= 0)
-        {
-            Command("T" + NumberFormatter.Format(wanted.Tool));
-            before = _now.Save();
-        }
-        if (wanted.Kind == MoveKind.Dwell) return;
-        if (wanted.E == 0 && wanted.Kind is MoveKind.Retract or MoveKind.Restore && _rules.FirmwareRetraction && wanted.E == 0)
+        if (wanted.Kind == MoveKind.Dwell || IsLost(wanted)) return;
+        Prepare(wanted);
+        if (wanted.E == 0 && wanted.Kind is MoveKind.Retract or MoveKind.Restore && wanted.E == 0 && _rules.FirmwareRetraction)
         {
             Command(wanted.Kind == MoveKind.Retract ? "G10" : "G11");
             return;
         }
+        var before = _now.Save();
         if (wanted.Arc is { } arc && !CanArc(wanted, before))
         {
             Chords(wanted, arc, before);
             return;
         }
-        StateE(wanted, ref before);
         var code = wanted.Arc is { } turn ? (turn.Sweep < 0 ? "G2" : "G3") : wanted.Kind == MoveKind.Travel && _style.TravelsByG0 ? "G0" : "G1";
         var bytes = Encoding.ASCII.GetBytes(_style.LowerCase ? code.ToLowerInvariant() : code);
-        _rewriter.Rewrite(bytes, 0, bytes.Length, wanted, before, _now.IsRelativeE, _owed);
+        _rewriter.Rewrite(bytes, 0, bytes.Length, wanted, before, Code(wanted), _now.IsRelativeE, _owed, false);
         // Nothing but the command: no printed change.
         if (_rewriter.Count <= bytes.Length) return;
         _now.ReadLine(_rewriter.Bytes, 0, _rewriter.Count, out _);
+        if (!IsDone(wanted))
+        {
+            _now.Restore(before);
+            Chords(wanted, wanted.Arc!.Value, before);
+            return;
+        }
         Owe(wanted);
         _text.Own(_rewriter.Bytes, _rewriter.Count);
     }
@@ -130,7 +162,7 @@ internal sealed partial class Splicer
     {
         var start = new Vec3(before.X + before.ShiftX, before.Y + before.ShiftY, before.Z + before.ShiftZ);
         var end = new Vec3(wanted.X, wanted.Y, wanted.Z);
-        var count = Math.Min(arc.ChordCount(start, ChordTolerance), 100_000);
+        var count = Math.Min(arc.ChordCount(start, end, ChordTolerance), 100_000);
         for (var k = 1; k <= count; k++)
         {
             var p = arc.PointAt(start, end, (double)k / count);
@@ -143,10 +175,7 @@ internal sealed partial class Splicer
         if (ExpandArcs || !_rules.Arcs || (state.Relative && !_rules.ArcsInRelativeMode)) return false;
         var arc = wanted.Arc!.Value;
         if (arc.Plane != state.Plane || (Math.Abs(arc.Sweep) > 360.0001 && !_rules.ArcTurns)) return false;
-        // Printed alike, a short arc would become a circle.
-        var start = new Vec3(state.X + state.ShiftX, state.Y + state.ShiftY, state.Z + state.ShiftZ);
-        var end = new Vec3(wanted.X, wanted.Y, wanted.Z);
-        var closed = start.DistanceTo(end) < 2 * _tolerance;
-        return !closed || Math.Abs(arc.Sweep) > 180;
+        // With neither E nor switch every arc prints.
+        return !_now.Strokes || _axis == ExtrusionAxis.Switched || wanted.Kind == MoveKind.Print;
     }
 }

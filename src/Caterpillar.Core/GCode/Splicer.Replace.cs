@@ -55,7 +55,7 @@ internal sealed partial class Splicer
         var wanted = _in.Save();
         var now = _now.Save();
         if (wanted.Inches != now.Inches) Command(wanted.Inches ? "G20" : "G21");
-        if (wanted.Tool != now.Tool) Command("T" + NumberFormatter.Format(wanted.Tool));
+        if (wanted.Tool != now.Tool) Event(new ToolEvent(wanted.Tool));
         if (wanted.Plane != now.Plane) Command("G" + NumberFormatter.Format(17 + (int)wanted.Plane));
         if (now.Relative) Command("G90");
         var unit = wanted.Inches ? 25.4 : 1;

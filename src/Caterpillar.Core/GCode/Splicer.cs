@@ -22,6 +22,7 @@ internal sealed partial class Splicer
     private readonly DecoderCore _in;
     private readonly DecoderCore _now;
     private readonly DialectRules _rules;
+    private readonly ExtrusionAxis _axis;
     private readonly byte _extruder;
     private readonly LineRewriter _rewriter;
     private readonly ParsedLine _line = new();
@@ -36,17 +37,21 @@ internal sealed partial class Splicer
     {
         _decoding = decoding;
         _document = decoding.Document!;
-        _style = LineStyle.Of(_document);
+        _style = LineStyle.Of(_document).With(target?.DecimalsXyz, target?.DecimalsE, target?.DecimalsF);
         _target = target;
         _rules = target?.Dialect ?? decoding.Dialect;
-        _extruder = target?.ExtruderLetter(decoding.Axis) ?? decoding.Axis.Letter;
+        _axis = target?.Axis ?? decoding.Axis;
+        _extruder = _axis.FirstLetter;
         _in = new DecoderCore(decoding.Dialect, decoding.Rule, decoding.Axis);
-        _now = new DecoderCore(_rules, decoding.Rule, target is null ? decoding.Axis : ExtrusionAxis.Of(_extruder, decoding.Axis));
-        _rewriter = new LineRewriter(_style, _rules, _extruder, decoding.Axis.Letter);
+        _now = new DecoderCore(_rules, decoding.Rule, _axis);
+        _rewriter = new LineRewriter(_style, _rules, _axis, decoding.Axis);
         _text = new SplicedText(stream, _style);
         _tolerance = 0.5001 * NumberFormatter.FromUnits(1, _style.DecimalsXyz);
         _toleranceE = target is null ? NoChange : 0.5001 * NumberFormatter.FromUnits(1, _style.DecimalsE);
     }
+
+    /// <summary>Lines of motion are written anew, also where they could stay.</summary>
+    public bool Anew { get; init; }
 
     public DiagnosticList Diagnostics { get; } = new();
 
@@ -89,9 +94,7 @@ internal sealed partial class Splicer
     private bool InStep(int line)
     {
         var matters = !(_in.IsRelativeE && _now.IsRelativeE && line > _decoding.LastModeLine);
-        if (!_in.Save().ReadsAlike(_now.Save(), matters)) return false;
-        _owed = 0;
-        return true;
+        return _in.Save().ReadsAlike(_now.Save(), matters);
     }
 
     private void Lines(GCodeChunk chunk, int before, bool first)
@@ -127,7 +130,7 @@ internal sealed partial class Splicer
             _line.Scan(text, start, end);
             if (_line.Shape == LineShape.Blank)
             {
-                _comments.Add((text, start, end, next));
+                _comments.Add(new CommentLine(text, start, end, next));
                 return;
             }
             FlushComments(true);
@@ -135,12 +138,13 @@ internal sealed partial class Splicer
             return;
         }
         Take(moves);
-        if (moves > 0 && _wanted.Count == 0)
+        if (moves > 0 && _wanted.Count == 0 && !IsHome())
         {
             FlushComments(false);
             Removed(text, start, end);
             return;
         }
+        RestoreComments();
         FlushComments(true);
         Inserted();
         if (commands == 0) Other(text, start, end, next);
@@ -152,15 +156,22 @@ internal sealed partial class Splicer
     // One move: the line as it is, the line behind a line of state, or the line with other words.
     private void One(byte[] text, int start, int end, int next, Wanted wanted)
     {
-        wanted = Scaled(wanted);
-        var before = _now.Save();
-        StateE(wanted, ref before);
-        if (Does(text, start, end, wanted) && !MustRewrite(text, start, end))
+        if (IsLost(wanted))
         {
+            _line.Scan(text, start, end);
+            _text.Dropped(_line);
+            return;
+        }
+        wanted = Scaled(wanted);
+        Prepare(wanted);
+        var before = _now.Save();
+        if (!Anew && Does(text, start, end, wanted) && !MustRewrite(text, start, end))
+        {
+            Owe(wanted);
             _text.Line(text, start, end, next);
             return;
         }
-        if (_target is null && _now.LastMoves.Count == 1 && EndsRight(wanted))
+        if (!Anew && _target is null && _now.LastMoves.Count == 1 && EndsRight(wanted))
         {
             _now.Restore(before);
             if (Bridge(text, start, end, wanted, ref before) && Does(text, start, end, wanted))
@@ -171,15 +182,58 @@ internal sealed partial class Splicer
         }
         _now.Restore(before);
         if (ModesFirst(text, start, end)) before = _now.Save();
-        if (wanted.Arc is not null && !CanArc(wanted, before))
+        if ((wanted.Arc is not null && !CanArc(wanted, before)) || SaysInches)
         {
-            Fresh(wanted);
+            Instead(text, start, end, wanted);
             return;
         }
-        _rewriter.Rewrite(text, start, end, wanted, before, _now.IsRelativeE, _owed);
+        _rewriter.Rewrite(text, start, end, wanted, before, Code(wanted), _now.IsRelativeE, _owed, Anew);
         _now.ReadLine(_rewriter.Bytes, 0, _rewriter.Count, out _);
+        if (!IsDone(wanted))
+        {
+            _now.Restore(before);
+            Instead(text, start, end, wanted with { Arc = null });
+            return;
+        }
         Owe(wanted);
         _text.Line(_rewriter.Bytes, 0, _rewriter.Count, text, end, next);
+    }
+
+    // The move in lines of its own.
+    private void Instead(byte[] text, int start, int end, Wanted wanted)
+    {
+        _line.Scan(text, start, end);
+        _text.Dropped(_line);
+        Fresh(wanted);
+    }
+
+    // What has to be in force before a move: its tool, the switch of the extruder, the mode of E.
+    private void Prepare(Wanted wanted)
+    {
+        var state = _now.Save();
+        if (wanted.Tool != state.Tool && wanted.Tool >= 0) Event(new ToolEvent(wanted.Tool));
+        if (_axis == ExtrusionAxis.Switched && wanted.Kind == MoveKind.Print != state.SwitchedOn) Command(state.SwitchedOn ? "M103" : "M101");
+        StateE(wanted);
+    }
+
+    // The motion command that a move needs: where nothing says E, G0 travels and G1 prints. -1 for any.
+    private int Code(Wanted wanted) => !_now.Strokes ? -1 : wanted.Kind == MoveKind.Print ? 1 : _axis == ExtrusionAxis.Switched ? -1 : 0;
+
+    // True when the line that was read last makes the wanted move within print precision.
+    private bool IsDone(Wanted wanted)
+    {
+        var c = _now.LastMoves;
+        if (c.Count != 1 || wanted.Arc is null) return wanted.Arc is null;
+        return Alike(_now.LastArc, wanted.Arc);
+    }
+
+    private bool IsHome()
+    {
+        foreach (var what in _in.LastEvents)
+        {
+            if (what.Event is HomeEvent) return true;
+        }
+        return false;
     }
 
     // Lines of state that let the rest of the file stay as it is: G92 E where E is absolute, F where it is inherited.
@@ -197,14 +251,13 @@ internal sealed partial class Splicer
             if (Math.Abs(e - before.E) > NoChange)
             {
                 State("G92", (char)extruder, e / unit, Math.Max(_style.DecimalsE, 5));
-                _owed = 0;
                 done = true;
             }
         }
         var sameSpeed = original.Count == 1 && Math.Abs(original.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed;
         if (sameSpeed && wanted.Speed > 0 && _line.Find('F') < 0 && Math.Abs(wanted.Speed - before.Speed) > 1e-9 * wanted.Speed)
         {
-            State("G1", 'F', wanted.Speed * 60 / before.FeedFactor / (before.Inches ? 25.4 : 1), _style.DecimalsF);
+            State(before.Motion == 0 ? "G0" : "G1", 'F', wanted.Speed * 60 / before.FeedFactor / (before.Inches ? 25.4 : 1), _style.DecimalsF);
             done = true;
         }
         if (done) before = _now.Save();
@@ -215,7 +268,9 @@ internal sealed partial class Splicer
     {
         if (_now.ReadLine(text, start, end, out _) != 1) return false;
         var c = _now.LastMoves;
-        return EndsRight(wanted) && Math.Abs(c.E[0] - wanted.E) <= _toleranceE && (!(wanted.Speed > 0) || Math.Abs(c.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed);
+        var owed = _target is null ? 0 : _owed;
+        return EndsRight(wanted) && Math.Abs(c.E[0] - wanted.E - owed) <= _toleranceE && (!(wanted.Speed > 0) || Math.Abs(c.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed)
+            && (!_now.Strokes || c.Kind[0] == MoveKind.Print == (wanted.Kind == MoveKind.Print));
     }
 
     private bool EndsRight(Wanted wanted)
@@ -228,10 +283,16 @@ internal sealed partial class Splicer
     private bool ModesFirst(byte[] text, int start, int end)
     {
         _line.Scan(text, start, end);
+        return ModesOf();
+    }
+
+    private bool ModesOf()
+    {
         var any = false;
         for (var i = 0; i < _line.Count; i++)
         {
             if (_line.Letters[i] != 'G' || !_line.HasValue[i] || !IsMode(_line.Values[i])) continue;
+            if (_line.Values[i] == 20 && _target is { Millimetres: true }) continue;
             Command("G" + NumberFormatter.Format(_line.Values[i], 1));
             any = true;
         }
@@ -252,6 +313,7 @@ internal sealed partial class Splicer
     private void Owe(Wanted wanted)
     {
         var c = _now.LastMoves;
+        if (_extruder == 0) return;
         var made = c.Count == 1 ? c.E[0] : 0;
         _owed += wanted.E - made;
         if (Math.Abs(_owed) > 1) _owed = 0;
@@ -261,26 +323,27 @@ internal sealed partial class Splicer
     private void NoMove(byte[] text, int start, int end, int next)
     {
         var before = _now.Save();
-        if (_now.ReadLine(text, start, end, out _) == 0)
+        _line.Scan(text, start, end);
+        if (_now.ReadLine(text, start, end, out _) == 0 && !SaysInches)
         {
             _text.Line(text, start, end, next);
             return;
         }
         _now.Restore(before);
         _line.Scan(text, start, end);
-        if (_line.TryGet('F', out var feed)) State("G1", 'F', feed, _style.DecimalsF);
+        _text.Dropped(_line);
+        ModesFirst(text, start, end);
+        if (_line.TryGet('F', out var feed)) State("G1", 'F', feed * (_in.Save().Inches ? 25.4 : 1) / (_now.Save().Inches ? 25.4 : 1), _style.DecimalsF);
     }
+
+    // The line scanned last brings inches that are to go.
+    private bool SaysInches => _target is { Millimetres: true } && _line.HasCode(20);
 
     // Modes that stand in a line whose move is cut out stay.
     private void Removed(byte[] text, int start, int end)
     {
         _line.Scan(text, start, end);
         _text.Dropped(_line);
-        if (_line.Shape != LineShape.Code) return;
-        for (var i = 0; i < _line.Count; i++)
-        {
-            if (_line.Letters[i] == 'G' && _line.HasValue[i] && IsMode(_line.Values[i]))
-                Command("G" + NumberFormatter.Format(_line.Values[i], 1));
-        }
+        if (_line.Shape == LineShape.Code) ModesFirst(text, start, end);
     }
 }

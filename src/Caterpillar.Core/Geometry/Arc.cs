@@ -79,6 +79,9 @@ public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = Ar
         return (int)Math.Min(Math.Max(count, 1), 1_000_000);
     }
 
+    /// <summary>The same where the end may lie on a larger circle.</summary>
+    public int ChordCount(Vec3 start, Vec3 end, double tolerance) => Math.Max(ChordCount(start, tolerance), ChordCount(end, tolerance));
+
     /// <summary>The arc from end to start.</summary>
     public Arc Reversed() => this with { Sweep = -Sweep };
 

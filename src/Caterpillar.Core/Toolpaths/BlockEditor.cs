@@ -3,13 +3,42 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Collects the moves of an edited block.</summary>
+/// <summary>Collects the moves of an edited block. Rotary axes stay where they are until a move turns them.</summary>
 internal sealed class BlockEditor
 {
     private readonly ToolpathBuilder _builder = new(MoveSource.Lines, null);
+    private bool _turns;
+    private double _a;
+    private double _b;
+    private double _c;
+
+    /// <summary>An editor for a block of a toolpath.</summary>
+    public static BlockEditor Behind(Toolpath toolpath, int block)
+    {
+        var editor = new BlockEditor();
+        if (block > 0 && toolpath.Blocks[block - 1].Columns is { A: not null } before) editor.Take(before, before.Count - 1);
+        return editor;
+    }
 
     public void Add(Vec3 end, double e, double deposited, double speed, MoveKind kind, Role role, int layer, int tool, int source, Arc? arc)
-        => _builder.Add(end, e, deposited, speed, kind, role, layer, tool, source, arc);
+    {
+        _builder.Add(end, e, deposited, speed, kind, role, layer, tool, source, arc);
+        if (_turns) _builder.SetRotary(_a, _b, _c);
+    }
+
+    /// <summary>The last move turns the rotary axes as a move of these columns does.</summary>
+    public void Turn(ToolpathColumns columns, int i)
+    {
+        if (columns.A is null || _builder.Count == 0) return;
+        Take(columns, i);
+        _builder.SetRotary(_a, _b, _c);
+    }
 
     public IReadOnlyList<ToolpathBlock> ToBlocks() => _builder.Build([]).Blocks;
+
+    private void Take(ToolpathColumns columns, int i)
+    {
+        _turns = true;
+        (_a, _b, _c) = (columns.A![i], columns.B![i], columns.C![i]);
+    }
 }

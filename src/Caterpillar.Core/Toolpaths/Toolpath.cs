@@ -108,6 +108,19 @@ public sealed class Toolpath
     /// <summary>The same moves from another start, in layers of other heights.</summary>
     internal Toolpath With(Vec3? start, IEnumerable<Layer> layers) => new(_blocks, layers, _events, Tools, start, Source);
 
+    /// <summary>Number of the first event at a move or behind it.</summary>
+    internal int FirstEventOf(int move)
+    {
+        int low = 0, high = _events.Length;
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            if (_events[middle].Move < move) low = middle + 1;
+            else high = middle;
+        }
+        return low;
+    }
+
     /// <summary>Number of the first move of a block.</summary>
     internal int FirstOf(int block) => _firsts[block];
 

@@ -78,7 +78,7 @@ public static class ToolpathArcs
         return end;
     }
 
-    private static bool IsStraightPrint(ToolpathColumns c, int i) => c.Kind[i] == MoveKind.Print && c.E[i] == c.Deposited[i] && !c.TryGetArc(i, out _);
+    private static bool IsStraightPrint(ToolpathColumns c, int i) => c.Kind[i] == MoveKind.Print && c.E[i] == c.Deposited[i] && c.A is null && !c.TryGetArc(i, out _);
 
     private static BlockEditor Copied(ToolpathColumns columns, Vec3[] points, int count)
     {
@@ -88,5 +88,8 @@ public static class ToolpathArcs
     }
 
     private static void Add(BlockEditor editor, ToolpathColumns c, Vec3[] points, int i)
-        => editor.Add(points[i + 1], c.E[i], c.Deposited[i], c.Speed[i], c.Kind[i], c.Role[i], c.Layer[i], c.Tool[i], c.Source[i], c.TryGetArc(i, out var arc) ? arc : null);
+    {
+        editor.Add(points[i + 1], c.E[i], c.Deposited[i], c.Speed[i], c.Kind[i], c.Role[i], c.Layer[i], c.Tool[i], c.Source[i], c.TryGetArc(i, out var arc) ? arc : null);
+        editor.Turn(c, i);
+    }
 }

@@ -49,7 +49,8 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Cuts the chosen moves out. Where a strand's start is no longer reached, a travel leads to it, and retraction is carried over: after the cut as much is pulled back as before it was.
+    /// Cuts the chosen moves out. Where a strand's start is no longer reached, a travel leads to it, and retraction is carried over for each tool: after the cut as much is pulled back as before it
+    /// was, by E or by the firmware. Events stay, and so does homing.
     /// </summary>
     public static Toolpath Remove(this Toolpath toolpath, MoveFilter filter)
     {
@@ -66,7 +67,7 @@ public static class ToolpathEdits
         return new Remover(toolpath, move => !filter.Matches(toolpath, move)).Run();
     }
 
-    /// <summary>Puts an event before a move (its number; the number of moves for the end). Behind a <see cref="ToolEvent"/> its tool makes the moves up to the next one.</summary>
+    /// <summary>Puts an event before a move (its number; the number of moves for the end). Behind a <see cref="ToolEvent"/> its tool makes the moves up to the next one; each tool has its own balance of retraction.</summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
     public static Toolpath Insert(this Toolpath toolpath, int move, PrinterEvent what)
     {
@@ -78,7 +79,7 @@ public static class ToolpathEdits
         if (at < 0) at = events.Count;
         var next = events.Skip(at).Where(e => e.Event is ToolEvent).Select(e => (int?)e.Move).FirstOrDefault() ?? toolpath.Count;
         events.Insert(at, new MoveEvent(move, what));
-        return (what is ToolEvent tool ? Retooled(toolpath, move, next, tool.Tool) : toolpath).WithEvents(events);
+        return (what is ToolEvent { Tool: >= 0 } tool ? new Retooler(toolpath, move, next, tool.Tool).Run() : toolpath).WithEvents(events);
     }
 
     /// <summary>Puts an event (a pause, a tool, a temperature) before the first move of a layer by its number in its object; unchanged where there is no such layer.</summary>
@@ -96,25 +97,10 @@ public static class ToolpathEdits
         return toolpath;
     }
 
-    // A tool that is new is like the last one.
-    private static Toolpath Retooled(Toolpath toolpath, int from, int to, int tool)
-    {
-        var number = checked((short)tool);
-        var retooled = Change(toolpath, move => move.Index >= from && move.Index < to, (columns, i) => columns.Tool[i] = number);
-        var tools = toolpath.Tools.ToList();
-        while (tools.Count <= tool) tools.Add(tools.Count > 0 ? tools[tools.Count - 1] : new ToolpathTool(null));
-        return retooled.WithTools(tools);
-    }
-
     private static Toolpath Change(Toolpath toolpath, MoveFilter filter, Action<ToolpathColumns, int> change)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
-        return Change(toolpath, move => filter.Matches(toolpath, move), change);
-    }
-
-    private static Toolpath Change(Toolpath toolpath, Func<Move, bool> chooses, Action<ToolpathColumns, int> change)
-    {
         var blocks = new List<ToolpathBlock>(toolpath.Blocks.Count);
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
@@ -122,7 +108,7 @@ public static class ToolpathEdits
             ToolpathColumns? copy = null;
             for (var i = 0; i < columns.Count; i++)
             {
-                if (!chooses(toolpath[toolpath.FirstOf(block) + i])) continue;
+                if (!filter.Matches(toolpath, toolpath[toolpath.FirstOf(block) + i])) continue;
                 copy ??= columns.Copy(columns.Count);
                 change(copy, i);
             }

@@ -27,6 +27,11 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
     public Toolpath Run(Vec3 start)
     {
         _position = start;
+        // Homing goes where the switches are.
+        foreach (var what in toolpath.Events)
+        {
+            if (what.Event is HomeEvent && what.Move < mapped.Length && toolpath.HomeOf(toolpath[what.Move]) is not null) mapped[what.Move] = false;
+        }
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
             var first = toolpath.FirstOf(block);
@@ -39,8 +44,12 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
                 _position = toolpath[first + count - 1].End;
                 continue;
             }
-            _editor = new BlockEditor();
-            for (var i = first; i < first + count; i++) Step(toolpath[i]);
+            _editor = BlockEditor.Behind(toolpath, block);
+            for (var i = first; i < first + count; i++)
+            {
+                Step(toolpath[i]);
+                _editor.Turn(toolpath.Blocks[block].Columns, i - first);
+            }
             _blocks.AddRange(_editor.ToBlocks());
         }
         Events(int.MaxValue);
@@ -62,6 +71,11 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
     private void Step(Move move)
     {
         Events(move.Index);
+        if (toolpath.HomeOf(move) is { } home)
+        {
+            Add(move, home.Home(_position), 0, 0, move.Speed, null);
+            return;
+        }
         if (mapped[move.Index])
         {
             _run ??= RunFrom(move.Index);

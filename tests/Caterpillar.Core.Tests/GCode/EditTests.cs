@@ -118,26 +118,6 @@ public class EditTests
     }
 
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
-    public void Every_move_of_every_file_can_be_changed(string file)
-    {
-        var decoding = Decode(GCodeFiles.Document(file));
-        if (!decoding.Report.HasAmounts || decoding.Toolpath.Count == 0) return;
-        // Homing between the moves goes where it goes.
-        if (decoding.Toolpath.Events.Any(e => e.Event is HomeEvent && e.Move > 1 && e.Move < decoding.Toolpath.Count)) return;
-        var shift = new Vec3(3, -2, 1);
-        var edited = decoding.Toolpath.Deform(new MoveFilter(), p => p + shift, 0.01).ScaleSpeed(new MoveFilter(), 1.25);
-        var back = Decode(GCodeEditor.ToDocument(decoding, edited).Value!);
-        var wanted = edited.Moves().Sum(m => m.Deposited);
-        Assert.That(back.Report.EUsed, Is.EqualTo(wanted).Within(1e-3), "rounding is carried on");
-        Assert.That(back.Toolpath.Count, Is.EqualTo(edited.Count).Within(60 + edited.Count / 100));
-        var a = ToolpathTotals.Of(edited);
-        var b = ToolpathTotals.Of(back.Toolpath);
-        Assert.That(b.PrintLength, Is.EqualTo(a.PrintLength).Within(1e-4 * a.PrintLength + 0.1));
-        Assert.That((b.PrintBounds.Min - a.PrintBounds.Min).Length, Is.LessThan(2e-3));
-        Assert.That((b.PrintBounds.Max - a.PrintBounds.Max).Length, Is.LessThan(2e-3));
-    }
-
-    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
     public void The_speed_of_one_layer_changes_only_lines_of_that_layer(string file)
     {
         var document = GCodeFiles.Document(file);

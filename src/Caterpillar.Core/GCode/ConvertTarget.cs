@@ -1,0 +1,141 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+
+namespace Caterpillar.GCode;
+
+/// <summary>The target of a conversion, worked out.</summary>
+internal sealed record ConvertTarget
+{
+    public DialectRules Dialect { get; private init; } = DialectTable.Slicer;
+
+    /// <summary>Which words extrude there.</summary>
+    public ExtrusionAxis Axis { get; private init; } = ExtrusionAxis.None;
+
+    /// <summary>Null keeps what the file has.</summary>
+    public bool? RelativeE { get; private init; }
+
+    public bool ExpandArcs { get; private init; }
+
+    public double ChordTolerance { get; private init; }
+
+    public bool Millimetres { get; private init; }
+
+    public double RetractionLength { get; private init; }
+
+    public double RetractionSpeed { get; private init; }
+
+    public int? DecimalsXyz { get; private init; }
+
+    public int? DecimalsE { get; private init; }
+
+    public int? DecimalsF { get; private init; }
+
+    public bool LimitsDecimals => DecimalsXyz is not null || DecimalsE is not null || DecimalsF is not null;
+
+    /// <summary>E becomes mm³ of mm, or the other way round.</summary>
+    public bool ChangesUnit { get; private init; }
+
+    public bool IsVolumetric { get; private init; }
+
+    /// <summary>The diameter that M200 is to state, mm; null for none.</summary>
+    public double? StatedDiameter { get; private init; }
+
+    private double[] Factors { get; init; } = [1];
+
+    /// <summary>Units of the target for one unit of E in the file.</summary>
+    public double Factor(int tool) => Factors[Math.Min(Math.Max(tool, 0), Factors.Length - 1)];
+
+    /// <summary>The target, or null where the conversion is refused.</summary>
+    public static ConvertTarget? Of(Decoding decoding, ConvertOptions options, DiagnosticList problems)
+    {
+        var dialect = options.Dialect ?? decoding.Dialect;
+        if (AxisOf(decoding, dialect, problems) is not { } axis) return null;
+        var target = new ConvertTarget
+        {
+            Dialect = dialect,
+            Axis = axis,
+            RelativeE = options.RelativeE,
+            ExpandArcs = options.ExpandArcs,
+            ChordTolerance = options.ChordTolerance,
+            Millimetres = options.Millimetres || !dialect.Inches,
+            RetractionLength = options.RetractionLength,
+            RetractionSpeed = options.RetractionSpeed,
+            DecimalsXyz = options.DecimalsXyz,
+            DecimalsE = options.DecimalsE,
+            DecimalsF = options.DecimalsF,
+        };
+        return axis.HasAmounts ? Volumes(target, decoding, options, problems) : target;
+    }
+
+    // The words of extrusion in the target: those of the file in its own dialect, the usual ones in another.
+    private static ExtrusionAxis? AxisOf(Decoding decoding, DialectRules dialect, DiagnosticList problems)
+    {
+        var axis = decoding.Axis;
+        if (dialect.Name == decoding.Dialect.Name || axis == ExtrusionAxis.None) return axis;
+        if (axis == ExtrusionAxis.Switched)
+        {
+            if (dialect.SwitchedExtruder) return axis;
+            problems.Add(Severity.Error, "gcode.no_amounts", "The file switches its extruder by M101 and M103 and says no amounts of E; " + dialect.Title + " needs them, and they cannot be made up.");
+            return null;
+        }
+        var letters = dialect.ExtruderLetters;
+        if (letters.Length > 0)
+        {
+            // Words that turn axes here would extrude there.
+            var turns = letters[0] != 'E' && decoding.HasTurns && letters.IndexOf("E", StringComparison.Ordinal) >= 0;
+            return ExtrusionAxis.Of(turns ? 'E' : letters[0]);
+        }
+        if (dialect.SwitchedExtruder)
+        {
+            problems.Add(Severity.Warning, "gcode.amounts_lost", dialect.Title + " only switches its extruder on and off (M101, M103): amounts of E and retractions are lost.");
+            return ExtrusionAxis.Switched;
+        }
+        problems.Add(
+            Severity.Warning, "gcode.no_extruder",
+            dialect.Title + " has no word for extrusion: E, retractions and primes are lost. What printed is G1 to G3, what travelled is G0.");
+        return ExtrusionAxis.None;
+    }
+
+    private static ConvertTarget? Volumes(ConvertTarget target, Decoding decoding, ConvertOptions options, DiagnosticList problems)
+    {
+        var dialect = target.Dialect;
+        var tools = decoding.Toolpath.Tools;
+        var stated = decoding.Report.Features.Any(f => f.Key == "m200");
+        var isVolumetric = tools[0].VolumePerE == 1;
+        // What the firmware takes for granted, and what it cannot be told, decides where nothing is asked for.
+        var wanted = options.Volumetric
+            ?? (dialect.Name == decoding.Dialect.Name ? isVolumetric
+                : dialect.StartsVolumetric || (isVolumetric && !decoding.Dialect.StartsVolumetric && !(stated && !dialect.Volumetric)));
+        if (wanted == isVolumetric) return target;
+        if (!wanted && dialect.StartsVolumetric)
+        {
+            problems.Add(Severity.Error, "gcode.volumes_only", dialect.Title + " takes E as a volume; lengths would be misread.");
+            return null;
+        }
+        if (wanted && !dialect.Volumetric && !dialect.StartsVolumetric)
+            problems.Add(Severity.Warning, "gcode.volumes_unsaid", dialect.Title + " cannot be told that E is a volume (M200): the machine has to be set up for it.");
+        var areas = FilamentFactors.Areas(decoding.Settings, null);
+        var factors = new double[tools.Count];
+        for (var i = 0; i < factors.Length; i++)
+        {
+            var area = options.FilamentDiameter is { } given ? Math.PI / 4 * given * given
+                : tools[i].VolumePerE is { } known && known != 1 ? known
+                : areas.Length == 0 ? null : areas[Math.Min(i, areas.Length - 1)];
+            if (!(area > 0))
+            {
+                problems.Add(Severity.Error, "gcode.diameter_unknown", "E in " + (wanted ? dialect.Title + " is a volume" : "the file is a volume") + ": its conversion needs the diameter of the filament, which the file does not say.");
+                return null;
+            }
+            factors[i] = wanted ? area.Value : 1 / area.Value;
+        }
+        return target with
+        {
+            ChangesUnit = true,
+            IsVolumetric = wanted,
+            Factors = factors,
+            StatedDiameter = wanted && dialect.Volumetric && !dialect.StartsVolumetric ? 2 * Math.Sqrt(factors[0] / Math.PI) : null,
+        };
+    }
+}

@@ -1,0 +1,97 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Lines without motion of their own: modes, names of places, machine commands, homing, firmware retraction, dwells.</summary>
+internal sealed partial class Splicer
+{
+    // A line stays where the target takes it as the file's firmware does; otherwise what it did is said in the target's words.
+    private void Other(byte[] text, int start, int end, int next)
+    {
+        _line.Scan(text, start, end);
+        if (_target is not null && _line.Shape == LineShape.Code && Replacement(text, end) is { } lines)
+        {
+            _text.Dropped(_line);
+            foreach (var line in lines) Command(line);
+            return;
+        }
+        var before = _now.Save();
+        var moves = _now.ReadLine(text, start, end, out var commands);
+        if (_target is not null && !MeansTheSame(moves, commands))
+        {
+            _now.Restore(before);
+            Say(text, end);
+            return;
+        }
+        if (IsNaming() && !SameNames())
+        {
+            _now.Restore(before);
+            _text.Dropped(_line);
+            var extruder = _decoding.Axis.FirstLetter;
+            Command(Names(true, true, true, extruder != 0 && _line.Find((char)extruder) >= 0) + Comment(text, end));
+            return;
+        }
+        _text.Line(text, start, end, next);
+    }
+
+    // What came of the line that both machines have read last.
+    private bool MeansTheSame(int moves, int commands)
+    {
+        var here = _in.LastEvents;
+        var there = _now.LastEvents;
+        // A motion that the file's firmware refuses goes, also where the target would refuse it.
+        if (commands > 0 || (_line.Shape == LineShape.Code && (_line.HasCode(0) || _line.HasCode(1) || _line.HasCode(2) || _line.HasCode(3)))) return false;
+        if ((moves > 0 && _in.LastMoves.Count == 0 && !IsHome()) || here.Count != there.Count) return false;
+        for (var i = 0; i < here.Count; i++)
+        {
+            if (!here[i].Event.Equals(there[i].Event)) return false;
+        }
+        return true;
+    }
+
+    // The events of a line in the words of the target; a line without any means nothing to the file's own firmware and goes.
+    private void Say(byte[] text, int end)
+    {
+        var comment = Comment(text, end);
+        _text.Dropped(_line);
+        if (_line.Shape == LineShape.Code && _line.Letters[0] != 'M') ModesOf();
+        foreach (var what in _in.LastEvents.ToArray())
+        {
+            foreach (var line in EventText.Lines(what.Event, _rules))
+            {
+                Command(line + comment);
+                comment = "";
+            }
+        }
+    }
+
+    private bool IsNaming() => _line.Shape == LineShape.Code && _line.Letters[0] == 'G' && _line.HasValue[0] && Math.Floor(_line.Values[0]) == 92;
+
+    private bool SameNames()
+    {
+        var a = _in.Save();
+        var b = _now.Save();
+        return Near(a.ShiftX, b.ShiftX) && Near(a.ShiftY, b.ShiftY) && Near(a.ShiftZ, b.ShiftZ);
+    }
+
+    private static bool Near(double a, double b) => Math.Abs(a - b) <= NoChange;
+
+    // The place where the head stands by the name that lets coordinates mean what they mean in the file.
+    private string Names(bool x, bool y, bool z, bool e)
+    {
+        var file = _in.Save();
+        var now = _now.Save();
+        var unit = now.Inches ? 25.4 : 1;
+        var line = "G92";
+        if (x) line += " X" + Text((now.X + now.ShiftX - file.ShiftX) / unit);
+        if (y) line += " Y" + Text((now.Y + now.ShiftY - file.ShiftY) / unit);
+        if (z) line += " Z" + Text((now.Z + now.ShiftZ - file.ShiftZ) / unit);
+        if (e && _extruder != 0) line += " " + (char)_extruder + Text(file.E * (_target?.Factor(now.Tool) ?? 1) / unit);
+        return line;
+    }
+
+    private static string Text(double value) => NumberFormatter.Format(value, 6);
+}

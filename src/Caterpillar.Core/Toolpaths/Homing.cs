@@ -1,0 +1,21 @@
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Ways home: the travels that <see cref="HomeEvent"/> stands for. They go where the switches are, whatever is done to the moves around them.</summary>
+internal static class Homing
+{
+    /// <summary>Where a head that stands at <paramref name="from"/> is after homing, mm.</summary>
+    public static Vec3 Home(this HomeEvent home, Vec3 from) => new(home.X ? 0 : from.X, home.Y ? 0 : from.Y, home.Z ? 0 : from.Z);
+
+    /// <summary>The event that a move of a toolpath is the way of, or null.</summary>
+    public static HomeEvent? HomeOf(this Toolpath toolpath, Move move)
+    {
+        if (move.Kind != MoveKind.Travel || move.E != 0 || toolpath.Events.Count == 0) return null;
+        for (var i = toolpath.FirstEventOf(move.Index); i < toolpath.Events.Count && toolpath.Events[i].Move == move.Index; i++)
+        {
+            if (toolpath.Events[i].Event is HomeEvent home && move.End == home.Home(move.Start)) return home;
+        }
+        return null;
+    }
+}

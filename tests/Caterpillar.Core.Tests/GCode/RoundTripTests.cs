@@ -1,0 +1,113 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Linq;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.GCode;
+
+/// <summary>Round trips of the shared files, compared move by move (<see cref="SameMoves"/>).</summary>
+public class RoundTripTests
+{
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
+    public void Every_move_marked_as_changed_is_written_anew(string file)
+    {
+        var decoding = RoundTrips.Decode(GCodeFiles.Document(file), null);
+        Assert.That(RoundTrips.Anew(decoding), Is.Null);
+        Assert.That(RoundTrips.Shifted(decoding), Is.Null);
+    }
+
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
+    public void The_toolpath_alone_is_written_anew(string file)
+    {
+        var decoding = RoundTrips.Decode(GCodeFiles.Document(file), null);
+        Assert.That(RoundTrips.Written(decoding, true), Is.Null);
+        Assert.That(RoundTrips.Written(decoding, false), Is.Null);
+    }
+
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
+    public void Another_notation_makes_the_same_moves(string file)
+    {
+        var decoding = RoundTrips.Decode(GCodeFiles.Document(file), null);
+        foreach (var (name, options) in Notations())
+        {
+            if (decoding.Toolpath.Count < 5000 || name is "relative E" or "absolute E") Assert.That(RoundTrips.Converted(decoding, options), Is.Null, name);
+        }
+        if (decoding.Toolpath.Count < 10000) Assert.That(RoundTrips.Fitted(decoding), Is.Null, "arcs fitted");
+    }
+
+    // Small files in every dialect, large ones in a few.
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
+    public void Another_dialect_makes_the_same_moves(string file)
+    {
+        foreach (var dialect in new[] { null, DialectTable.Slicer })
+        {
+            var decoding = RoundTrips.Decode(GCodeFiles.Document(file), dialect);
+            var small = decoding.Toolpath.Count < 1000;
+            if (!small && dialect is not null) continue;
+            foreach (var (name, options) in Dialects())
+            {
+                if (small || name == (decoding.Toolpath.Count % 2 == 0 ? "klipper" : "cnc")) Assert.That(RoundTrips.Converted(decoding, options), Is.Null, decoding.Dialect.Name + " to " + name);
+            }
+        }
+    }
+
+    [Test]
+    [Explicit("Every file in every way; some minutes.")]
+    public void Every_file_makes_every_round_trip()
+    {
+        var watch = Stopwatch.StartNew();
+        var failures = new List<string>();
+        var count = new SortedDictionary<string, int>(StringComparer.Ordinal);
+        foreach (var file in GCodeFiles.All())
+        {
+            var document = GCodeFiles.Document(file);
+            foreach (var dialect in new[] { null, DialectTable.Slicer })
+            {
+                var decoding = RoundTrips.Decode(document, dialect);
+                foreach (var (name, trip) in Trips())
+                {
+                    var difference = trip(decoding);
+                    count[name] = count.TryGetValue(name, out var before) ? before + 1 : 1;
+                    if (difference is not null) failures.Add(file + " (" + decoding.Dialect.Name + ") " + name + ": " + difference);
+                }
+            }
+        }
+        var said = $"{count.Values.Sum()} round trips of {count.Count} kinds in {watch.Elapsed.TotalSeconds:0.0} s, {failures.Count} differ";
+        TestContext.Progress.WriteLine(said);
+        Assert.That(failures, Is.Empty, said + "\n" + string.Join("\n", failures));
+    }
+
+    private static IEnumerable<(string Name, Func<Decoding, string?> Trip)> Trips()
+    {
+        yield return ("anew", RoundTrips.Anew);
+        yield return ("shifted", RoundTrips.Shifted);
+        yield return ("written relative", d => RoundTrips.Written(d, true));
+        yield return ("written absolute", d => RoundTrips.Written(d, false));
+        yield return ("arcs fitted", RoundTrips.Fitted);
+        foreach (var (name, options) in Notations().Concat(Dialects())) yield return (name, d => RoundTrips.Converted(d, options));
+    }
+
+    private static IEnumerable<(string Name, ConvertOptions Options)> Notations()
+    {
+        yield return ("relative E", new ConvertOptions { RelativeE = true });
+        yield return ("absolute E", new ConvertOptions { RelativeE = false });
+        yield return ("mm", new ConvertOptions { Millimetres = true });
+        yield return ("arcs expanded", new ConvertOptions { ExpandArcs = true, ChordTolerance = 0.02 });
+        yield return ("volumes", new ConvertOptions { Volumetric = true, FilamentDiameter = 1.75 });
+        yield return ("lengths", new ConvertOptions { Volumetric = false, FilamentDiameter = 1.75 });
+        yield return ("fewer decimals", new ConvertOptions { DecimalsXyz = 2, DecimalsE = 4, DecimalsF = 0 });
+        yield return ("fewer decimals, relative E", new ConvertOptions { DecimalsXyz = 2, DecimalsE = 3, DecimalsF = 0, RelativeE = true });
+    }
+
+    private static IEnumerable<(string Name, ConvertOptions Options)> Dialects()
+    {
+        foreach (var dialect in DialectTable.All)
+        {
+            yield return (dialect.Name, new ConvertOptions { Dialect = dialect, RetractionLength = 1.5, FilamentDiameter = 1.75 });
+            yield return (dialect.Name + " relative", new ConvertOptions { Dialect = dialect, RelativeE = true, FilamentDiameter = 1.75 });
+        }
+    }
+}

@@ -1,0 +1,92 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using Decoder = Caterpillar.GCode.Decoder;
+
+namespace Caterpillar.Tests.GCode;
+
+/// <summary>The ways from a decoded file to another text and back; each gives the first difference between what was wanted and what came back, or null.</summary>
+internal static class RoundTrips
+{
+    private static readonly Vec3 Shift = new(3, -2, 1);
+
+    /// <summary>Every move marked as changed and written in its line.</summary>
+    public static string? Anew(Decoding decoding)
+        => Edited(decoding, decoding.Toolpath, new MoveTolerance { Xyz = 1e-6, E = EDecimal(decoding), Speed = 1e-6 }, new EditOptions { Anew = true });
+
+    /// <summary>Every move shifted and faster.</summary>
+    public static string? Shifted(Decoding decoding)
+    {
+        var edited = decoding.Toolpath.Transformed(Affine.Move(Shift)).ScaleSpeed(new MoveFilter(), 1.25);
+        return Edited(decoding, edited, new MoveTolerance());
+    }
+
+    public static string? Edited(Decoding decoding, Toolpath edited, MoveTolerance tolerance, EditOptions? options = null)
+    {
+        var result = GCodeEditor.ToDocument(decoding, edited, options ?? new EditOptions());
+        if (result.Value is null) return Said(result.Diagnostics);
+        return SameMoves.Difference(edited, Decode(result.Value, decoding.Dialect).Toolpath, tolerance);
+    }
+
+    /// <summary>The whole toolpath written by the writer that knows no document.</summary>
+    public static string? Written(Decoding decoding, bool relative)
+    {
+        var toolpath = decoding.Toolpath;
+        var format = new GCodeFormat { Dialect = decoding.Dialect, RelativeE = relative, HasE = decoding.Axis != ExtrusionAxis.None };
+        if (format.LacksAmounts(toolpath)) return decoding.Axis == ExtrusionAxis.Switched ? null : "lacks amounts";
+        var back = Decode(GCodeDocument.FromBytes(GCodeWriter.ToBytes(toolpath, format)), decoding.Dialect);
+        return SameMoves.Difference(toolpath, back.Toolpath, new MoveTolerance { Speed = 0.5 / 60 + 1e-6, Chords = 0.01, SameLayers = false });
+    }
+
+    /// <summary>Converted to another dialect or notation; null also where it cannot be, and says so.</summary>
+    public static string? Converted(Decoding decoding, ConvertOptions options, double chords = 0)
+    {
+        var dialect = options.Dialect ?? decoding.Dialect;
+        var result = GCodeConverter.ToDocument(decoding, options);
+        if (result.Value is null)
+        {
+            // What a switch pushes out is not known; and some firmware takes E as volumes only.
+            var must = decoding.Axis == ExtrusionAxis.Switched && !dialect.SwitchedExtruder ? "gcode.no_amounts" : options.Volumetric == false && dialect.StartsVolumetric ? "gcode.volumes_only" : "";
+            return result.Diagnostics.Any(d => d.Code == must) ? null : Said(result.Diagnostics);
+        }
+        var back = Decoder.Decode(result.Value, new DecodeOptions { Dialect = dialect, FilamentDiameter = options.FilamentDiameter }).Value!;
+        var tolerance = new MoveTolerance
+        {
+            Xyz = NumberFormatter.FromUnits(1, options.DecimalsXyz ?? 3),
+            E = NumberFormatter.FromUnits(1, options.DecimalsE ?? 5),
+            Speed = 0.5 / 60 * NumberFormatter.FromUnits(1, options.DecimalsF ?? 2) + 1e-9,
+            Chords = Math.Max(options.ChordTolerance, 1e-3),
+            RetractionLength = dialect.FirmwareRetraction || !decoding.Dialect.FirmwareRetraction ? null : options.RetractionLength,
+            Amounts = decoding.Axis.HasAmounts && dialect.ExtruderLetters.Length > 0,
+            EFactors = Factors(decoding, back, options),
+        };
+        return SameMoves.Difference(decoding.Toolpath, back.Toolpath, tolerance);
+    }
+
+    /// <summary>Strands fitted by arcs.</summary>
+    public static string? Fitted(Decoding decoding)
+    {
+        if (!decoding.Dialect.Arcs) return null;
+        return Edited(decoding, decoding.Toolpath.FitArcs(new ArcFitOptions { Tolerance = 0.02 }), new MoveTolerance { Chords = 0.01 });
+    }
+
+    // E stays, or becomes mm³ of mm, or the other way round.
+    private static double[] Factors(Decoding before, Decoding after, ConvertOptions options)
+    {
+        var isVolume = before.Toolpath.Tools[0].VolumePerE == 1;
+        var becomes = options.Volumetric ?? after.Toolpath.Tools[0].VolumePerE == 1;
+        var area = Math.PI / 4 * (options.FilamentDiameter ?? 1) * (options.FilamentDiameter ?? 1);
+        return [isVolume == becomes ? 1 : becomes ? area : 1 / area];
+    }
+
+    public static Decoding Decode(GCodeDocument document, DialectRules? dialect) => Decoder.Decode(document, new DecodeOptions { Dialect = dialect }).Value!;
+
+    private static double EDecimal(Decoding decoding) => NumberFormatter.FromUnits(1, LineStyle.Of(decoding.Document!).DecimalsE);
+
+    private static string Said(IEnumerable<Diagnostic> diagnostics) => "refused: " + string.Join(" ", diagnostics.Select(d => d.Message));
+}

@@ -1,0 +1,331 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Tests.GCode;
+
+/// <summary>What may differ between two toolpaths that are the same print, and why.</summary>
+internal sealed record MoveTolerance
+{
+    /// <summary>One unit of the last printed decimal: the place, mm.</summary>
+    public double Xyz { get; init; } = 1e-3;
+
+    /// <summary>One unit of the last printed decimal of E. Sums over all moves keep within it, so that nothing drifts.</summary>
+    public double E { get; init; } = 1e-5;
+
+    /// <summary>mm/s; F is printed in mm/min.</summary>
+    public double Speed { get; init; } = 1e-4;
+
+    /// <summary>What one unit of E became, by tool: from mm of filament to mm³, for instance.</summary>
+    public IReadOnlyList<double> EFactors { get; init; } = [1];
+
+    public double Factor(int tool) => EFactors[Math.Min(tool, EFactors.Count - 1)];
+
+    public double LargestFactor => Math.Max(EFactors.Max(), 1);
+
+    /// <summary>Arcs may be chains of chords whose vertices lie on the arc (and whose chords keep this close to it, mm); 0 where arcs stay arcs.</summary>
+    public double Chords { get; init; }
+
+    /// <summary>Where a target has no G10 and G11: the length that stands for them, 0 where they are left out; null where they stay.</summary>
+    public double? RetractionLength { get; init; }
+
+    /// <summary>Numbers of layers and names of objects are equal; otherwise moves are in one layer here where they are in one layer there.</summary>
+    public bool SameLayers { get; init; } = true;
+
+    /// <summary>False where the target has no E at all: only the way of the head is compared, and which of it prints.</summary>
+    public bool Amounts { get; init; } = true;
+}
+
+/// <summary>
+/// Walks two toolpaths move by move. Ways home are left out: they follow from where the head is (the event is compared, and the move behind it begins there). A move that prints as nothing, because
+/// its way and its E are below the last decimal, may be missing in either.
+/// </summary>
+internal sealed class SameMoves
+{
+    private readonly Move[] _a;
+    private readonly Move[] _b;
+    private readonly Toolpath _expected;
+    private readonly Toolpath _actual;
+    private readonly MoveTolerance _t;
+    private readonly bool[] _homeA;
+    private readonly bool[] _homeB;
+    private readonly Dictionary<int, int> _layerOf = [];
+    private readonly Dictionary<int, int> _layerBack = [];
+    private readonly List<PrinterEvent> _eventsA = [];
+    private readonly List<PrinterEvent> _eventsB = [];
+    private int _nextA;
+    private int _nextB;
+    private int _i;
+    private int _j;
+    private double _sumA;
+    private double _sumB;
+    private double _depositedA;
+    private double _depositedB;
+
+    private SameMoves(Toolpath expected, Toolpath actual, MoveTolerance tolerance)
+    {
+        _expected = expected;
+        _actual = actual;
+        _t = tolerance;
+        _a = expected.Moves().ToArray();
+        _b = actual.Moves().ToArray();
+        _homeA = WaysHome(expected, _a);
+        _homeB = WaysHome(actual, _b);
+    }
+
+    /// <summary>The first difference, or null.</summary>
+    public static string? Difference(Toolpath expected, Toolpath actual, MoveTolerance? tolerance = null) => new SameMoves(expected, actual, tolerance ?? new MoveTolerance()).Walk();
+
+    private string? Walk()
+    {
+        while (true)
+        {
+            while (_i < _a.Length && _homeA[_i]) SkipA();
+            while (_j < _b.Length && _homeB[_j]) SkipB();
+            if (_i == _a.Length && _j == _b.Length) break;
+            if (_i < _a.Length && IsLostRetraction(_a[_i]))
+            {
+                SkipA();
+                continue;
+            }
+            if (_i < _a.Length && _j < _b.Length && Alike(_a[_i], _b[_j]) && (InStep(_a[_i], _b[_j]) || !(Vanishes(_a[_i], _t.Factor(_a[_i].Tool)) || Vanishes(_b[_j], 1))))
+            {
+                if (Match() is { } difference) return difference;
+                continue;
+            }
+            if (_i < _a.Length && _t.Chords > 0 && _a[_i].Arc is { } && (_j == _b.Length || _b[_j].Arc is null))
+            {
+                if (Chain() is { } difference) return difference;
+                continue;
+            }
+            if (_i < _a.Length && Vanishes(_a[_i], _t.Factor(_a[_i].Tool))) SkipA();
+            else if (_j < _b.Length && Vanishes(_b[_j], 1)) SkipB();
+            else return Said("differs");
+        }
+        TakeEvents();
+        return Events();
+    }
+
+    private string? Match()
+    {
+        TakeEvents();
+        if (Events() is { } events) return events;
+        var a = _a[_i];
+        var b = _b[_j];
+        Count(a, b);
+        if (Math.Abs(_sumA - _sumB) > Slack(_sumA)) return Said("sums of E drift apart");
+        if (Math.Abs(_depositedA - _depositedB) > Slack(_depositedA)) return Said("deposited sums drift apart");
+        if (a.Tool != b.Tool) return Said("tool");
+        if (b.Speed > 0 && a.Speed > 0 && Math.Abs(a.Speed - b.Speed) > _t.Speed && !IsStandIn(a)) return Said("speed");
+        if (a.Kind == MoveKind.Print && b.Kind == MoveKind.Print && a.Role != b.Role) return Said("role");
+        if (Layers(a, b) is { } layers) return layers;
+        _i++;
+        _j++;
+        return null;
+    }
+
+    private bool InStep(Move a, Move b) => Math.Abs(_sumA + ExpectedE(a) - _sumB - b.E) <= Slack(_sumA);
+
+    // E stands in another unit of the last place at 10⁶.
+    private double Slack(double sum) => _t.Amounts ? 1.02 * _t.E * _t.LargestFactor + 1e-12 * Math.Abs(sum) : double.PositiveInfinity;
+
+    private void Count(Move a, Move b)
+    {
+        _sumA += ExpectedE(a);
+        _sumB += b.E;
+        _depositedA += a.Deposited * _t.Factor(a.Tool);
+        _depositedB += b.Deposited;
+    }
+
+    private double ExpectedE(Move move)
+        => IsStandIn(move) ? (move.Kind == MoveKind.Retract ? -1 : 1) * _t.RetractionLength!.Value : move.E * _t.Factor(move.Tool);
+
+    private bool IsFirmware(Move move) => move.E == 0 && move.Kind is MoveKind.Retract or MoveKind.Restore && move.E == 0;
+
+    private bool IsStandIn(Move move) => _t.RetractionLength > 0 && IsFirmware(move);
+
+    private bool IsLostRetraction(Move move) => (_t.RetractionLength == 0 && IsFirmware(move)) || (!_t.Amounts && move.Kind is MoveKind.Retract or MoveKind.Restore or MoveKind.Prime);
+
+    private bool Alike(Move a, Move b)
+    {
+        if (a.End.DistanceTo(b.End) > _t.Xyz) return false;
+        if (a.Kind != b.Kind && !MayChange(a, b)) return false;
+        if (Math.Abs(ExpectedE(a) - b.E) > 2.04 * _t.E * _t.LargestFactor && _t.Amounts) return false;
+        return a.Arc is null == b.Arc is null ? SameCurve(a, b) : Tiny(a);
+    }
+
+    // Less than a unit of E prints as none; a way of less than a unit of length as none.
+    private bool MayChange(Move a, Move b)
+    {
+        if (!_t.Amounts) return (a.Kind == MoveKind.Print) == (b.Kind == MoveKind.Print);
+        var small = (a.E != 0 || b.E != 0) && (Math.Abs(a.E * _t.Factor(a.Tool)) <= 1.02 * _t.E || Math.Abs(b.E) <= 1.02 * _t.E);
+        return (small && a.Kind != MoveKind.Dwell && b.Kind != MoveKind.Dwell) || (a.E != 0 && Tiny(a)) || (b.E != 0 && Tiny(b)) || (_t.RetractionLength > 0 && a.E >= 0 == b.E >= 0);
+    }
+
+    private bool Tiny(Move move) => move.Length <= 1.8 * _t.Xyz;
+
+    private bool Vanishes(Move move, double factor)
+        => Tiny(move) && Math.Abs(move.E * factor) <= 1.02 * _t.E && move.Kind is not (MoveKind.Dwell or MoveKind.Retract or MoveKind.Restore) | move.E != 0;
+
+    // Points along both, not the numbers of both: a short arc has them all over the place.
+    private bool SameCurve(Move a, Move b)
+    {
+        if (a.Arc is not { } x || b.Arc is not { } y) return true;
+        if (Tiny(a)) return true;
+        if (x.Plane != y.Plane || x.Sweep > 0 != y.Sweep > 0) return false;
+        for (var k = 1; k < 8; k++)
+        {
+            if (x.PointAt(a.Start, a.End, k / 8.0).DistanceTo(y.PointAt(b.Start, b.End, k / 8.0)) > 4 * _t.Xyz) return false;
+        }
+        return Math.Abs(a.Length - b.Length) <= 1e-5 * a.Length + 10 * _t.Xyz;
+    }
+
+    // An arc that became chords: each vertex on the arc, in its order, with its share of E; the end points and sums equal.
+    private string? Chain()
+    {
+        TakeEvents();
+        if (Events() is { } events) return events;
+        var a = _a[_i];
+        var arc = a.Arc!.Value;
+        double sum = 0, deposited = 0, at = 0, rest = a.Length;
+        var from = a.Start;
+        while (true)
+        {
+            if (_j == _b.Length) return Said("a chain of chords ends before its arc");
+            var b = _b[_j];
+            if (b.Kind != a.Kind && Math.Abs(b.E) > 1.02 * _t.E) return Said("kind of a chord");
+            if (b.Speed > 0 && Math.Abs(a.Speed - b.Speed) > _t.Speed) return Said("speed of a chord");
+            if (b.Tool != a.Tool || (b.Kind == MoveKind.Print && b.Role != a.Role)) return Said("tool or role of a chord");
+            var done = Closest(a, arc, b.End, at);
+            var off = arc.PointAt(a.Start, a.End, done).DistanceTo(b.End);
+            if (off > 2 * _t.Xyz) return Said("a vertex of a chain lies off the arc");
+            var middle = (from + b.End) / 2;
+            if (arc.PointAt(a.Start, a.End, Closest(a, arc, middle, at)).DistanceTo(middle) > _t.Chords + 3 * _t.Xyz) return Said("a chord cuts its arc short");
+            sum += b.E;
+            deposited += b.Deposited;
+            if (_t.Amounts && Math.Abs(a.E * _t.Factor(a.Tool) * done - sum) > 3 * _t.E + Math.Abs(a.E * _t.Factor(a.Tool)) * 4 * _t.Xyz / Math.Max(rest, 1e-6)) return Said("share of a chord in E");
+            at = done;
+            from = b.End;
+            _j++;
+            if (_nextB < _actual.Events.Count && _actual.Events[_nextB].Move < _j) return Said("event within a chain");
+            if (done >= 1 - 1e-9 || (b.End.DistanceTo(a.End) <= _t.Xyz && done > 0.6)) break;
+        }
+        _sumA += a.E * _t.Factor(a.Tool);
+        _sumB += sum;
+        _depositedA += a.Deposited * _t.Factor(a.Tool);
+        _depositedB += deposited;
+        _i++;
+        if (Math.Abs(_sumA - _sumB) > Slack(_sumA)) return Said("sums of E drift apart behind an arc");
+        return Math.Abs(_depositedA - _depositedB) > Slack(_depositedA) ? Said("deposited sums drift apart behind an arc") : null;
+    }
+
+    // Where on the arc, from 0 to 1, a vertex is, not before the last one.
+    private double Closest(Move a, Arc arc, Vec3 point, double after)
+    {
+        if (point.DistanceTo(a.End) <= _t.Xyz && (after > 0.4 || Math.Abs(arc.Sweep) < 300)) return 1;
+        var count = Math.Max(arc.ChordCount(a.Start, _t.Chords), 1) * 2;
+        double best = 1, least = double.MaxValue;
+        var span = Math.Min(1 - after, Math.Max(16.0 / count, 0.02));
+        for (var step = 0; step <= 64; step++)
+        {
+            var t = after + span * step / 64;
+            var d = arc.PointAt(a.Start, a.End, t).DistanceTo(point);
+            if (d < least) (least, best) = (d, t);
+        }
+        var width = span / 64;
+        for (var k = 0; k < 40; k++)
+        {
+            width /= 2;
+            foreach (var t in new[] { best - width, best + width })
+            {
+                if (t < after || t > 1) continue;
+                var d = arc.PointAt(a.Start, a.End, t).DistanceTo(point);
+                if (d < least) (least, best) = (d, t);
+            }
+        }
+        return best;
+    }
+
+    private string? Layers(Move a, Move b)
+    {
+        if (_t.SameLayers)
+        {
+            var x = a.Layer < 0 ? null : _expected.Layers[a.Layer];
+            var y = b.Layer < 0 ? null : _actual.Layers[b.Layer];
+            return x?.Index == y?.Index && x?.Object == y?.Object ? null : Said($"layer {x} became {y}");
+        }
+        if (_layerOf.TryGetValue(a.Layer, out var known) && known != b.Layer) return Said("layers are divided otherwise");
+        if (_layerBack.TryGetValue(b.Layer, out var back) && back != a.Layer) return Said("layers are joined");
+        _layerOf[a.Layer] = b.Layer;
+        _layerBack[b.Layer] = a.Layer;
+        return null;
+    }
+
+    private void SkipA()
+    {
+        if (!_homeA[_i] && !IsLostRetraction(_a[_i]))
+        {
+            _sumA += _a[_i].E * _t.Factor(_a[_i].Tool);
+            _depositedA += _a[_i].Deposited * _t.Factor(_a[_i].Tool);
+        }
+        _i++;
+    }
+
+    private void SkipB()
+    {
+        _sumB += _b[_j].E;
+        _depositedB += _b[_j].Deposited;
+        _j++;
+    }
+
+    private void TakeEvents()
+    {
+        for (; _nextA < _expected.Events.Count && _expected.Events[_nextA].Move <= _i; _nextA++) Take(_eventsA, _expected.Events[_nextA].Event);
+        for (; _nextB < _actual.Events.Count && _actual.Events[_nextB].Move <= _j; _nextB++) Take(_eventsB, _actual.Events[_nextB].Event);
+    }
+
+    private static void Take(List<PrinterEvent> events, PrinterEvent what)
+    {
+        // Comments and lines of text are nothing that the machine does; the message of a pause is a comment.
+        if (what is CommentEvent or RawEvent) return;
+        events.Add(what is PauseEvent ? new PauseEvent() : what);
+    }
+
+    private string? Events()
+    {
+        var same = _eventsA.Count == _eventsB.Count;
+        for (var k = 0; same && k < _eventsA.Count; k++) same = SameEvent(_eventsA[k], _eventsB[k]);
+        var message = same ? null : Said("events " + string.Join(" ", _eventsA) + " became " + string.Join(" ", _eventsB));
+        _eventsA.Clear();
+        _eventsB.Clear();
+        return message;
+    }
+
+    private static bool SameEvent(PrinterEvent a, PrinterEvent b) => (a, b) switch
+    {
+        (FanEvent x, FanEvent y) => Math.Abs(x.Speed - y.Speed) <= 0.5 / 255 + 1e-9,
+        (DwellEvent x, DwellEvent y) => Math.Abs(x.Seconds - y.Seconds) <= 5.1e-4,
+        (NozzleTemperatureEvent x, NozzleTemperatureEvent y) => x.Wait == y.Wait && x.Tool == y.Tool && Math.Abs(x.Celsius - y.Celsius) <= 0.051,
+        (BedTemperatureEvent x, BedTemperatureEvent y) => x.Wait == y.Wait && Math.Abs(x.Celsius - y.Celsius) <= 0.051,
+        (AccelerationEvent x, AccelerationEvent y) => Math.Abs(x.Value - y.Value) <= 0.51,
+        _ => a.Equals(b),
+    };
+
+    private static bool[] WaysHome(Toolpath toolpath, Move[] moves)
+    {
+        var ways = new bool[moves.Length];
+        foreach (var what in toolpath.Events)
+        {
+            if (what.Event is not HomeEvent home || what.Move >= moves.Length) continue;
+            var m = moves[what.Move];
+            ways[what.Move] |= m.Kind == MoveKind.Travel && m.E == 0 && m.End == new Vec3(home.X ? 0 : m.Start.X, home.Y ? 0 : m.Start.Y, home.Z ? 0 : m.Start.Z);
+        }
+        return ways;
+    }
+
+    private string Said(string what)
+        => what + ": move " + _i + " of " + _a.Length + " " + (_i < _a.Length ? _a[_i].ToString() : "(none)") + " against " + _j + " of " + _b.Length + " " + (_j < _b.Length ? _b[_j].ToString() : "(none)")
+            + ", sums of E " + _sumA + " and " + _sumB;
+}
