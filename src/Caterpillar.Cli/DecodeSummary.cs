@@ -21,7 +21,7 @@ internal static class DecodeSummary
             ["  Printed box", Box(report.PrintBounds)],
             new[] { "  All moves", Box(report.AllBounds) },
         };
-        TextTable.Write(text, rows);
+        TextTable.Write(text, report.Thumbnails.Count == 0 ? rows : [.. rows, ["  Pictures", string.Join(", ", report.Thumbnails)]]);
         if (decoding.Ignored.Count > 0)
         {
             var ignored = decoding.Ignored.OrderByDescending(p => p.Value).ThenBy(p => p.Key, System.StringComparer.Ordinal).ToArray();

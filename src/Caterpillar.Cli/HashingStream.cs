@@ -1,5 +1,6 @@
 using System.IO;
 using System.Security.Cryptography;
+using Caterpillar.Basics;
 
 namespace Caterpillar.Cli;
 

@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
@@ -15,7 +14,7 @@ internal sealed class CheckVerb : Verb
 {
     private readonly Argument<string[]> _files = new("FILE")
     {
-        Description = "G-code files, also packed with gzip, or - for standard input.",
+        Description = "G-code files, also binary (.bgcode) or packed with gzip, or - for standard input.",
         Arity = ArgumentArity.OneOrMore,
     };
 
@@ -58,14 +57,7 @@ internal sealed class CheckVerb : Verb
 
     private static Toolpath Decoded(string file, string name, DecodeOptions options, Session session)
     {
-        try
-        {
-            using var stream = session.OpenRead(file);
-            return session.Need(session.Long("Reading " + name, progress => Decoder.DecodeStream(stream, options, name, progress, session.Cancel))).Toolpath;
-        }
-        catch (InvalidDataException broken)
-        {
-            throw new CliException(ExitCode.BadInput, $"{name}: the file is a broken gzip file: {broken.Message}");
-        }
+        using var stream = session.OpenRead(file);
+        return session.Need(session.Long("Reading " + name, progress => Decoder.DecodeStream(stream, options, name, progress, session.Cancel))).Toolpath;
     }
 }

@@ -12,7 +12,7 @@ namespace Caterpillar.Cli.Commands;
 /// <summary>Decodes a G-code file and writes it again: edited, for another firmware, in another notation. Lines that stay the same stay as they are.</summary>
 internal sealed class ConvertVerb : Verb
 {
-    private readonly Argument<string> _file = new("FILE") { Description = "G-code file, also packed with gzip, or - for standard input." };
+    private readonly Argument<string> _file = new("FILE") { Description = "G-code file, also binary (.bgcode) or packed with gzip, or - for standard input." };
     private readonly Option<string> _out = new("--output", "-o") { Description = "File to write; - is standard output.", HelpName = "FILE", Required = true };
     private readonly Option<string?> _from = new("--from") { Description = "The firmware the file is for; detected from the file without it.", HelpName = "DIALECT" };
     private readonly Option<string?> _to = new("--dialect") { Description = "The firmware to write for.", HelpName = "DIALECT" };
@@ -56,7 +56,7 @@ internal sealed class ConvertVerb : Verb
         }
         catch (InvalidDataException broken)
         {
-            session.Print([new Diagnostic(Severity.Error, "gcode.packed", "The packed file is broken: " + broken.Message, new SourceLocation(Session.NameOf(file)))]);
+            session.Print([new Diagnostic(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message, new SourceLocation(Session.NameOf(file)))]);
             return ExitCode.BadInput;
         }
         var decoding = session.Need(session.Long("Reading", p => Decoder.Decode(document, new DecodeOptions { Dialect = from, FilamentDiameter = arguments.GetValue(_diameter) }, p, session.Cancel)));

@@ -12,7 +12,7 @@ namespace Caterpillar.Cli.Commands;
 /// <summary>What G-code files do.</summary>
 internal sealed class DecodeVerb : Verb
 {
-    private readonly Argument<string[]> _files = new("FILE") { Description = "G-code files, also packed with gzip, or - for standard input.", Arity = ArgumentArity.OneOrMore };
+    private readonly Argument<string[]> _files = new("FILE") { Description = "G-code files, also binary (.bgcode) or packed with gzip, or - for standard input.", Arity = ArgumentArity.OneOrMore };
     private readonly Option<bool> _json = new("--json") { Description = "Print a JSON array with an object for each file." };
     private readonly Option<bool> _csv = new("--csv") { Description = "Print a table with a row for each move." };
     private readonly Option<string?> _dialect = CommonOptions.Dialect();
@@ -56,9 +56,9 @@ internal sealed class DecodeVerb : Verb
             {
                 decoded.Add(Decode(file, options, json, session));
             }
-            catch (InvalidDataException broken)
+            catch (CliException stop) when (stop.Message.Length == 0)
             {
-                session.Print([new Diagnostic(Severity.Error, "gcode.packed", "The packed file is broken: " + broken.Message, new SourceLocation(Session.NameOf(file)))]);
+                // Said already; the other files are looked at as well.
                 bad = true;
             }
         }
@@ -75,10 +75,11 @@ internal sealed class DecodeVerb : Verb
     private static (string, Decoding, DecodeReport) Decode(string file, DecodeOptions options, bool hash, Session session)
     {
         var name = Session.NameOf(file);
-        using var plain = Unpacked.Open(session.OpenRead(file));
+        using var plain = GzipReader.Open(session.OpenRead(file));
         using var sum = hash ? IncrementalHash.CreateHash(HashAlgorithmName.SHA256) : null;
         using var stream = sum is null ? plain : new HashingStream(plain, sum);
         var result = session.Long("Reading " + name, progress => Decoder.DecodeStream(stream, options, name, progress, session.Cancel));
+        if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.packed", name)]);
         var decoding = session.Need(result);
         var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };
         if (sum is not null) report = report with { Sha256 = Convert.ToHexStringLower(sum.GetHashAndReset()) };

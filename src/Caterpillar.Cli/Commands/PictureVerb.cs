@@ -9,7 +9,7 @@ namespace Caterpillar.Cli.Commands;
 /// <summary>Draws what a G-code file prints.</summary>
 internal sealed class PictureVerb : Verb
 {
-    private readonly Argument<string> _file = new("FILE") { Description = "G-code, gzipped or not; - is standard input." };
+    private readonly Argument<string> _file = new("FILE") { Description = "G-code, also binary (.bgcode) or packed with gzip; - is standard input." };
 
     private readonly Option<string?> _out = new("--output", "-o") { Description = "Picture (PNG); - is standard output. Without it the file's name with .png in the current folder.", HelpName = "FILE.png" };
 
@@ -44,8 +44,8 @@ internal sealed class PictureVerb : Verb
         var width = arguments.GetValue(_width);
         if (width is < 16 or > 8000) throw new CliException(ExitCode.Usage, "--width: 16 to 8000 pixels.");
         var view = ViewOf(arguments.GetValue(_view)!);
-        var document = GCodeDocument.FromBytes(session.ReadBytes(file), Session.NameOf(file));
-        var toolpath = session.Long("Decoding", progress => session.Need(Decoder.Decode(document, null, progress, session.Cancel))).Toolpath;
+        using var stream = session.OpenRead(file);
+        var toolpath = session.Need(session.Long("Decoding", progress => Decoder.DecodeStream(stream, null, Session.NameOf(file), progress, session.Cancel))).Toolpath;
         var options = new PictureOptions
         {
             Width = width,

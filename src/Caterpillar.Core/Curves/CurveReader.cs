@@ -30,7 +30,7 @@ public static class CurveReader
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
         if (name is null) throw new ArgumentNullException(nameof(name));
         var diagnostics = new DiagnosticList();
-        var plain = GzipBytes.IsPacked(bytes) ? Unpacked(bytes, name, diagnostics, cancel) : bytes;
+        var plain = GzipBytes.Unpack(bytes, name, "curves.packed", diagnostics, cancel);
         if (plain is null) return new Result<IReadOnlyList<UserCurve>>(null, diagnostics.ToList());
         var source = new CurveSource(plain, name, options ?? new CurveReadOptions(), diagnostics, progress, cancel);
         switch (FormatOf(plain, name))
@@ -77,12 +77,4 @@ public static class CurveReader
     }
 
     private static bool Ends(string name, string ending) => name.EndsWith(ending, StringComparison.OrdinalIgnoreCase);
-
-    private static byte[]? Unpacked(byte[] bytes, string name, DiagnosticList diagnostics, CancellationToken cancel)
-    {
-        var found = new DiagnosticList();
-        var plain = GzipBytes.Unpack(bytes, name, found, cancel);
-        foreach (var problem in found.ToList()) diagnostics.Add(problem with { Code = "curves.packed" });
-        return plain;
-    }
 }

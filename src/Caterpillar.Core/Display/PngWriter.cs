@@ -1,14 +1,13 @@
 using System;
 using System.IO;
 using System.IO.Compression;
+using Caterpillar.Basics;
 
 namespace Caterpillar.Display;
 
 /// <summary>Writes pictures as PNG (8 bits a channel, no alpha).</summary>
 public static class PngWriter
 {
-    private static readonly uint[] CrcTable = MakeCrcTable();
-
     /// <summary>The bytes of a PNG file.</summary>
     public static byte[] ToBytes(RasterImage image)
     {
@@ -65,26 +64,12 @@ public static class PngWriter
         BigEndian(bytes, 0, (uint)data.Length);
         for (var i = 0; i < 4; i++) bytes[4 + i] = (byte)name[i];
         Array.Copy(data, 0, bytes, 8, data.Length);
-        var crc = 0xFFFFFFFFu;
-        for (var i = 4; i < bytes.Length - 4; i++) crc = CrcTable[(crc ^ bytes[i]) & 0xFF] ^ (crc >> 8);
-        BigEndian(bytes, bytes.Length - 4, crc ^ 0xFFFFFFFFu);
+        BigEndian(bytes, bytes.Length - 4, Crc32.Of(bytes, 4, bytes.Length - 8));
         file.Write(bytes, 0, bytes.Length);
     }
 
     private static void BigEndian(byte[] bytes, int at, uint value)
     {
         for (var i = 0; i < 4; i++) bytes[at + i] = (byte)(value >> (24 - 8 * i));
-    }
-
-    private static uint[] MakeCrcTable()
-    {
-        var table = new uint[256];
-        for (uint n = 0; n < 256; n++)
-        {
-            var c = n;
-            for (var k = 0; k < 8; k++) c = (c & 1) != 0 ? 0xEDB88320u ^ (c >> 1) : c >> 1;
-            table[n] = c;
-        }
-        return table;
     }
 }

@@ -20,6 +20,9 @@ internal enum CommentKind : byte
     ObjectStart,
     ObjectEnd,
 
+    /// <summary>The beginning of a picture; its size and format as text.</summary>
+    Thumbnail,
+
     /// <summary>A line of a block of settings: <c>key = value</c>.</summary>
     Setting,
 }
@@ -81,6 +84,10 @@ internal static class CommentReader
             case 's':
                 if (Is(text, at, end, "stop printing object")) return new CommentMeaning { Kind = CommentKind.ObjectEnd };
                 return Is(text, at, end, "start printing object, ") ? Named(text, at + 23, end) : Setting(text, at, end);
+            case 't':
+                return Is(text, at, end, "thumbnail") && end - at < 80 && !HasEquals(text, at, end)
+                    ? new CommentMeaning { Kind = CommentKind.Thumbnail, Text = TextEncoding.Decode(text, at, end) }
+                    : Setting(text, at, end);
             case '\'':
                 return Quoted(text, at + 1, end);
             default:

@@ -97,6 +97,9 @@ public sealed record DecodeReport
 
     public bool ByteOrderMark { get; init; }
 
+    /// <summary>The pictures of the print in its comments, in their order.</summary>
+    public IReadOnlyList<Thumbnail> Thumbnails { get; init; } = [];
+
     /// <summary>The report as a JSON object; amounts are null where the file has none.</summary>
     public string ToJson(string indent = "")
     {
@@ -138,6 +141,7 @@ public sealed record DecodeReport
         json.Raw("all_moves_box", JsonLines.Box(AllBounds));
         json.Raw("end_position", JsonLines.Point(EndPosition));
         json.Raw("features", FeatureObject());
+        if (Thumbnails.Count > 0) json.Raw("thumbnails", ThumbnailList());
         return json.ToString();
     }
 
@@ -149,6 +153,17 @@ public sealed record DecodeReport
         foreach (var pair in EUsedByTool)
             text.Append(text.Length > 1 ? ", " : "").Append('"').Append(NumberFormatter.Format(pair.Key)).Append("\": ").Append(JsonLines.Number(pair.Value));
         return text.Append('}').ToString();
+    }
+
+    private string ThumbnailList()
+    {
+        var text = new StringBuilder("[");
+        foreach (var picture in Thumbnails)
+        {
+            text.Append(text.Length > 1 ? ", " : "").Append("{\"width\": ").Append(NumberFormatter.Format(picture.Width)).Append(", \"height\": ").Append(NumberFormatter.Format(picture.Height));
+            text.Append(", \"format\": ").Append(JsonLines.Quoted(picture.Format)).Append('}');
+        }
+        return text.Append(']').ToString();
     }
 
     private string FeatureObject()

@@ -24,7 +24,8 @@ public static class Decoder
     {
         if (document is null) throw new ArgumentNullException(nameof(document));
         var axis = ExtrusionAxis.Detect(document.Chunks);
-        return Run(document, document.Chunks, axis, document.Length, document.Name, options ?? new DecodeOptions(), progress, cancel);
+        var length = (double)document.Length;
+        return Run(document, document.Chunks, axis, done => done / length, document.Name, options ?? new DecodeOptions(), progress, cancel, document.Chunks, () => document.Notes);
     }
 
     /// <summary>Decodes bytes: plain, gzip, or binary G-code.</summary>
@@ -36,16 +37,16 @@ public static class Decoder
         {
             document = GCodeDocument.FromBytes(bytes);
         }
-        // Mono says IOException of broken packing; there is no other input here.
-        catch (Exception broken) when (broken is InvalidDataException or IOException)
+        catch (InvalidDataException broken)
         {
-            return new Result<Decoding>(null, [new Diagnostic(Severity.Error, "gcode.packed", "The packed file is broken: " + broken.Message)]);
+            return Broken(broken, "");
         }
         return Decode(document, options, progress, cancel);
     }
 
     /// <summary>
-    /// Decodes a stream while it is read, without keeping the text: memory is that of the moves. The stream may be packed with gzip and stays open; progress is reported where its length is known.
+    /// Decodes a stream while it is read, without keeping the text: memory is that of the moves. The stream may be packed with gzip or be binary G-code, and
+    /// stays open; one that is broken gives an error. Progress is reported where its length is known.
     /// </summary>
     /// <exception cref="IOException">The stream cannot be read.</exception>
     /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
@@ -53,8 +54,21 @@ public static class Decoder
         Stream stream, DecodeOptions? options = null, string name = "", IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
-        var tail = Tail(stream);
-        using var chunks = ChunkReader.Read(stream, 1024 * 1024, cancel).GetEnumerator();
+        try
+        {
+            using var source = new GCodeSource(stream);
+            return DecodeSource(source, options ?? new DecodeOptions(), name, progress, cancel);
+        }
+        catch (InvalidDataException broken)
+        {
+            return Broken(broken, name);
+        }
+    }
+
+    private static Result<Decoding> DecodeSource(GCodeSource source, DecodeOptions options, string name, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var tail = source.Tail();
+        using var chunks = ChunkReader.Read(source.Text, 1024 * 1024, cancel).GetEnumerator();
         var head = new List<GCodeChunk>();
         var seen = 0L;
         IEnumerable<GCodeChunk> Head()
@@ -76,32 +90,20 @@ public static class Decoder
             while (chunks.MoveNext()) yield return chunks.Current;
         }
         var axis = ExtrusionAxis.Detect(Head());
-        var length = stream.CanSeek ? stream.Length : 0;
         var told = new List<GCodeChunk>(head);
-        if (tail is not null) told.Add(tail);
-        return Run(null, All(), axis, length, name, options ?? new DecodeOptions(), progress, cancel, told);
+        // Binary G-code tells its end once it was begun.
+        if ((tail ?? source.Tail()) is { } end) told.Add(end);
+        return Run(null, All(), axis, source.Done, name, options, progress, cancel, told, source.Notes);
     }
 
-    // The end of a plain file, where some slicers say what it is for; null where it cannot be read yet.
-    private static GCodeChunk? Tail(Stream stream)
-    {
-        const int Length = 96 * 1024;
-        if (!stream.CanSeek) return null;
-        var position = stream.Position;
-        if (stream.Length - position < 2 * Length) return null;
-        var bytes = new byte[Length];
-        stream.Seek(-Length, SeekOrigin.End);
-        var count = 0;
-        for (int read; count < Length && (read = stream.Read(bytes, count, Length - count)) > 0;) count += read;
-        stream.Position = position;
-        return new GCodeChunk(bytes, 0, count);
-    }
+    private static Result<Decoding> Broken(InvalidDataException broken, string name)
+        => new(null, [new Diagnostic(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message, name.Length > 0 ? new SourceLocation(name) : null)]);
 
     private static Result<Decoding> Run(
-        GCodeDocument? document, IEnumerable<GCodeChunk> chunks, ExtrusionAxis axis, long length, string name, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel,
-        IReadOnlyList<GCodeChunk>? head = null)
+        GCodeDocument? document, IEnumerable<GCodeChunk> chunks, ExtrusionAxis axis, Func<long, double> share, string name, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel,
+        IReadOnlyList<GCodeChunk> told, Func<IReadOnlyList<Diagnostic>> notes)
     {
-        Detection? detected = options.Dialect is null ? DialectDetector.Detect(head ?? document!.Chunks, axis) : null;
+        Detection? detected = options.Dialect is null ? DialectDetector.Detect(told, axis) : null;
         var rules = options.Dialect ?? detected!.Value.Dialect;
         var core = new DecoderCore(rules, options.Rule, axis);
         var lines = 0;
@@ -119,9 +121,10 @@ public static class Decoder
                 core.Run(parser, lines);
                 lines += parser.Lines;
                 bytes = done;
-                if (length > 0) progress?.Report(Math.Min((double)done / length, 1));
+                if (progress is not null && share(done) is >= 0 and var part) progress.Report(part);
             },
             cancel);
+        core.Diagnostics.AddRange(notes());
         core.ReportIgnored();
         if (detected is { } found && found.IsDefault)
             core.Diagnostics.Add(Severity.Remark, "gcode.dialect_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");

@@ -8,7 +8,10 @@ namespace Caterpillar.GCode;
 internal sealed partial class DecoderCore
 {
     private const int MostSettings = 5000;
+    private const int MostThumbnails = 100;
     private readonly SortedDictionary<string, string> _settings = new(StringComparer.Ordinal);
+
+    private readonly List<Thumbnail> _thumbnails = [];
 
     // True once comments of their own say what strands are for; then those behind moves say nothing new.
     private bool _typed;
@@ -16,6 +19,8 @@ internal sealed partial class DecoderCore
 
     /// <summary>The settings that the slicer wrote as <c>; key = value</c>.</summary>
     public IReadOnlyDictionary<string, string> Settings => _settings;
+
+    public IReadOnlyList<Thumbnail> Thumbnails => _thumbnails;
 
     private void CommentLine(byte[] text, int start, int end)
     {
@@ -51,6 +56,9 @@ internal sealed partial class DecoderCore
                 break;
             case CommentKind.ObjectEnd:
                 SetObject("");
+                break;
+            case CommentKind.Thumbnail:
+                if (_thumbnails.Count < MostThumbnails && Thumbnail.Read(meaning.Text) is { } thumbnail) _thumbnails.Add(thumbnail);
                 break;
             case CommentKind.Setting:
                 if (meaning.Text.Length > 0 && _settings.Count < MostSettings) _settings[meaning.Text] = meaning.Value;

@@ -9,6 +9,7 @@ internal static class DialectDetector
 {
     private const int Head = 96 * 1024;
     private const int Tail = 96 * 1024;
+    private const int MostHead = 8 * 1024 * 1024;
 
     // Flavours as slicers name them in their comments.
     private static readonly (string Key, string Name)[] Flavours =
@@ -130,19 +131,49 @@ internal static class DialectDetector
     private static string Text(IReadOnlyList<GCodeChunk> chunks)
     {
         if (chunks.Count == 0) return "";
-        var first = chunks[0];
-        var headEnd = Math.Min(first.End, first.Start + Head);
-        var text = new System.Text.StringBuilder(TextEncoding.Decode(first.Text, first.Start, headEnd)).Append('\n');
+        var text = new System.Text.StringBuilder();
+        var (head, headEnd) = Beginning(chunks, text);
+        text.Append('\n');
         var from = chunks.Count;
         for (var rest = Tail; from > 0 && rest > 0; from--) rest -= chunks[from - 1].Length;
         var left = Tail;
         for (var i = chunks.Count - 1; i > from; i--) left -= chunks[i].Length;
-        for (var i = from; i < chunks.Count; i++)
+        for (var i = Math.Max(from, head); i < chunks.Count; i++)
         {
             var start = Math.Max(chunks[i].Start, i == from ? chunks[i].End - left : chunks[i].Start);
-            text.Append(TextEncoding.Decode(chunks[i].Text, i == 0 ? Math.Max(start, headEnd) : start, chunks[i].End));
+            text.Append(TextEncoding.Decode(chunks[i].Text, i == head ? Math.Max(start, headEnd) : start, chunks[i].End));
         }
         return text.Replace('\r', '\n').ToString();
+    }
+
+    // Adds the beginning without its pictures, which may be larger than all that is looked at; where it ends.
+    private static (int Chunk, int End) Beginning(IReadOnlyList<GCodeChunk> chunks, System.Text.StringBuilder text)
+    {
+        var picture = false;
+        var seen = 0;
+        for (var i = 0; ; i++)
+        {
+            var chunk = chunks[i];
+            var at = chunk.Start;
+            while (at < chunk.End && text.Length < Head)
+            {
+                var end = Math.Min(LineEnds.Next(chunk.Text, at, chunk.End), at + Head);
+                var edge = chunk.Text[at] == ';' ? PictureEdge(TextEncoding.Decode(chunk.Text, at, Math.Min(end, at + 60))) : 0;
+                if (edge != 0) picture = edge > 0;
+                else if (!picture) text.Append(TextEncoding.Decode(chunk.Text, at, end));
+                at = end;
+            }
+            seen += chunk.Length;
+            if (text.Length >= Head || seen > MostHead || i + 1 == chunks.Count) return (i, at);
+        }
+    }
+
+    // 1 at the beginning of a picture, -1 at its end.
+    private static int PictureEdge(string line)
+    {
+        if (!line.StartsWith("; thumbnail", StringComparison.Ordinal)) return 0;
+        if (line.IndexOf(" begin ", StringComparison.Ordinal) > 0) return 1;
+        return line.TrimEnd().EndsWith(" end", StringComparison.Ordinal) ? -1 : 0;
     }
 }
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Threading;
+using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
@@ -15,10 +16,11 @@ public sealed class GCodeDocument
     private readonly GCodeChunk[] _chunks;
     private int[]? _firstLines;
 
-    internal GCodeDocument(GCodeChunk[] chunks, string name)
+    internal GCodeDocument(GCodeChunk[] chunks, string name, IReadOnlyList<Diagnostic>? notes = null)
     {
         _chunks = chunks;
         Name = name;
+        Notes = notes ?? [];
         foreach (var chunk in chunks) Length += chunk.Length;
     }
 
@@ -43,12 +45,15 @@ public sealed class GCodeDocument
 
     internal IReadOnlyList<GCodeChunk> Chunks => _chunks;
 
-    /// <summary>A document over bytes, which are not copied and must not be changed afterwards. Packed bytes (gzip, binary G-code) are unpacked.</summary>
-    /// <exception cref="InvalidDataException">The bytes are a broken gzip or binary G-code file.</exception>
+    /// <summary>What was noticed when it was unpacked.</summary>
+    internal IReadOnlyList<Diagnostic> Notes { get; }
+
+    /// <summary>A document over bytes, which are not copied and must not be changed afterwards. Packed bytes (gzip, binary G-code) are unpacked; of binary G-code and UTF-16 the text is kept.</summary>
+    /// <exception cref="InvalidDataException">The bytes are a broken gzip or binary G-code file, or a line is longer than 512 MB.</exception>
     public static GCodeDocument FromBytes(byte[] bytes, string name = "")
     {
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
-        if (IsGzip(bytes, bytes.Length) || BinaryGCode.IsBinary(bytes, bytes.Length)) return Read(new MemoryStream(bytes, false), name);
+        if (GCodeSource.IsPacked(bytes, bytes.Length)) return Read(new MemoryStream(bytes, false), name);
         var chunks = new List<GCodeChunk>(bytes.Length / GCodeChunk.Target + 1);
         Cut(bytes, bytes.Length, chunks);
         return new GCodeDocument(chunks.ToArray(), name);
@@ -71,9 +76,10 @@ public sealed class GCodeDocument
     /// <exception cref="InvalidDataException">It is a broken gzip or binary G-code stream.</exception>
     public static GCodeDocument Read(Stream stream, string name = "", CancellationToken cancel = default)
     {
+        using var source = new GCodeSource(stream ?? throw new ArgumentNullException(nameof(stream)));
         var chunks = new List<GCodeChunk>();
-        foreach (var chunk in ChunkReader.Read(stream, BufferSize, cancel)) chunks.Add(chunk);
-        return new GCodeDocument(chunks.ToArray(), name);
+        foreach (var chunk in ChunkReader.Read(source.Text, BufferSize, cancel)) chunks.Add(chunk);
+        return new GCodeDocument(chunks.ToArray(), name, source.Notes());
     }
 
     /// <summary>A line by its number, from 1.</summary>
@@ -117,7 +123,7 @@ public sealed class GCodeDocument
 
     /// <summary>For a panel: name, lines and size.</summary>
     public override string ToString()
-        => (Name.Length > 0 ? Name + ": " : "") + Basics.NumberFormatter.Format(LineCount) + " lines, " + Basics.NumberFormatter.Format(Length) + " bytes of G-code";
+        => (Name.Length > 0 ? Name + ": " : "") + NumberFormatter.Format(LineCount) + " lines, " + NumberFormatter.Format(Length) + " bytes of G-code";
 
     /// <summary>Number of lines before each chunk, and of all.</summary>
     internal int[] FirstLines()
@@ -129,8 +135,6 @@ public sealed class GCodeDocument
         Volatile.Write(ref _firstLines, first);
         return first;
     }
-
-    internal static bool IsGzip(byte[] bytes, int count) => count >= 3 && bytes[0] == 0x1F && bytes[1] == 0x8B && bytes[2] == 8;
 
     /// <summary>Cuts bytes into chunks behind line ends.</summary>
     internal static void Cut(byte[] bytes, int count, List<GCodeChunk> chunks)

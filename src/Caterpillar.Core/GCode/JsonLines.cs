@@ -22,7 +22,9 @@ internal sealed class JsonLines
 
     public void Number(string key, long value) => Raw(key, NumberFormatter.Format(value));
 
-    public void Text(string key, string value) => Raw(key, Newtonsoft.Json.JsonConvert.ToString(value));
+    public void Text(string key, string value) => Raw(key, Quoted(value));
+
+    public static string Quoted(string value) => Newtonsoft.Json.JsonConvert.ToString(value);
 
     public override string ToString() => _text.ToString() + "\n" + _indent + "}";
 

@@ -58,6 +58,7 @@ internal static class Reports
             EndPosition = core.Position,
             Features = core.Features.ToList(),
             ByteOrderMark = mark,
+            Thumbnails = core.Thumbnails,
         };
     }
 

@@ -31,7 +31,7 @@ public static class MeshReader
         if (name is null) throw new ArgumentNullException(nameof(name));
         var diagnostics = new DiagnosticList();
         var meshes = new List<NamedMesh>();
-        var plain = GzipBytes.IsPacked(bytes) ? GzipBytes.Unpack(bytes, name, diagnostics, cancel) : bytes;
+        var plain = GzipBytes.Unpack(bytes, name, "mesh.packed", diagnostics, cancel);
         var good = plain is not null && ReadPlain(new MeshSource(plain, name, diagnostics, progress, cancel), meshes);
         if (good && meshes.All(m => m.Mesh.TriangleCount == 0))
         {

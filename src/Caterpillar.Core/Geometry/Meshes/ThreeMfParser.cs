@@ -31,7 +31,7 @@ internal sealed class ThreeMfParser
             XmlResolver = null,
             IgnoreComments = true,
             IgnoreWhitespace = true,
-            MaxCharactersInDocument = GzipBytes.Limit(source.Length),
+            MaxCharactersInDocument = Math.Min(int.MaxValue - 1024, GzipReader.Limit(source.Length)),
         };
         using var xml = XmlReader.Create(stream, settings);
         var parser = new ThreeMfParser(source, part, xml);

@@ -90,6 +90,6 @@ public class ThreeMfTests
     {
         var bytes = MeshBytes.Gzip(new byte[70 << 20]);
         var read = MeshReader.Read(bytes, "x.stl.gz");
-        Assert.That(read.Diagnostics.Single().ToString(), Is.EqualTo("x.stl.gz: error mesh.packed: The file unpacks to more than 67108864 bytes."));
+        Assert.That(read.Diagnostics.Single().ToString(), Is.EqualTo("x.stl.gz: error mesh.packed: The gzip file cannot be unpacked. It unpacks to more than 250 times its size."));
     }
 }
