@@ -1,8 +1,10 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli;
 
@@ -21,13 +23,39 @@ internal static class DecodeSummary
             ["  Printed box", Box(report.PrintBounds)],
             new[] { "  All moves", Box(report.AllBounds) },
         };
-        TextTable.Write(text, report.Thumbnails.Count == 0 ? rows : [.. rows, ["  Pictures", string.Join(", ", report.Thumbnails)]]);
+        string[][] pictures = report.Thumbnails.Count == 0 ? [] : [["  Pictures", string.Join(", ", report.Thumbnails)]];
+        TextTable.Write(text, [.. rows, .. Roles(moves), .. pictures]);
         if (decoding.Ignored.Count > 0)
         {
             var ignored = decoding.Ignored.OrderByDescending(p => p.Value).ThenBy(p => p.Key, System.StringComparer.Ordinal).ToArray();
             text.WriteLine("  Without effect on the way: " + string.Join(", ", ignored.Take(12).Select(p => $"{p.Key} ×{Count(p.Value)}")) + (ignored.Length > 12 ? ", …" : ""));
         }
     }
+
+    // What is printed in each role, where the file says: its length, and the width that follows from its material.
+    private static IEnumerable<string[]> Roles(Toolpath toolpath)
+    {
+        var lengths = new double[System.Enum.GetValues<Role>().Length];
+        var areas = new double[lengths.Length];
+        var widths = new double[lengths.Length];
+        foreach (var move in toolpath.Moves())
+        {
+            if (move.Kind != MoveKind.Print) continue;
+            lengths[(int)move.Role] += move.Length;
+            if (toolpath.BeadOf(move) is not { } bead) continue;
+            areas[(int)move.Role] += bead.Area * move.Length;
+            widths[(int)move.Role] += bead.Width(BeadShape.Stadium) * move.Length;
+        }
+        if (lengths.Skip(1).All(l => l == 0)) yield break;
+        for (var role = 0; role < lengths.Length; role++)
+        {
+            if (lengths[role] == 0) continue;
+            var means = areas[role] > 0 ? $", {Number(widths[role] / lengths[role])} mm wide, {Number(areas[role] / lengths[role])} mm² on average" : "";
+            yield return ["  " + Words(((Role)role).ToString()), Mm(lengths[role]) + means];
+        }
+    }
+
+    private static string Words(string name) => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? " " + char.ToLowerInvariant(c) : c.ToString()));
 
     private static string Box(Bounds box) => box.IsEmpty ? "none" : $"{Point(box.Min)} to {Point(box.Max)} mm";
 

@@ -27,7 +27,7 @@ internal sealed class MoveTable
     {
         var table = new MoveTable(stream);
         var several = toolpaths.Count > 1;
-        table.Text((several ? "file," : "") + "move,line,kind,x,y,z,e,deposited_e,speed_mm_s,role,layer,tool,length_mm,arc_center_x,arc_center_y,arc_center_z,arc_sweep_deg\n");
+        table.Text((several ? "file," : "") + "move,line,kind,x,y,z,e,deposited_e,speed_mm_s,role,layer,tool,length_mm,arc_center_x,arc_center_y,arc_center_z,arc_sweep_deg,area_mm2,width_mm\n");
         foreach (var (file, toolpath) in toolpaths)
         {
             var prefix = several ? Quoted(file) + "," : "";
@@ -36,7 +36,7 @@ internal sealed class MoveTable
             {
                 if ((++count & 0xFFFF) == 0) cancel.ThrowIfCancellationRequested();
                 table.Text(prefix);
-                table.Row(move);
+                table.Row(toolpath, move);
             }
         }
         table.Flush();
@@ -45,7 +45,7 @@ internal sealed class MoveTable
     private static readonly string[] Kinds = Enum.GetNames<MoveKind>().Select(Snake).ToArray();
     private static readonly string[] Roles = Enum.GetNames<Role>().Select(Snake).ToArray();
 
-    private void Row(in Move move)
+    private void Row(Toolpath toolpath, in Move move)
     {
         Whole(move.Index);
         Whole(move.Source);
@@ -66,6 +66,15 @@ internal sealed class MoveTable
         else
         {
             Text(",,,,");
+        }
+        if (toolpath.BeadOf(move) is { } bead)
+        {
+            Number(bead.Area);
+            Number(bead.Width(BeadShape.Stadium));
+        }
+        else
+        {
+            Text(",,");
         }
         _buffer[_at - 1] = (byte)'\n';
     }

@@ -92,6 +92,18 @@ public sealed class Toolpath
     /// <summary>mm³ of material that a move deposits; null where the factor of its tool is not known.</summary>
     public double? VolumeOf(Move move) => VolumePerE(move.Tool) * move.Deposited;
 
+    /// <summary>
+    /// The strand that a printing move lays down: its area in mm² from what it deposits, its height from the thickness of its layer; null where it prints nothing or the factor of its tool is not
+    /// known. Slicers mean a <see cref="BeadShape.Stadium"/>, Cura a <see cref="BeadShape.Rectangle"/>.
+    /// </summary>
+    public Bead? BeadOf(Move move)
+    {
+        if (move.Kind != MoveKind.Print || !(move.Length > 0) || VolumeOf(move) is not { } volume) return null;
+        var area = volume / move.Length;
+        var speed = move.Speed >= 0 && !double.IsInfinity(move.Speed) ? move.Speed : 0;
+        return area >= 0 && !double.IsInfinity(area) ? new Bead(area, move.Layer >= 0 ? Layers[move.Layer].Thickness : 0, speed) : null;
+    }
+
     /// <summary>mm³ for one unit of E of a tool, or null.</summary>
     public double? VolumePerE(int tool) => tool >= 0 && tool < Tools.Count ? Tools[tool].VolumePerE : null;
 

@@ -25,6 +25,8 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
         ports.Text("Kinds", "K", "What the machine does: Print, Travel, Wipe, Retract, Restore, Moving Restore, Prime or Dwell.", GH_ParamAccess.tree);
         ports.Text("Roles", "R", "What each strand is for, such as OuterWall or Infill.", GH_ParamAccess.tree);
         ports.Integer("Sources", "S", "Number of the line of the file, from 1, or of the step of the design, from 0; -1 where there is none.", GH_ParamAccess.tree);
+        ports.Number("Areas", "A", "Cross-section of each strand in mm²; 0 for what prints nothing, and where the diameter of the filament is not known.", GH_ParamAccess.tree);
+        ports.Number("Widths", "W", "Width of each strand in mm, with round sides and the height of its layer; 0 where there is none.", GH_ParamAccess.tree);
     }
 
     private protected override void Solve(Run run)
@@ -32,7 +34,7 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
         var toolpath = run.Get<Toolpath>(0);
         var units = run.Units;
         var points = new GH_Structure<GH_Point>();
-        GH_Structure<GH_Number> amounts = new(), speeds = new();
+        GH_Structure<GH_Number> amounts = new(), speeds = new(), areas = new(), widths = new();
         GH_Structure<GH_String> kinds = new(), roles = new();
         var sources = new GH_Structure<GH_Integer>();
         var root = run.PathOf(0);
@@ -47,6 +49,9 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
             kinds.Append(new GH_String(move.Kind.ToString()), path);
             roles.Append(new GH_String(move.Role.ToString()), path);
             sources.Append(new GH_Integer(move.Source), path);
+            var bead = toolpath.BeadOf(move);
+            areas.Append(new GH_Number(bead?.Area ?? 0), path);
+            widths.Append(new GH_Number(bead?.Width(BeadShape.Stadium) ?? 0), path);
         }
         run.SetTree(0, points);
         run.SetTree(1, amounts);
@@ -54,5 +59,7 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
         run.SetTree(3, kinds);
         run.SetTree(4, roles);
         run.SetTree(5, sources);
+        run.SetTree(6, areas);
+        run.SetTree(7, widths);
     }
 }
