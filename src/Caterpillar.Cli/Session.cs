@@ -5,6 +5,7 @@ using System.Linq;
 using System.Text;
 using System.Threading;
 using Caterpillar.Basics;
+using Caterpillar.Checks;
 using Caterpillar.Machines;
 using Spectre.Console;
 
@@ -59,7 +60,20 @@ internal sealed class Session
     public static string NameOf(string file) => file == "-" ? "standard input" : file;
 
     /// <summary>Writes a file whole or not at all, or standard output for <c>-</c>.</summary>
-    public void Write(string file, Action<Stream> write) => WholeFile.Write(file, _output, write);
+    public void Write(string file, Action<Stream> write)
+    {
+        if (file == "-")
+        {
+            using var output = _output();
+            write(output);
+            output.Flush();
+            return;
+        }
+        NoFolder(file);
+        using var whole = new WholeFile(file);
+        write(whole.Stream);
+        whole.Commit();
+    }
 
     /// <summary>Writes text in UTF-8.</summary>
     public void WriteText(string file, Action<TextWriter> write) => Write(file, stream =>

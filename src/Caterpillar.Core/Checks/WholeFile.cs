@@ -4,41 +4,62 @@ using System.IO;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// A file that is written whole or not at all: text goes to a temporary file beside it, which takes its name in <see cref="Commit"/>. Disposed before that, it leaves nothing behind
-/// and an older file as it was.
+/// A file that is written whole or not at all: bytes go to a temporary file beside it, which takes its name in <see cref="Commit"/>. Disposed before that, it leaves nothing behind
+/// and an older file as it was. A link stays a link to a file that is replaced, and the new file gets the rights of the older one. What is no regular file (a device, a pipe) is written directly.
 /// </summary>
 public sealed class WholeFile : IDisposable
 {
-    private readonly string _path;
-    private readonly string _temporary;
+    // Names may have 255 bytes.
+    private const int LongestName = 60;
+    private readonly string _target;
+    private readonly string? _temporary;
     private FileStream? _stream;
 
-    /// <exception cref="IOException">The folder is not there or cannot be written.</exception>
+    /// <exception cref="IOException">The folder is not there or cannot be written, or the path is a folder.</exception>
     /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
     public WholeFile(string path)
     {
-        _path = Path.GetFullPath(path ?? throw new ArgumentNullException(nameof(path)));
-        if (Directory.Exists(_path)) throw new IOException($"{path} is a folder.");
-        _temporary = Path.Combine(Path.GetDirectoryName(_path)!, "." + Path.GetFileName(_path) + "." + Path.GetRandomFileName());
-        _stream = new FileStream(_temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, 1 << 16);
+        _target = FileLinks.Target(Path.GetFullPath(path ?? throw new ArgumentNullException(nameof(path))));
+        if (Directory.Exists(_target)) throw new IOException($"{path} is a folder, not a file.");
+        _stream = FileLinks.Special(_target);
+        if (_stream is not null) return;
+        var name = Path.GetFileName(_target);
+        if (name.Length > LongestName) name = name.Substring(0, LongestName);
+        _temporary = Path.Combine(Path.GetDirectoryName(_target)!, "." + name + "." + Path.GetRandomFileName());
+        _stream = FileLinks.Create(_temporary, _target);
     }
 
     public Stream Stream => _stream ?? throw new ObjectDisposedException(nameof(WholeFile));
 
     /// <summary>Puts the file in its place.</summary>
+    /// <exception cref="IOException">The disk is full, or the older file cannot be replaced; it is as it was.</exception>
+    /// <exception cref="UnauthorizedAccessException">The older file may not be replaced.</exception>
     public void Commit()
     {
-        Stream.Dispose();
+        try
+        {
+            Stream.Dispose();
+            if (_temporary is not null) FileLinks.Replace(_temporary, _target);
+        }
+        catch
+        {
+            Dispose();
+            throw;
+        }
         _stream = null;
-        if (File.Exists(_path)) File.Replace(_temporary, _path, null);
-        else File.Move(_temporary, _path);
     }
 
     public void Dispose()
     {
         if (_stream is null) return;
-        _stream.Dispose();
-        _stream = null;
-        File.Delete(_temporary);
+        try
+        {
+            _stream.Dispose();
+        }
+        finally
+        {
+            _stream = null;
+            if (_temporary is not null) File.Delete(_temporary);
+        }
     }
 }
