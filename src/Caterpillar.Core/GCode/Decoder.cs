@@ -93,7 +93,7 @@ public static class Decoder
         var told = new List<GCodeChunk>(head);
         // Binary G-code tells its end once it was begun.
         if ((tail ?? source.Tail()) is { } end) told.Add(end);
-        return Run(null, All(), axis, source.Done, name, options, progress, cancel, told, source.Notes);
+        return Run(null, All(), axis, source.Done, name, options, progress, cancel, told, source.Notes, () => source.PackedTail(cancel));
     }
 
     private static Result<Decoding> Broken(InvalidDataException broken, string name)
@@ -101,9 +101,10 @@ public static class Decoder
 
     private static Result<Decoding> Run(
         GCodeDocument? document, IEnumerable<GCodeChunk> chunks, ExtrusionAxis axis, Func<long, double> share, string name, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel,
-        IReadOnlyList<GCodeChunk> told, Func<IReadOnlyList<Diagnostic>> notes)
+        IReadOnlyList<GCodeChunk> told, Func<IReadOnlyList<Diagnostic>> notes, Func<GCodeChunk?>? late = null)
     {
         Detection? detected = options.Dialect is null ? DialectDetector.Detect(told, axis) : null;
+        if (detected is { IsDefault: true } && late?.Invoke() is { } end) detected = DialectDetector.Detect([.. told, end], axis);
         var rules = options.Dialect ?? detected!.Value.Dialect;
         var core = new DecoderCore(rules, options.Rule, axis);
         var lines = 0;

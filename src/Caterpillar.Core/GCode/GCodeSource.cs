@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Threading;
 using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
@@ -14,6 +15,7 @@ internal sealed class GCodeSource : IDisposable
     private readonly BinaryGCodeStream? _binary;
     private readonly bool _wide;
     private readonly long _length;
+    private readonly long _start;
 
     /// <exception cref="IOException">The stream cannot be read.</exception>
     /// <exception cref="InvalidDataException">It begins with broken gzip data.</exception>
@@ -21,6 +23,7 @@ internal sealed class GCodeSource : IDisposable
     {
         _stream = stream;
         _length = stream.CanSeek ? stream.Length : 0;
+        _start = stream.CanSeek ? stream.Position : 0;
         var text = GzipReader.Open(stream, true);
         _gzip = text as GzipReader;
         var head = new byte[4];
@@ -58,6 +61,35 @@ internal sealed class GCodeSource : IDisposable
         var count = ReadStream.Fill(_stream, bytes, 0, TailLength);
         _stream.Position = position;
         return new GCodeChunk(bytes, 0, count);
+    }
+
+    /// <summary>The end of text that is packed with gzip, for which all of it is unpacked once more; null where that cannot be done.</summary>
+    /// <exception cref="InvalidDataException">The data is cut off or damaged.</exception>
+    public GCodeChunk? PackedTail(CancellationToken cancel)
+    {
+        if (_gzip is null || _binary is not null || _wide || !_stream.CanSeek) return null;
+        var position = _stream.Position;
+        try
+        {
+            _stream.Position = _start;
+            using var again = new GzipReader(_stream, true);
+            byte[] bytes = new byte[TailLength], before = new byte[TailLength];
+            int count, whole = 0;
+            while ((count = ReadStream.Fill(again, bytes, 0, TailLength)) == TailLength)
+            {
+                cancel.ThrowIfCancellationRequested();
+                (bytes, before) = (before, bytes);
+                whole = TailLength;
+            }
+            var tail = new byte[whole + count];
+            Buffer.BlockCopy(before, 0, tail, 0, whole);
+            Buffer.BlockCopy(bytes, 0, tail, whole, count);
+            return new GCodeChunk(tail, 0, tail.Length);
+        }
+        finally
+        {
+            _stream.Position = position;
+        }
     }
 
     /// <summary>How much is done after this many bytes of text: 0 to 1, or less than 0 where nobody knows.</summary>
