@@ -13,11 +13,11 @@ internal static class ChunkReader
     private const int FirstBuffer = 64 * 1024;
 
     // A line is in one piece of memory.
-    private const int LongestLine = 1 << 29;
+    public const int LongestLine = 1 << 29;
 
     /// <exception cref="IOException">The stream cannot be read.</exception>
-    /// <exception cref="InvalidDataException">A line is longer than 512 MB, or what is packed is broken.</exception>
-    public static IEnumerable<GCodeChunk> Read(Stream stream, int bufferSize, CancellationToken cancel)
+    /// <exception cref="InvalidDataException">A line is longer than <paramref name="longestLine"/> bytes, or what is packed is broken.</exception>
+    public static IEnumerable<GCodeChunk> Read(Stream stream, int bufferSize, CancellationToken cancel, int longestLine = LongestLine)
     {
         var buffer = new byte[Math.Min(bufferSize, stream.CanSeek ? stream.Length - stream.Position + 1 : FirstBuffer)];
         var count = 0;
@@ -30,15 +30,15 @@ internal static class ChunkReader
             var cut = last ? count : LastLineEnd(buffer, count);
             if (cut == 0 && !last)
             {
-                if (buffer.Length >= LongestLine) throw new InvalidDataException("A line is longer than 512 MB.");
-                Array.Resize(ref buffer, (int)Math.Min(buffer.Length * 2L, LongestLine));
+                if (buffer.Length >= longestLine) throw new InvalidDataException($"A line is longer than {NumberFormatter.Format(longestLine)} bytes.");
+                Array.Resize(ref buffer, (int)Math.Min(buffer.Length * 2L, longestLine));
                 continue;
             }
             chunks.Clear();
             GCodeDocument.Cut(buffer, cut, chunks);
             foreach (var chunk in chunks) yield return chunk;
             if (last) yield break;
-            var next = new byte[Math.Max(Math.Min(bufferSize, buffer.Length * 4L), Math.Min((count - cut) * 2L, LongestLine))];
+            var next = new byte[Math.Max(Math.Min(bufferSize, buffer.Length * 4L), Math.Min((count - cut) * 2L, longestLine))];
             Buffer.BlockCopy(buffer, cut, next, 0, count - cut);
             count -= cut;
             buffer = next;

@@ -25,7 +25,14 @@ public static class Decoder
         if (document is null) throw new ArgumentNullException(nameof(document));
         var axis = ExtrusionAxis.Detect(document.Chunks);
         var length = (double)document.Length;
-        return Run(document, document.Chunks, axis, done => done / length, document.Name, options ?? new DecodeOptions(), progress, cancel, document.Chunks, () => document.Notes);
+        try
+        {
+            return Run(document, document.Chunks, axis, done => done / length, document.Name, options ?? new DecodeOptions(), progress, cancel, document.Chunks, () => document.Notes);
+        }
+        catch (InvalidDataException tooLong)
+        {
+            return Broken(tooLong, document.Name);
+        }
     }
 
     /// <summary>Decodes bytes: plain, gzip, or binary G-code.</summary>
@@ -120,7 +127,7 @@ public static class Decoder
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
                 checkpoints?.Add(new Checkpoint(lines, core.Save()));
                 core.Run(parser, lines);
-                lines += parser.Lines;
+                lines = GCodeDocument.AddLines(lines, parser.Lines);
                 bytes = done;
                 if (progress is not null && share(done) is >= 0 and var part) progress.Report(part);
             },

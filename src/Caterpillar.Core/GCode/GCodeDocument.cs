@@ -30,7 +30,7 @@ public sealed class GCodeDocument
     /// <summary>Number of bytes (unpacked).</summary>
     public long Length { get; }
 
-    /// <summary>Number of lines; what follows the last line end counts as a line when it is not empty.</summary>
+    /// <summary>Number of lines (no more than 2147483647); what follows the last line end counts as a line when it is not empty.</summary>
     public int LineCount
     {
         get
@@ -109,8 +109,10 @@ public sealed class GCodeDocument
     }
 
     /// <summary>A copy of its bytes.</summary>
+    /// <exception cref="InvalidOperationException">They are more than an array can hold, 2 GB; <see cref="WriteTo"/> writes them.</exception>
     public byte[] ToBytes()
     {
+        if (Length > int.MaxValue - 64) throw new InvalidOperationException("The document is larger than 2 GB; write it to a stream.");
         var bytes = new byte[Length];
         var at = 0;
         foreach (var chunk in _chunks)
@@ -131,10 +133,15 @@ public sealed class GCodeDocument
         var known = Volatile.Read(ref _firstLines);
         if (known is not null) return known;
         var first = new int[_chunks.Length + 1];
-        for (var i = 0; i < _chunks.Length; i++) first[i + 1] = first[i] + _chunks[i].CountLines();
+        for (var i = 0; i < _chunks.Length; i++) first[i + 1] = AddLines(first[i], _chunks[i].CountLines());
         Volatile.Write(ref _firstLines, first);
         return first;
     }
+
+    /// <summary>A number of lines, which is an int.</summary>
+    /// <exception cref="InvalidDataException">It would be more.</exception>
+    internal static int AddLines(int lines, int more)
+        => lines <= int.MaxValue - more ? lines + more : throw new InvalidDataException("There are more than 2147483647 lines.");
 
     /// <summary>Cuts bytes into chunks behind line ends.</summary>
     internal static void Cut(byte[] bytes, int count, List<GCodeChunk> chunks)
