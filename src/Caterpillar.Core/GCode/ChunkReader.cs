@@ -21,6 +21,8 @@ internal static class ChunkReader
     {
         var buffer = new byte[Math.Min(bufferSize, stream.CanSeek ? stream.Length - stream.Position + 1 : FirstBuffer)];
         var count = 0;
+        // One more tells whether the line ends there.
+        var largest = longestLine + 1L;
         var chunks = new List<GCodeChunk>();
         while (true)
         {
@@ -30,15 +32,15 @@ internal static class ChunkReader
             var cut = last ? count : LastLineEnd(buffer, count);
             if (cut == 0 && !last)
             {
-                if (buffer.Length >= longestLine) throw new InvalidDataException($"A line is longer than {NumberFormatter.Format(longestLine)} bytes.");
-                Array.Resize(ref buffer, (int)Math.Min(buffer.Length * 2L, longestLine));
+                if (buffer.Length >= largest) throw new InvalidDataException($"A line is longer than {NumberFormatter.Format(longestLine)} bytes.");
+                Array.Resize(ref buffer, (int)Math.Min(buffer.Length * 2L, largest));
                 continue;
             }
             chunks.Clear();
             GCodeDocument.Cut(buffer, cut, chunks);
             foreach (var chunk in chunks) yield return chunk;
             if (last) yield break;
-            var next = new byte[Math.Max(Math.Min(bufferSize, buffer.Length * 4L), Math.Min((count - cut) * 2L, longestLine))];
+            var next = new byte[Math.Max(Math.Min(bufferSize, buffer.Length * 4L), Math.Min((count - cut) * 2L, largest))];
             Buffer.BlockCopy(buffer, cut, next, 0, count - cut);
             count -= cut;
             buffer = next;
