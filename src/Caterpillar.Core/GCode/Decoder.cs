@@ -125,7 +125,7 @@ public static class Decoder
             (parser, done) =>
             {
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
-                checkpoints?.Add(new Checkpoint(lines, core.Save()));
+                checkpoints?.Add(new Checkpoint(lines, core.Save(), core.LastEvents.Count));
                 core.Run(parser, lines);
                 lines = GCodeDocument.AddLines(lines, parser.Lines);
                 bytes = done;

@@ -134,9 +134,11 @@ internal sealed partial class DecoderCore
 
     private void Macro(byte[] text, ParsedLine line)
     {
-        var end = line.CodeStart;
-        while (end < line.CodeEnd && text[end] > ' ') end++;
-        var name = TextEncoding.Decode(text, line.CodeStart, Math.Min(end, line.CodeStart + 60)).ToUpperInvariant();
+        var start = line.CodeStart;
+        while (start < line.CodeEnd && text[start] <= ' ') start++;
+        var end = start;
+        while (end < line.CodeEnd && text[end] > ' ' && text[end] != '*') end++;
+        var name = TextEncoding.Decode(text, start, Math.Min(end, start + 60)).ToUpperInvariant();
         switch (name)
         {
             case "EXCLUDE_OBJECT_START":

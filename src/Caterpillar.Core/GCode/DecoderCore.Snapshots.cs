@@ -9,6 +9,8 @@ internal sealed partial class DecoderCore
     /// <summary>Columns of the moves of the last line read by <see cref="ReadLine"/>.</summary>
     public Toolpaths.ToolpathColumns LastMoves => _out.Columns;
 
+    public int ToolNumber => _tool;
+
     /// <summary>Events of the last line.</summary>
     public IReadOnlyList<Toolpaths.MoveEvent> LastEvents => _events;
 

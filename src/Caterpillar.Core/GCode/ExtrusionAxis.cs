@@ -31,14 +31,32 @@ internal sealed class ExtrusionAxis
 
     public bool Is(byte letter) => Letter == letter || (this == Both && (letter == 'A' || letter == 'B'));
 
+    // A G0 to G3, or words without any G, which repeat the last one.
+    private static bool Moves(ParsedLine line, ref double motion)
+    {
+        var other = false;
+        for (var i = 0; i < line.Count; i++)
+        {
+            if (line.Letters[i] != 'G' || !line.HasValue[i]) continue;
+            if (line.Values[i] is >= 0 and <= 3)
+            {
+                motion = line.Values[i];
+                return true;
+            }
+            other = true;
+        }
+        return !other && motion >= 0;
+    }
+
     /// <summary>
-    /// E when some G0 to G3 with an X or Y word has an E word; else A, B or A+B by the same test; else the switch when there is an M101 or M103. Chunks are read until an E is found.
+    /// E when some G0 to G3 with an X or Y word has an E word; else A, B or A+B by the same test; else the switch when there is an M101 or M103; else E when any G0 to G3 has one. Chunks are read until
+    /// the first is found.
     /// </summary>
     public static ExtrusionAxis Detect(IEnumerable<GCodeChunk> chunks)
     {
         var parser = new ChunkParser((byte)'E');
         var line = new ParsedLine();
-        bool a = false, b = false, switched = false;
+        bool a = false, b = false, e = false, switched = false;
         double motion = -1;
         var first = true;
         foreach (var chunk in chunks)
@@ -51,7 +69,9 @@ internal sealed class ExtrusionAxis
                 if (record.Op <= 1)
                 {
                     motion = record.Op;
-                    if ((record.Mask & ChunkParser.HasE) != 0 && (record.Mask & (ChunkParser.HasX | ChunkParser.HasY)) != 0) return E;
+                    if ((record.Mask & ChunkParser.HasE) == 0) continue;
+                    if ((record.Mask & (ChunkParser.HasX | ChunkParser.HasY)) != 0) return E;
+                    e = true;
                     continue;
                 }
                 if (record.Op != ChunkParser.Other) continue;
@@ -62,13 +82,14 @@ internal sealed class ExtrusionAxis
                     if (line.Values[0] is 101 or 103) switched = true;
                     continue;
                 }
-                if (line.TryGet('G', out var g)) motion = g;
-                if (!(motion is >= 0 and <= 3) || (line.Find('X') < 0 && line.Find('Y') < 0)) continue;
+                if (!Moves(line, ref motion)) continue;
+                e |= line.Find('E') >= 0;
+                if (line.Find('X') < 0 && line.Find('Y') < 0) continue;
                 if (line.Find('E') >= 0) return E;
                 if (line.Find('A') >= 0) a = true;
                 if (line.Find('B') >= 0) b = true;
             }
         }
-        return a && b ? Both : a ? A : b ? B : switched ? Switched : None;
+        return a && b ? Both : a ? A : b ? B : switched ? Switched : e ? E : None;
     }
 }

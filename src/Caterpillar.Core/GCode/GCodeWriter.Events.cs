@@ -119,12 +119,22 @@ public sealed partial class GCodeWriter
     {
         if (tool == _tool) return;
         var lines = _format.ToolLines?.Invoke(_tool, tool);
+        KeepRest(tool);
         _tool = tool;
         if (lines is { Count: > 0 }) TemplateLines(lines);
         else StateTool(tool);
         if (_rules.SharedE) return;
         if (!_sums.TryGetValue(tool, out var sum)) _sums.Add(tool, sum = new ExtruderSum());
         _sum = sum;
+    }
+
+    // What rounding has left of E belongs to its tool, also where the tools share a position.
+    private void KeepRest(int next)
+    {
+        if (!_rules.SharedE) return;
+        var written = NumberFormatter.FromUnits(_sum.Written, _format.DecimalsE);
+        _rests[_tool] = _sum.Wanted - written;
+        _sum.Wanted = _rests.TryGetValue(next, out var rest) ? written + rest : written;
     }
 
     private void StateTool(int tool)

@@ -28,6 +28,7 @@ public sealed partial class GCodeWriter
     private readonly bool _relative;
     private readonly bool _switches;
     private readonly Dictionary<int, ExtruderSum> _sums = [];
+    private readonly Dictionary<int, double> _rests = [];
     private readonly long _largestSum;
     private ExtruderSum _sum = new();
     private long _x;
@@ -109,6 +110,8 @@ public sealed partial class GCodeWriter
         var first = _toolpath.FirstOf(block);
         for (var i = 0; i < columns.Count; i++)
         {
+            // The event of a dwell is the dwell: its layer and tool come first.
+            if (columns.Kind[i] == MoveKind.Dwell && columns.Layer[i] != _layer) Layer(columns.Layer[i]);
             Events(first + i);
             Move(columns, block, i);
             if (_out.Count > 1 << 20) Flush(stream);

@@ -170,7 +170,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         var says = word >= 0 ? _line.Values[word] * unit : state.Feed;
         if (Math.Abs(says - feed) <= 1e-9 * feed && (word < 0 || MayStay(text, word))) return;
         if (word < 0 && Math.Abs(says - feed) <= style.FeedTolerance) return;
-        var decimals = style.LimitF ?? Math.Max(style.DecimalsF, word >= 0 ? Math.Min(Own(text, _line, word), 9) : 0);
+        var decimals = Decimals(style.LimitF ?? Math.Max(style.DecimalsF, word >= 0 ? Math.Min(Own(text, _line, word), 9) : 0), unit);
         if (word >= 0) Replace(word, feed / unit, decimals);
         else Insert((byte)'F', feed / unit, decimals);
     }

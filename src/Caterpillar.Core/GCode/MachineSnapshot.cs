@@ -49,5 +49,5 @@ internal sealed class MachineSnapshot
     private static bool Near(double a, double b) => System.Math.Abs(a - b) <= 1e-9;
 }
 
-/// <summary>The state before a chunk of the document, and how many lines are before it.</summary>
-internal readonly record struct Checkpoint(int Line, MachineSnapshot State);
+/// <summary>The state before a chunk of the document, and how many lines and events are before it.</summary>
+internal readonly record struct Checkpoint(int Line, MachineSnapshot State, int Events);

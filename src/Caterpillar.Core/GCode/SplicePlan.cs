@@ -9,6 +9,7 @@ internal sealed class SplicePlan
 {
     private readonly Checkpoint[] _checkpoints;
     private readonly bool[] _dirty;
+    private readonly Dictionary<PrinterEvent, int> _places = new(ReferenceComparer.Instance);
 
     private SplicePlan(Checkpoint[] checkpoints)
     {
@@ -19,8 +20,13 @@ internal sealed class SplicePlan
     /// <summary>False where the moves are in another order than their lines.</summary>
     public bool InOrder { get; private set; } = true;
 
-    /// <summary>Events that are not in the file.</summary>
-    public List<MoveEvent> NewEvents { get; } = [];
+    /// <summary>The events of the edited toolpath, and of each whether it is not in the file.</summary>
+    public IReadOnlyList<MoveEvent> Events { get; private set; } = [];
+
+    public bool[] IsNew { get; private set; } = [];
+
+    /// <summary>Where an event of the file stands among <see cref="Events"/>; −1 where it is gone.</summary>
+    public int PlaceOf(PrinterEvent what) => _places.TryGetValue(what, out var place) ? place : -1;
 
     public bool IsDirty(int chunk) => _dirty[chunk];
 
@@ -39,11 +45,14 @@ internal sealed class SplicePlan
         var plan = new SplicePlan(decoding.Checkpoints);
         var known = new HashSet<PrinterEvent>(ReferenceComparer.Instance);
         foreach (var old in decoding.Toolpath.Events) known.Add(old.Event);
-        foreach (var now in edited.Events)
+        plan.Events = edited.Events;
+        plan.IsNew = new bool[edited.Events.Count];
+        for (var i = 0; i < plan.IsNew.Length; i++)
         {
-            if (known.Contains(now.Event)) continue;
-            plan.NewEvents.Add(now);
-            plan.MarkMove(edited, now.Move);
+            var now = edited.Events[i];
+            plan.IsNew[i] = !known.Contains(now.Event);
+            if (plan.IsNew[i]) plan.MarkMove(edited, now.Move);
+            else plan._places[now.Event] = i;
         }
         if (!ReferenceEquals(decoding.Toolpath, edited)) plan.Compare(decoding.Toolpath, edited);
         return plan;
@@ -182,9 +191,18 @@ internal sealed class MoveCursor
         {
             var last = Columns.Source[Columns.Count - 1];
             if (last >= 0 && last < line) NextBlock();
-            else if (Source < line) Next();
+            else if (Source < line && LeadsTo() < line) Next();
             else return;
         }
+    }
+
+    /// <summary>The line of the next move that has one, or the largest number.</summary>
+    public int LeadsTo()
+    {
+        if (!Valid || Source >= 0) return Valid ? Source : int.MaxValue;
+        var ahead = Clone();
+        while (ahead.Valid && ahead.Source < 0) ahead.Next();
+        return ahead.Valid ? ahead.Source : int.MaxValue;
     }
 
     public Wanted Wanted() => new(Columns, Index);

@@ -124,7 +124,9 @@ internal sealed partial class Splicer
         }
         var length = retract ? -_target.RetractionLength : _target.RetractionLength;
         StateE(new Wanted { E = length });
-        var value = _now.IsRelativeE ? length : _now.Save().E + length;
-        return ["G1 " + (char)_extruder + Text(value) + " F" + Text(_target.RetractionSpeed * 60) + comment];
+        var now = _now.Save();
+        var unit = now.Inches ? 25.4 : 1;
+        var value = _now.IsRelativeE ? length : now.E + length;
+        return ["G1 " + (char)_extruder + Text(value, unit) + " F" + Text(_target.RetractionSpeed * 60 / now.FeedFactor, unit) + comment];
     }
 }

@@ -13,63 +13,92 @@ internal sealed partial class Splicer
     private readonly List<CommentLine> _comments = [];
     private readonly CutComments _cut = new();
     private MoveCursor _cursor = null!;
-    private List<MoveEvent> _events = [];
+    private SplicePlan _plan = null!;
+    private int _read;
     private int _nextEvent;
-    private readonly List<Wanted> _inserted = [];
+    // What the line has to do: moves of its own, and moves and events that are put in front of them.
+    private readonly List<SpliceTask> _tasks = [];
 
-    // Collects what the line has to do, and in front of it what is put in.
+    private int _own;
+
     private void Take(int moves)
     {
-        _wanted.Clear();
+        _tasks.Clear();
+        _own = 0;
         if (_target is not null)
         {
-            for (var i = 0; i < moves; i++) _wanted.Add(new Wanted(_in.LastMoves, i) with { Arc = moves == 1 ? _in.LastArc : null });
+            for (var i = 0; i < moves; i++) Own(new Wanted(_in.LastMoves, i) with { Arc = moves == 1 ? _in.LastArc : null });
             return;
         }
         // Moves whose line made none here would hold up all others.
-        while (_cursor.Valid && _cursor.Source >= 0 && _cursor.Source < _number) _cursor.Next();
-        while (_cursor.Valid && (_cursor.Source == _number || (_cursor.Source < 0 && _wanted.Count == 0 && LeadsTo(_number))))
+        while (_cursor.Valid && _cursor.Source < _number && _cursor.LeadsTo() < _number) _cursor.Next();
+        while (_cursor.Valid && _cursor.LeadsTo() == _number)
         {
-            if (_cursor.Source < 0) _inserted.Add(_cursor.Wanted());
-            else _wanted.Add(_cursor.Wanted());
             NewEvents(_cursor.Number);
+            if (_cursor.Source < 0) _tasks.Add(new SpliceTask(null, _cursor.Wanted(), false));
+            else Own(_cursor.Wanted());
             _cursor.Next();
         }
     }
 
-    // True when the moves put in here stand in front of a move of this line.
-    private bool LeadsTo(int line)
+    private void Own(Wanted wanted)
     {
-        var ahead = _cursor.Clone();
-        while (ahead.Valid && ahead.Source < 0) ahead.Next();
-        return ahead.Valid && ahead.Source == line;
+        _own++;
+        _tasks.Add(new SpliceTask(null, wanted, true));
     }
 
     private void NewEvents(int move)
     {
-        for (; _nextEvent < _events.Count && _events[_nextEvent].Move <= move; _nextEvent++) _pendingEvents.Add(_events[_nextEvent].Event);
+        while (_nextEvent < _plan.Events.Count && _plan.Events[_nextEvent].Move <= move) NextEvent();
     }
 
-    private readonly List<PrinterEvent> _pendingEvents = [];
-
-    private void Inserted()
+    private void NextEvent()
     {
-        foreach (var what in _pendingEvents) Event(what);
-        _pendingEvents.Clear();
-        foreach (var wanted in _inserted) Fresh(wanted);
-        _inserted.Clear();
+        if (_plan.IsNew[_nextEvent]) _tasks.Add(new SpliceTask(_plan.Events[_nextEvent].Event, default, false));
+        _nextEvent++;
+    }
+
+    // What is put in before the events of this line.
+    private void TakeBeforeEvents(int count)
+    {
+        _tasks.Clear();
+        if (_target is not null) return;
+        for (var i = 0; i < count; i++)
+        {
+            var place = _plan.PlaceOf(_decoding.Toolpath.Events[_read + i].Event);
+            if (place < 0) continue;
+            for (; _cursor.Valid && _cursor.Source < 0 && _cursor.Number < _plan.Events[place].Move; _cursor.Next())
+            {
+                NewEvents(_cursor.Number);
+                _tasks.Add(new SpliceTask(null, _cursor.Wanted(), false));
+            }
+            while (_nextEvent < place) NextEvent();
+        }
+        Put(_tasks.Count);
+    }
+
+    // Lines of their own for the tasks up to the one for which the line itself may do.
+    private void Put(int count)
+    {
+        for (var i = 0; i < count; i++)
+        {
+            if (_tasks[i].Event is { } what) Event(what);
+            else Fresh(_tasks[i].Wanted);
+        }
     }
 
     // What is put in behind the last move of the file.
     private void End()
     {
+        _tasks.Clear();
         for (; _target is null && _cursor.Valid; _cursor.Next())
         {
-            if (_cursor.Source < 0) _inserted.Add(_cursor.Wanted());
+            NewEvents(_cursor.Number);
+            if (_cursor.Source < 0) _tasks.Add(new SpliceTask(null, _cursor.Wanted(), false));
         }
         NewEvents(int.MaxValue);
-        if (_pendingEvents.Count > 0 || _inserted.Count > 0) _text.CloseLine();
-        Inserted();
+        if (_tasks.Count > 0) _text.CloseLine();
+        Put(_tasks.Count);
     }
 
     private void Event(PrinterEvent what)
@@ -144,7 +173,7 @@ internal sealed partial class Splicer
         }
         var code = wanted.Arc is { } turn ? (turn.Sweep < 0 ? "G2" : "G3") : wanted.Kind == MoveKind.Travel && _style.TravelsByG0 ? "G0" : "G1";
         var bytes = Encoding.ASCII.GetBytes(_style.LowerCase ? code.ToLowerInvariant() : code);
-        _rewriter.Rewrite(bytes, 0, bytes.Length, wanted, before, Code(wanted), _now.IsRelativeE, _owed, false);
+        _rewriter.Rewrite(bytes, 0, bytes.Length, wanted, before, Code(wanted), _now.IsRelativeE, Owed, false);
         // Nothing but the command: no printed change.
         if (_rewriter.Count <= bytes.Length) return;
         _now.ReadLine(_rewriter.Bytes, 0, _rewriter.Count, out _);
@@ -179,3 +208,6 @@ internal sealed partial class Splicer
         return !_now.Strokes || _axis == ExtrusionAxis.Switched || wanted.Kind == MoveKind.Print;
     }
 }
+
+/// <summary>Something that a line has to do: an event, or a move, which may be the line's own.</summary>
+internal readonly record struct SpliceTask(Toolpaths.PrinterEvent? Event, Wanted Wanted, bool IsOwn);

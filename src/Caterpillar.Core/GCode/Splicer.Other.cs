@@ -20,6 +20,13 @@ internal sealed partial class Splicer
         }
         var before = _now.Save();
         var moves = _now.ReadLine(text, start, end, out var commands);
+        // A tool that worked already here, and no longer does behind one that was put in, is not to be taken.
+        if (_target is null && _in.LastEvents.Count == 0 && _now.LastEvents.Count > 0)
+        {
+            _now.Restore(before);
+            _text.Dropped(_line);
+            return;
+        }
         if (_target is not null && !MeansTheSame(moves, commands))
         {
             _now.Restore(before);
@@ -86,12 +93,13 @@ internal sealed partial class Splicer
         var now = _now.Save();
         var unit = now.Inches ? 25.4 : 1;
         var line = "G92";
-        if (x) line += " X" + Text((now.X + now.ShiftX - file.ShiftX) / unit);
-        if (y) line += " Y" + Text((now.Y + now.ShiftY - file.ShiftY) / unit);
-        if (z) line += " Z" + Text((now.Z + now.ShiftZ - file.ShiftZ) / unit);
-        if (e && _extruder != 0) line += " " + (char)_extruder + Text(file.E * (_target?.Factor(now.Tool) ?? 1) / unit);
+        if (x) line += " X" + Text(now.X + now.ShiftX - file.ShiftX, unit);
+        if (y) line += " Y" + Text(now.Y + now.ShiftY - file.ShiftY, unit);
+        if (z) line += " Z" + Text(now.Z + now.ShiftZ - file.ShiftZ, unit);
+        if (e && _extruder != 0) line += " " + (char)_extruder + Text(file.E * (_target?.Factor(now.Tool) ?? 1), unit);
         return line;
     }
 
-    private static string Text(double value) => NumberFormatter.Format(value, 6);
+    // An inch is coarser.
+    private static string Text(double value, double unit = 1) => NumberFormatter.Format(value / unit, unit > 1 ? 8 : 6);
 }

@@ -62,12 +62,12 @@ internal sealed partial class Splicer
         now = _now.Save();
         var place = new Vec3(wanted.X + wanted.ShiftX, wanted.Y + wanted.ShiftY, wanted.Z + wanted.ShiftZ);
         if (wanted.Started && place != new Vec3(now.X + now.ShiftX, now.Y + now.ShiftY, now.Z + now.ShiftZ))
-            Command("G0 X" + Text((place.X - now.ShiftX) / unit) + " Y" + Text((place.Y - now.ShiftY) / unit) + " Z" + Text((place.Z - now.ShiftZ) / unit));
+            Command("G0 X" + Text(place.X - now.ShiftX, unit) + " Y" + Text(place.Y - now.ShiftY, unit) + " Z" + Text(place.Z - now.ShiftZ, unit));
         if (wanted.ShiftX != now.ShiftX || wanted.ShiftY != now.ShiftY || wanted.ShiftZ != now.ShiftZ)
-            Command("G92 X" + Text(wanted.X / unit) + " Y" + Text(wanted.Y / unit) + " Z" + Text(wanted.Z / unit));
+            Command("G92 X" + Text(wanted.X, unit) + " Y" + Text(wanted.Y, unit) + " Z" + Text(wanted.Z, unit));
         Command(wanted.Relative ? "G91" : "G90");
         if (_extruder != 0 && _rules.RelativeE != RelativeERule.OnlyG90G91) Command(wanted.M83 || (_rules.RelativeE == RelativeERule.LastWins && wanted.LastRelative) ? "M83" : "M82");
-        if (_extruder != 0 && !_now.IsRelativeE) Command("G92 " + (char)_extruder + Text(wanted.E / unit));
+        if (_extruder != 0 && !_now.IsRelativeE) Command("G92 " + (char)_extruder + Text(wanted.E, unit));
         if (wanted.Feed > 0 && wanted.Feed != _now.Save().Feed) State("G1", 'F', wanted.Feed / unit, _style.DecimalsF);
     }
 }

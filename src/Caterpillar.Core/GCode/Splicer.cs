@@ -26,11 +26,10 @@ internal sealed partial class Splicer
     private readonly byte _extruder;
     private readonly LineRewriter _rewriter;
     private readonly ParsedLine _line = new();
-    private readonly List<Wanted> _wanted = [];
     private readonly SplicedText _text;
     private readonly double _tolerance;
     private readonly double _toleranceE;
-    private double _owed;
+    private readonly Dictionary<int, double> _owedByTool = [];
     private int _number;
 
     public Splicer(Decoding decoding, ConvertTarget? target, Stream stream)
@@ -59,7 +58,7 @@ internal sealed partial class Splicer
     public void Run(Toolpath edited, SplicePlan plan, IProgress<double>? progress, CancellationToken cancel)
     {
         _cursor = new MoveCursor(edited);
-        _events = plan.NewEvents;
+        _plan = plan;
         var synced = true;
         for (var chunk = 0; chunk < _document.Chunks.Count; chunk++)
         {
@@ -75,6 +74,7 @@ internal sealed partial class Splicer
             {
                 var next = chunk + 1 < _document.Chunks.Count ? _decoding.Checkpoints[chunk + 1].Line : int.MaxValue;
                 _cursor.SkipTo(lines + 1);
+                _read = _decoding.Checkpoints[chunk].Events;
                 if (synced)
                 {
                     _in.Restore(_decoding.Checkpoints[chunk].State);
@@ -120,9 +120,11 @@ internal sealed partial class Splicer
     {
         if (_number == _firstKept) Begin();
         var moves = _in.ReadLine(text, start, end, out var commands);
+        var events = _in.LastEvents.Count;
         if (_number < _firstKept || _number > _lastKept)
         {
             _cursor.SkipTo(_number + 1);
+            _read += events;
             return;
         }
         if (moves == 0 && commands == 0)
@@ -134,11 +136,14 @@ internal sealed partial class Splicer
                 return;
             }
             FlushComments(true);
+            if (events > 0) TakeBeforeEvents(events);
+            _read += events;
             Other(text, start, end, next);
             return;
         }
+        _read += events;
         Take(moves);
-        if (moves > 0 && _wanted.Count == 0 && !IsHome())
+        if (moves > 0 && _own == 0 && !IsHome())
         {
             FlushComments(false);
             Removed(text, start, end);
@@ -146,11 +151,11 @@ internal sealed partial class Splicer
         }
         RestoreComments();
         FlushComments(true);
-        Inserted();
+        var single = _own == 1 && _tasks[_tasks.Count - 1].IsOwn;
+        Put(_own <= 1 && (single || _own == 0) ? _tasks.Count - _own : commands == 0 ? 0 : _tasks.Count);
         if (commands == 0) Other(text, start, end, next);
-        else if (_wanted.Count == 1) One(text, start, end, next, _wanted[0]);
-        else if (_wanted.Count == 0) NoMove(text, start, end, next);
-        else foreach (var wanted in _wanted) Fresh(wanted);
+        else if (single) One(text, start, end, next, _tasks[_tasks.Count - 1].Wanted);
+        else if (_own == 0) NoMove(text, start, end, next);
     }
 
     // One move: the line as it is, the line behind a line of state, or the line with other words.
@@ -187,7 +192,7 @@ internal sealed partial class Splicer
             Instead(text, start, end, wanted);
             return;
         }
-        _rewriter.Rewrite(text, start, end, wanted, before, Code(wanted), _now.IsRelativeE, _owed, Anew);
+        _rewriter.Rewrite(text, start, end, wanted, before, Code(wanted), _now.IsRelativeE, Owed, Anew);
         _now.ReadLine(_rewriter.Bytes, 0, _rewriter.Count, out _);
         if (!IsDone(wanted))
         {
@@ -257,7 +262,7 @@ internal sealed partial class Splicer
         var sameSpeed = original.Count == 1 && Math.Abs(original.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed;
         if (sameSpeed && wanted.Speed > 0 && _line.Find('F') < 0 && Math.Abs(wanted.Speed - before.Speed) > 1e-9 * wanted.Speed)
         {
-            State(before.Motion == 0 ? "G0" : "G1", 'F', wanted.Speed * 60 / before.FeedFactor / (before.Inches ? 25.4 : 1), _style.DecimalsF);
+            State(before.Motion == 0 ? "G0" : "G1", 'F', wanted.Speed * 60 / before.FeedFactor / (before.Inches ? 25.4 : 1), _style.DecimalsF + (before.Inches ? 2 : 0));
             done = true;
         }
         if (done) before = _now.Save();
@@ -268,7 +273,7 @@ internal sealed partial class Splicer
     {
         if (_now.ReadLine(text, start, end, out _) != 1) return false;
         var c = _now.LastMoves;
-        var owed = _target is null ? 0 : _owed;
+        var owed = _target is null ? 0 : Owed;
         return EndsRight(wanted) && Math.Abs(c.E[0] - wanted.E - owed) <= _toleranceE && (!(wanted.Speed > 0) || Math.Abs(c.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed)
             && (!_now.Strokes || c.Kind[0] == MoveKind.Print == (wanted.Kind == MoveKind.Print));
     }
@@ -309,14 +314,16 @@ internal sealed partial class Splicer
         return x.Plane == y.Plane && off.Length <= 2 * _tolerance && Math.Abs(x.Sweep - y.Sweep) < 1;
     }
 
-    // What rounding left of E; carried on to the next line that is written anew.
+    private double Owed => _owedByTool.TryGetValue(_now.ToolNumber, out var owed) ? owed : 0;
+
+    // What rounding left of the tool's E; carried on to the next line that is written anew.
     private void Owe(Wanted wanted)
     {
         var c = _now.LastMoves;
         if (_extruder == 0) return;
         var made = c.Count == 1 ? c.E[0] : 0;
-        _owed += wanted.E - made;
-        if (Math.Abs(_owed) > 1) _owed = 0;
+        var owed = Owed + wanted.E - made;
+        _owedByTool[_now.ToolNumber] = Math.Abs(owed) > 1 ? 0 : owed;
     }
 
     // A motion command that moves nothing: it may set F; where it would move now, only that stays.

@@ -7,6 +7,7 @@ internal static class MappedMoves
     {
         var all = new bool[toolpath.Count];
         for (var i = 0; i < all.Length; i++) all[i] = true;
+        Stay(toolpath, all);
         return all;
     }
 
@@ -22,7 +23,7 @@ internal static class MappedMoves
         foreach (var move in toolpath.Moves())
         {
             chosen[move.Index] = filter.Matches(toolpath, move);
-            inPlace[move.Index] = move.Arc is null && move.Start == move.End;
+            inPlace[move.Index] = move.IsInPlace;
             strands[move.Index] = move.Kind is MoveKind.Print or MoveKind.Wipe or MoveKind.MovingRestore;
         }
         var mapped = new bool[toolpath.Count];
@@ -36,6 +37,20 @@ internal static class MappedMoves
         }
         for (var i = 1; i < mapped.Length; i++) mapped[i] |= inPlace[i] && mapped[i - 1];
         for (var i = mapped.Length - 2; i >= 0; i--) mapped[i] |= inPlace[i] && mapped[i + 1];
+        Stay(toolpath, mapped);
         return mapped;
+    }
+
+    /// <summary>Unmaps ways home, which go where the switches are, and what is done in place where no travel leads to the strand that follows.</summary>
+    public static void Stay(Toolpath toolpath, bool[] mapped)
+    {
+        var stays = false;
+        foreach (var move in toolpath.Moves())
+        {
+            if (toolpath.HomeOf(move) is not null) mapped[move.Index] = false;
+            else if (stays && mapped[move.Index] && move.IsInPlace) mapped[move.Index] = false;
+            var leads = move.Index == 0 || mapped[move.Index] || (move.Kind != MoveKind.Print && toolpath.HomeOf(move) is null && !move.IsInPlace);
+            stays = !leads;
+        }
     }
 }

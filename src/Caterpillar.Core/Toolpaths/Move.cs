@@ -18,6 +18,9 @@ namespace Caterpillar.Toolpaths;
 public readonly record struct Move(
     int Index, Vec3 Start, Vec3 End, double E, double Deposited, double Speed, MoveKind Kind, Role Role, int Layer, int Tool, int Source, Arc? Arc)
 {
+    /// <summary>True when the head stays where it is.</summary>
+    internal bool IsInPlace => Arc is null && Start.DistanceTo(End) <= 1e-9;
+
     /// <summary>Length of the way of the head, mm.</summary>
     public double Length => Arc is { } arc ? arc.Length(Start, End) : Start.DistanceTo(End);
 }

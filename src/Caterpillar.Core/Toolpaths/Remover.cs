@@ -32,7 +32,7 @@ internal sealed class Remover(Toolpath toolpath, Func<Move, bool> removes)
             if (!cuts)
             {
                 for (var i = first; i < first + count; i++) Kept(toolpath[i]);
-                Events(first + count);
+                Events(first + count, first);
                 _blocks.Add(toolpath.Blocks[block]);
                 _made += count;
                 continue;
@@ -59,11 +59,14 @@ internal sealed class Remover(Toolpath toolpath, Func<Move, bool> removes)
         {
             Of(move.Tool).Before(move);
             Speeds(move);
-            Events(move.Index, move.Kind == MoveKind.Dwell);
+            if (move.Kind == MoveKind.Dwell) TakeDwell(move.Index);
+            else Events(move.Index);
             return;
         }
+        var dwell = move.Kind == MoveKind.Dwell ? TakeDwell(move.Index) : null;
         Events(move.Index);
         Mend(move);
+        if (dwell is not null) _events.Add(new MoveEvent(_made, dwell));
         Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move, move.Source, move.Arc);
         _editor!.Turn(toolpath.Blocks[block].Columns, i);
         Kept(move);
@@ -101,7 +104,7 @@ internal sealed class Remover(Toolpath toolpath, Func<Move, bool> removes)
     private void Travel(Move move)
     {
         var to = move.Start;
-        if (to == _position) return;
+        if (to.DistanceTo(_position) <= NoChange) return;
         var speed = _travelSpeed > 0 ? _travelSpeed : move.Speed;
         // Up before across, across before down.
         var corner = to.Z > _position.Z ? _position.WithZ(to.Z) : to.WithZ(_position.Z);
@@ -129,14 +132,27 @@ internal sealed class Remover(Toolpath toolpath, Func<Move, bool> removes)
         _made++;
     }
 
-    private void Events(int before, bool withoutDwell = false)
+    // Events up to a move; those of a block that is kept whole stay at their moves.
+    private void Events(int before, int first = int.MaxValue)
     {
         for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move <= before; _nextEvent++)
         {
             var what = toolpath.Events[_nextEvent];
-            if (withoutDwell && what.Move == before && what.Event is DwellEvent) continue;
-            _events.Add(new MoveEvent(_made, what.Event));
+            _events.Add(new MoveEvent(_made + Math.Max(what.Move - first, 0), what.Event));
         }
+    }
+
+    // The event of a dwell goes where the dwell goes.
+    private DwellEvent? TakeDwell(int move)
+    {
+        DwellEvent? dwell = null;
+        Events(move - 1);
+        for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move == move; _nextEvent++)
+        {
+            if (dwell is null && toolpath.Events[_nextEvent].Event is DwellEvent taken) dwell = taken;
+            else _events.Add(new MoveEvent(_made, toolpath.Events[_nextEvent].Event));
+        }
+        return dwell;
     }
 
     private Balance Of(int tool)

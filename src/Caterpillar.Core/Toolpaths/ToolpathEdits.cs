@@ -77,6 +77,8 @@ public static class ToolpathEdits
         var events = toolpath.Events.ToList();
         var at = events.FindIndex(e => e.Move > move);
         if (at < 0) at = events.Count;
+        // A dwell or a way home is its event: what is put in front of the move comes in front of both.
+        while (at > 0 && events[at - 1].Move == move && events[at - 1].Event is DwellEvent or HomeEvent && move < toolpath.Count && IsOf(toolpath, toolpath[move], events[at - 1].Event)) at--;
         var next = events.Skip(at).Where(e => e.Event is ToolEvent).Select(e => (int?)e.Move).FirstOrDefault() ?? toolpath.Count;
         events.Insert(at, new MoveEvent(move, what));
         return (what is ToolEvent { Tool: >= 0 } tool ? new Retooler(toolpath, move, next, tool.Tool).Run() : toolpath).WithEvents(events);
@@ -96,6 +98,8 @@ public static class ToolpathEdits
         }
         return toolpath;
     }
+
+    private static bool IsOf(Toolpath toolpath, Move move, PrinterEvent what) => what is DwellEvent ? move.Kind == MoveKind.Dwell : toolpath.HomeOf(move) is not null;
 
     private static Toolpath Change(Toolpath toolpath, MoveFilter filter, Action<ToolpathColumns, int> change)
     {

@@ -27,18 +27,13 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
     public Toolpath Run(Vec3 start)
     {
         _position = start;
-        // Homing goes where the switches are.
-        foreach (var what in toolpath.Events)
-        {
-            if (what.Event is HomeEvent && what.Move < mapped.Length && toolpath.HomeOf(toolpath[what.Move]) is not null) mapped[what.Move] = false;
-        }
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
             var first = toolpath.FirstOf(block);
             var count = toolpath.Blocks[block].Count;
             if (_run is null && _position == toolpath.StartOf(block) && !IsTouched(first, count))
             {
-                Events(first + count);
+                Events(first + count, first);
                 _blocks.Add(toolpath.Blocks[block]);
                 _made += count;
                 _position = toolpath[first + count - 1].End;
@@ -66,7 +61,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         return LeadsToRun(toolpath[first + count - 1]);
     }
 
-    private bool LeadsToRun(Move move) => !mapped[move.Index] && move.Index + 1 < mapped.Length && mapped[move.Index + 1] && move.Kind != MoveKind.Print;
+    private bool LeadsToRun(Move move) => !mapped[move.Index] && move.Index + 1 < mapped.Length && mapped[move.Index + 1] && move.Kind != MoveKind.Print && !move.IsInPlace;
 
     private void Step(Move move)
     {
@@ -111,7 +106,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         if (arc is not null && _position != run.Points[piece]) arc = null;
         if (move.Kind == MoveKind.Print && move.Length > 0)
             deposited = move.Deposited / move.Length * run.Flows[piece] * (arc?.Length(_position, to) ?? _position.DistanceTo(to));
-        Add(move, to, move.E * share + (deposited - move.Deposited * share), deposited, run.Speeds[piece], arc);
+        Add(move, to, deposited + Rest(move, share, piece == 0 || run.Moves[piece - 1] != move.Index), deposited, run.Speeds[piece], arc);
     }
 
     // Its start or end may have gone with a strand. What goes straight up or down still does.
@@ -129,8 +124,15 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
             var to = k == chords ? end : move.Arc!.Value.PointAt(move.Start, move.End, (double)k / chords);
             var deposited = move.Deposited / chords;
             if (move.Kind == MoveKind.Print && move.Length > 0) deposited = move.Deposited / move.Length * _position.DistanceTo(to);
-            Add(move, to, move.E / chords + (deposited - move.Deposited / chords), deposited, move.Speed, null);
+            Add(move, to, deposited + Rest(move, 1.0 / chords, k == 1), deposited, move.Speed, null);
         }
+    }
+
+    // The part of E that is not deposited: a strand that restores does so first; what only pulls or restores does it all along.
+    private static double Rest(Move move, double share, bool isFirst)
+    {
+        var rest = move.E - move.Deposited;
+        return move.Deposited == 0 ? rest * share : isFirst ? rest : 0;
     }
 
     private void Add(Move move, Vec3 end, double e, double deposited, double speed, Arc? arc)
@@ -140,9 +142,10 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         _made++;
     }
 
-    private void Events(int before)
+    // Events up to a move; those of a block that is shared stay at their moves.
+    private void Events(int before, int first = int.MaxValue)
     {
         for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move <= before; _nextEvent++)
-            _events.Add(new MoveEvent(_made, toolpath.Events[_nextEvent].Event));
+            _events.Add(new MoveEvent(_made + Math.Max(toolpath.Events[_nextEvent].Move - first, 0), toolpath.Events[_nextEvent].Event));
     }
 }

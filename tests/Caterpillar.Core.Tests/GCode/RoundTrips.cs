@@ -34,13 +34,15 @@ internal static class RoundTrips
     }
 
     /// <summary>The whole toolpath written by the writer that knows no document.</summary>
-    public static string? Written(Decoding decoding, bool relative)
+    public static string? Written(Decoding decoding, bool relative) => Written(decoding, decoding.Toolpath, relative);
+
+    /// <summary>An edited toolpath of a file, in its dialect.</summary>
+    public static string? Written(Decoding decoding, Toolpath toolpath, bool relative)
     {
-        var toolpath = decoding.Toolpath;
         var format = new GCodeFormat { Dialect = decoding.Dialect, RelativeE = relative, HasE = decoding.Axis != ExtrusionAxis.None };
         if (format.LacksAmounts(toolpath)) return decoding.Axis == ExtrusionAxis.Switched ? null : "lacks amounts";
         var back = Decode(GCodeDocument.FromBytes(GCodeWriter.ToBytes(toolpath, format)), decoding.Dialect);
-        return SameMoves.Difference(toolpath, back.Toolpath, new MoveTolerance { Speed = 0.5 / 60 + 1e-6, Chords = 0.01, SameLayers = false });
+        return SameMoves.Difference(toolpath, back.Toolpath, new MoveTolerance { Speed = 0.5 / 60 + 1e-6, Chords = 0.01, SameLayers = false, LayersOfStrands = !ReferenceEquals(toolpath, decoding.Toolpath) });
     }
 
     /// <summary>Converted to another dialect or notation; null also where it cannot be, and says so.</summary>

@@ -34,6 +34,12 @@ internal sealed record MoveTolerance
     /// <summary>Numbers of layers and names of objects are equal; otherwise moves are in one layer here where they are in one layer there.</summary>
     public bool SameLayers { get; init; } = true;
 
+    /// <summary>Only strands are asked for their layer: where a layer has lost all of its strands, its other moves belong to the next.</summary>
+    public bool LayersOfStrands { get; init; }
+
+    /// <summary>What primed or restored one tool may print with another; what it is for is then in the file only.</summary>
+    public bool UnknownRoles { get; init; }
+
     /// <summary>False where the target has no E at all: only the way of the head is compared, and which of it prints.</summary>
     public bool Amounts { get; init; } = true;
 }
@@ -57,12 +63,11 @@ internal sealed class SameMoves
     private readonly List<PrinterEvent> _eventsB = [];
     private int _nextA;
     private int _nextB;
+    private int _toolA;
+    private int _toolB;
     private int _i;
     private int _j;
-    private double _sumA;
-    private double _sumB;
-    private double _depositedA;
-    private double _depositedB;
+    private readonly Sums _sums;
 
     private SameMoves(Toolpath expected, Toolpath actual, MoveTolerance tolerance)
     {
@@ -73,6 +78,7 @@ internal sealed class SameMoves
         _b = actual.Moves().ToArray();
         _homeA = WaysHome(expected, _a);
         _homeB = WaysHome(actual, _b);
+        _sums = new Sums(Math.Max(expected.Tools.Count, actual.Tools.Count));
     }
 
     /// <summary>The first difference, or null.</summary>
@@ -114,29 +120,29 @@ internal sealed class SameMoves
         if (Events() is { } events) return events;
         var a = _a[_i];
         var b = _b[_j];
-        Count(a, b);
-        if (Math.Abs(_sumA - _sumB) > Slack(_sumA)) return Said("sums of E drift apart");
-        if (Math.Abs(_depositedA - _depositedB) > Slack(_depositedA)) return Said("deposited sums drift apart");
+        _sums.Expect(a.Tool, ExpectedE(a), a.Deposited * _t.Factor(a.Tool));
+        _sums.Find(b.Tool, b.E, b.Deposited);
         if (a.Tool != b.Tool) return Said("tool");
-        if (b.Speed > 0 && a.Speed > 0 && Math.Abs(a.Speed - b.Speed) > _t.Speed && !IsStandIn(a)) return Said("speed");
-        if (a.Kind == MoveKind.Print && b.Kind == MoveKind.Print && a.Role != b.Role) return Said("role");
+        if (Drift(a.Tool) is { } drift) return Said(drift);
+        // What the firmware does in place by itself has a speed of its own.
+        if (b.Speed > 0 && a.Speed > 0 && (a.E != 0 || a.Length > 1e-9) && Math.Abs(a.Speed - b.Speed) > _t.Speed && !IsStandIn(a)) return Said("speed");
+        if (a.Kind == MoveKind.Print && b.Kind == MoveKind.Print && a.Role != b.Role && !(_t.UnknownRoles && a.Role == Role.Unspecified)) return Said("role");
         if (Layers(a, b) is { } layers) return layers;
         _i++;
         _j++;
         return null;
     }
 
-    private bool InStep(Move a, Move b) => Math.Abs(_sumA + ExpectedE(a) - _sumB - b.E) <= Slack(_sumA);
+    private bool InStep(Move a, Move b) => a.Tool == b.Tool && Math.Abs(_sums.E(a.Tool) + ExpectedE(a) - b.E) <= Slack(_sums.Largest(a.Tool));
 
     // E stands in another unit of the last place at 10⁶.
     private double Slack(double sum) => _t.Amounts ? 1.02 * _t.E * _t.LargestFactor + 1e-12 * Math.Abs(sum) : double.PositiveInfinity;
 
-    private void Count(Move a, Move b)
+    private string? Drift(int tool)
     {
-        _sumA += ExpectedE(a);
-        _sumB += b.E;
-        _depositedA += a.Deposited * _t.Factor(a.Tool);
-        _depositedB += b.Deposited;
+        if (Math.Abs(_sums.E(tool)) > Slack(_sums.Largest(tool))) return "sums of E drift apart by " + _sums.E(tool);
+        // G10 and G11 of different tools have no balance that lengths could keep.
+        return !(_t.RetractionLength > 0) && Math.Abs(_sums.Deposited(tool)) > 2 * Slack(_sums.Largest(tool)) ? "deposited sums drift apart by " + _sums.Deposited(tool) : null;
     }
 
     private double ExpectedE(Move move)
@@ -195,9 +201,11 @@ internal sealed class SameMoves
         {
             if (_j == _b.Length) return Said("a chain of chords ends before its arc");
             var b = _b[_j];
-            if (b.Kind != a.Kind && Math.Abs(b.E) > 1.02 * _t.E) return Said("kind of a chord");
+            // A strand that first restores does so in its first chords.
+            var restores = b.Kind == MoveKind.MovingRestore && a.E > a.Deposited;
+            if (b.Kind != a.Kind && !restores && Math.Abs(b.E) > 1.02 * _t.E) return Said("kind of a chord");
             if (b.Speed > 0 && Math.Abs(a.Speed - b.Speed) > _t.Speed) return Said("speed of a chord");
-            if (b.Tool != a.Tool || (b.Kind == MoveKind.Print && b.Role != a.Role)) return Said("tool or role of a chord");
+            if (b.Tool != a.Tool || (a.Kind == MoveKind.Print && b.Kind == MoveKind.Print && b.Role != a.Role)) return Said("tool or role of a chord");
             var done = Closest(a, arc, b.End, at);
             var off = arc.PointAt(a.Start, a.End, done).DistanceTo(b.End);
             if (off > 2 * _t.Xyz) return Said("a vertex of a chain lies off the arc");
@@ -212,13 +220,10 @@ internal sealed class SameMoves
             if (_nextB < _actual.Events.Count && _actual.Events[_nextB].Move < _j) return Said("event within a chain");
             if (done >= 1 - 1e-9 || (b.End.DistanceTo(a.End) <= _t.Xyz && done > 0.6)) break;
         }
-        _sumA += a.E * _t.Factor(a.Tool);
-        _sumB += sum;
-        _depositedA += a.Deposited * _t.Factor(a.Tool);
-        _depositedB += deposited;
+        _sums.Expect(a.Tool, a.E * _t.Factor(a.Tool), a.Deposited * _t.Factor(a.Tool));
+        _sums.Find(a.Tool, sum, deposited);
         _i++;
-        if (Math.Abs(_sumA - _sumB) > Slack(_sumA)) return Said("sums of E drift apart behind an arc");
-        return Math.Abs(_depositedA - _depositedB) > Slack(_depositedA) ? Said("deposited sums drift apart behind an arc") : null;
+        return Drift(a.Tool) is { } drift ? Said(drift + " behind an arc") : null;
     }
 
     // Where on the arc, from 0 to 1, a vertex is, not before the last one.
@@ -250,6 +255,7 @@ internal sealed class SameMoves
 
     private string? Layers(Move a, Move b)
     {
+        if (_t.LayersOfStrands && (a.Kind != MoveKind.Print || b.Kind != MoveKind.Print)) return null;
         if (_t.SameLayers)
         {
             var x = a.Layer < 0 ? null : _expected.Layers[a.Layer];
@@ -266,28 +272,30 @@ internal sealed class SameMoves
     private void SkipA()
     {
         if (!_homeA[_i] && !IsLostRetraction(_a[_i]))
-        {
-            _sumA += _a[_i].E * _t.Factor(_a[_i].Tool);
-            _depositedA += _a[_i].Deposited * _t.Factor(_a[_i].Tool);
-        }
+            _sums.Expect(_a[_i].Tool, _a[_i].E * _t.Factor(_a[_i].Tool), _a[_i].Deposited * _t.Factor(_a[_i].Tool));
         _i++;
     }
 
     private void SkipB()
     {
-        _sumB += _b[_j].E;
-        _depositedB += _b[_j].Deposited;
+        _sums.Find(_b[_j].Tool, _b[_j].E, _b[_j].Deposited);
         _j++;
     }
 
     private void TakeEvents()
     {
-        for (; _nextA < _expected.Events.Count && _expected.Events[_nextA].Move <= _i; _nextA++) Take(_eventsA, _expected.Events[_nextA].Event);
-        for (; _nextB < _actual.Events.Count && _actual.Events[_nextB].Move <= _j; _nextB++) Take(_eventsB, _actual.Events[_nextB].Event);
+        for (; _nextA < _expected.Events.Count && _expected.Events[_nextA].Move <= _i; _nextA++) Take(_eventsA, _expected.Events[_nextA].Event, ref _toolA);
+        for (; _nextB < _actual.Events.Count && _actual.Events[_nextB].Move <= _j; _nextB++) Take(_eventsB, _actual.Events[_nextB].Event, ref _toolB);
     }
 
-    private static void Take(List<PrinterEvent> events, PrinterEvent what)
+    private static void Take(List<PrinterEvent> events, PrinterEvent what, ref int tool)
     {
+        // The tool that works already is no change.
+        if (what is ToolEvent change)
+        {
+            if (change.Tool == tool) return;
+            tool = change.Tool;
+        }
         // Comments and lines of text are nothing that the machine does; the message of a pause is a comment.
         if (what is CommentEvent or RawEvent) return;
         events.Add(what is PauseEvent ? new PauseEvent() : what);
@@ -326,6 +334,32 @@ internal sealed class SameMoves
     }
 
     private string Said(string what)
-        => what + ": move " + _i + " of " + _a.Length + " " + (_i < _a.Length ? _a[_i].ToString() : "(none)") + " against " + _j + " of " + _b.Length + " " + (_j < _b.Length ? _b[_j].ToString() : "(none)")
-            + ", sums of E " + _sumA + " and " + _sumB;
+        => what + ": move " + _i + " of " + _a.Length + " " + (_i < _a.Length ? _a[_i].ToString() : "(none)") + " against " + _j + " of " + _b.Length + " " + (_j < _b.Length ? _b[_j].ToString() : "(none)");
+
+    /// <summary>How far the sums of each tool are apart: what was expected minus what was found.</summary>
+    private sealed class Sums(int tools)
+    {
+        private readonly double[] _e = new double[Math.Max(tools, 1)];
+        private readonly double[] _deposited = new double[Math.Max(tools, 1)];
+        private readonly double[] _largest = new double[Math.Max(tools, 1)];
+
+        public double E(int tool) => _e[tool];
+
+        public double Deposited(int tool) => _deposited[tool];
+
+        public double Largest(int tool) => _largest[tool];
+
+        public void Expect(int tool, double e, double deposited)
+        {
+            _e[tool] += e;
+            _deposited[tool] += deposited;
+            _largest[tool] += Math.Abs(e);
+        }
+
+        public void Find(int tool, double e, double deposited)
+        {
+            _e[tool] -= e;
+            _deposited[tool] -= deposited;
+        }
+    }
 }

@@ -1,0 +1,154 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.GCode;
+
+/// <summary>Random edits of random programs in random styles: what is decoded from the written file is the edited toolpath, move by move.</summary>
+public class EditPropertyTests
+{
+    private static readonly DialectRules[] Dialects = DialectTable.All.Where(d => d.ExtruderLetters.Length > 0).ToArray();
+
+    private static int Runs => Type.GetType("Mono.Runtime") is null ? 1500 : 200;
+
+    [Test]
+    public void Random_programs_come_back()
+        => ForAll(1, (decoding, random) => RoundTrips.Anew(decoding) ?? RoundTrips.Written(decoding, random.Next(2) == 0));
+
+    [Test]
+    public void What_is_left_after_random_cuts_is_the_kept_moves()
+        => ForAll(2, (decoding, random) =>
+        {
+            var edited = Cut(decoding.Toolpath, random);
+            return Check(decoding, edited) ?? Kept(decoding.Toolpath, edited);
+        });
+
+    [Test]
+    public void Chosen_layers_roles_tools_and_kinds_can_be_cut_out()
+        => ForAll(3, (decoding, random) => Check(decoding, decoding.Toolpath.Remove(Filter(random))));
+
+    [Test]
+    public void Events_and_tools_can_be_put_in()
+        => ForAll(4, (decoding, random) =>
+        {
+            var edited = decoding.Toolpath;
+            for (var i = random.Next(1, 4); i > 0; i--) edited = edited.Insert(random.Next(edited.Count + 1), Event(random));
+            return Check(decoding, edited);
+        });
+
+    [Test]
+    public void Moves_can_be_mapped_and_their_material_and_speed_scaled()
+        => ForAll(5, (decoding, random) => Check(decoding, Change(decoding.Toolpath, random)));
+
+    [Test]
+    public void Edits_can_follow_one_another()
+        => ForAll(6, (decoding, random) =>
+        {
+            var edited = Change(decoding.Toolpath, random);
+            edited = edited.Count > 0 ? edited.Insert(random.Next(edited.Count + 1), Event(random)) : edited;
+            return Check(decoding, Cut(edited, random));
+        });
+
+    [Test]
+    public void Random_programs_can_be_converted()
+        => ForAll(7, (decoding, random) =>
+        {
+            var options = new ConvertOptions
+            {
+                Dialect = DialectTable.All[random.Next(DialectTable.All.Count)],
+                RelativeE = random.Next(3) switch { 0 => null, 1 => true, _ => false },
+                FilamentDiameter = 1.75,
+                RetractionLength = random.Next(2) * 1.5,
+                ExpandArcs = random.Next(3) == 0,
+                Millimetres = random.Next(2) == 0,
+            };
+            return RoundTrips.Converted(decoding, options) is { } difference ? "to " + options + ": " + difference : null;
+        });
+
+    private static void ForAll(int seed, Func<Decoding, Random, string?> difference)
+    {
+        for (var run = 0; run < Runs; run++)
+        {
+            var random = new Random(seed * 1_000_000 + run);
+            var dialect = Dialects[random.Next(Dialects.Length)];
+            var text = RandomProgram.Text(random, dialect);
+            var decoding = RoundTrips.Decode(GCodeDocument.FromText(text), dialect);
+            if (difference(decoding, random) is { } found) Assert.Fail("run " + run + ", " + dialect.Name + ": " + found + "\n" + text);
+        }
+    }
+
+    // Both ways of writing.
+    private static string? Check(Decoding decoding, Toolpath edited)
+    {
+        // A and B extrude where they do so along X or Y; without any strand nothing says so.
+        if (decoding.Axis != ExtrusionAxis.E && !edited.Moves().Any(m => m.E != 0 && (m.End - m.Start).LengthXY > 2e-3)) return null;
+        var spliced = RoundTrips.Edited(decoding, edited, new MoveTolerance { Chords = 0.01, LayersOfStrands = true, UnknownRoles = true });
+        if (spliced is not null) return spliced + "\n" + Text(decoding, edited);
+        return RoundTrips.Written(decoding, edited, true) is { } written ? "written anew: " + written : null;
+    }
+
+    private static string Text(Decoding decoding, Toolpath edited)
+        => string.Concat(GCodeEditor.ToDocument(decoding, edited).Value!.ToBytes().Select(b => (char)b)) + "\n-----";
+
+    // Of what is cut nothing is left, and of what is kept nothing is lost.
+    private static string? Kept(Toolpath before, Toolpath after)
+    {
+        var sources = new HashSet<int>(after.Moves().Where(m => m.Source >= 0).Select(m => m.Source));
+        foreach (var move in after.Moves().Where(m => m.Source >= 0))
+        {
+            var was = before.Moves().First(m => m.Source == move.Source);
+            if (before.HomeOf(was) is null && (move.End != was.End || move.E != was.E || move.Kind != was.Kind || move.Speed != was.Speed || move.Tool != was.Tool)) return "a kept move changed: " + was + " to " + move;
+        }
+        return sources.Count <= before.Count ? null : "more moves than before";
+    }
+
+    private static Toolpath Cut(Toolpath toolpath, Random random)
+    {
+        // Runs of moves.
+        var cut = new bool[toolpath.Count];
+        var on = false;
+        for (var i = 0; i < cut.Length; i++)
+        {
+            if (random.Next(4) == 0) on = random.Next(3) == 0;
+            cut[i] = on;
+        }
+        return new Remover(toolpath, m => cut[m.Index]).Run();
+    }
+
+    private static MoveFilter Filter(Random random) => random.Next(5) switch
+    {
+        0 => new MoveFilter { FirstLayer = random.Next(3), LastLayer = random.Next(3) },
+        1 => new MoveFilter { Roles = [Role.Infill, Role.OuterWall] },
+        2 => new MoveFilter { Tool = random.Next(3) },
+        3 => new MoveFilter { Kinds = [(MoveKind)random.Next(8)] },
+        _ => new MoveFilter { Region = new Bounds(new Vec3(0, 0, 0), new Vec3(25, 50, 5)) },
+    };
+
+    private static PrinterEvent Event(Random random) => random.Next(7) switch
+    {
+        0 => new PauseEvent("look"),
+        1 => new ToolEvent(random.Next(4)),
+        2 => new FanEvent(random.Next(256) / 255.0),
+        3 => new NozzleTemperatureEvent(200 + random.Next(30), random.Next(2) == 0),
+        4 => new BedTemperatureEvent(60),
+        5 => new RawEvent("M117 hello"),
+        _ => new CommentEvent("a note"),
+    };
+
+    private static Toolpath Change(Toolpath toolpath, Random random)
+    {
+        var filter = random.Next(2) == 0 ? new MoveFilter() : Filter(random);
+        return random.Next(4) switch
+        {
+            0 => toolpath.ScaleFlow(filter, 0.25 + random.NextDouble()),
+            1 => toolpath.ScaleSpeed(filter, 0.25 + random.NextDouble()),
+            2 => toolpath.Deform(filter, p => new Vec3(p.X * 1.1 + 3.1234, p.Y + 0.1 * p.X, p.Z + 0.02 * p.X)),
+            _ => toolpath.Deform(filter, p => p + new Vec3(1, 2, 0.5)).ScaleFlow(filter, 1.5),
+        };
+    }
+}
