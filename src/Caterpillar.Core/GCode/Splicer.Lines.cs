@@ -35,7 +35,7 @@ internal sealed partial class Splicer
         while (_cursor.Valid && _cursor.LeadsTo() == _number)
         {
             NewEvents(_cursor.Number);
-            if (_cursor.Source < 0) _tasks.Add(new SpliceTask(null, _cursor.Wanted(), false));
+            if (_cursor.Source < 0) _tasks.Add(new SpliceTask(null, _cursor.Wanted()));
             else Own(_cursor.Wanted());
             _cursor.Next();
         }
@@ -44,7 +44,7 @@ internal sealed partial class Splicer
     private void Own(Wanted wanted)
     {
         _own++;
-        _tasks.Add(new SpliceTask(null, wanted, true));
+        _tasks.Add(new SpliceTask(null, wanted));
     }
 
     private void NewEvents(int move)
@@ -54,7 +54,7 @@ internal sealed partial class Splicer
 
     private void NextEvent()
     {
-        if (_plan.IsNew[_nextEvent]) _tasks.Add(new SpliceTask(_plan.Events[_nextEvent].Event, default, false));
+        if (_plan.IsNew[_nextEvent]) _tasks.Add(new SpliceTask(_plan.Events[_nextEvent].Event, default));
         _nextEvent++;
     }
 
@@ -70,11 +70,12 @@ internal sealed partial class Splicer
             for (; _cursor.Valid && _cursor.Source < 0 && _cursor.Number < _plan.Events[place].Move; _cursor.Next())
             {
                 NewEvents(_cursor.Number);
-                _tasks.Add(new SpliceTask(null, _cursor.Wanted(), false));
+                _tasks.Add(new SpliceTask(null, _cursor.Wanted()));
             }
             while (_nextEvent < place) NextEvent();
         }
         Put(_tasks.Count);
+        _tasks.Clear();
     }
 
     // Lines of their own for the tasks up to the one for which the line itself may do.
@@ -94,7 +95,7 @@ internal sealed partial class Splicer
         for (; _target is null && _cursor.Valid; _cursor.Next())
         {
             NewEvents(_cursor.Number);
-            if (_cursor.Source < 0) _tasks.Add(new SpliceTask(null, _cursor.Wanted(), false));
+            if (_cursor.Source < 0) _tasks.Add(new SpliceTask(null, _cursor.Wanted()));
         }
         NewEvents(int.MaxValue);
         if (_tasks.Count > 0) _text.CloseLine();
@@ -209,5 +210,5 @@ internal sealed partial class Splicer
     }
 }
 
-/// <summary>Something that a line has to do: an event, or a move, which may be the line's own.</summary>
-internal readonly record struct SpliceTask(Toolpaths.PrinterEvent? Event, Wanted Wanted, bool IsOwn);
+/// <summary>Something that a line has to do: an event, or a move.</summary>
+internal readonly record struct SpliceTask(PrinterEvent? Event, Wanted Wanted);

@@ -93,9 +93,10 @@ internal sealed partial class Splicer
         var now = _now.Save();
         var unit = now.Inches ? 25.4 : 1;
         var line = "G92";
-        if (x) line += " X" + Text(now.X + now.ShiftX - file.ShiftX, unit);
-        if (y) line += " Y" + Text(now.Y + now.ShiftY - file.ShiftY, unit);
-        if (z) line += " Z" + Text(now.Z + now.ShiftZ - file.ShiftZ, unit);
+        // Where nothing is known of an axis yet, its name is its place.
+        if (x) line += " X" + Text(now.X + now.ShiftX - (now.KnownX ? file.ShiftX : 0), unit);
+        if (y) line += " Y" + Text(now.Y + now.ShiftY - (now.KnownY ? file.ShiftY : 0), unit);
+        if (z) line += " Z" + Text(now.Z + now.ShiftZ - (now.KnownZ ? file.ShiftZ : 0), unit);
         if (e && _extruder != 0) line += " " + (char)_extruder + Text(file.E * (_target?.Factor(now.Tool) ?? 1), unit);
         return line;
     }

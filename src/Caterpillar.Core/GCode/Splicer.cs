@@ -141,18 +141,21 @@ internal sealed partial class Splicer
             Other(text, start, end, next);
             return;
         }
-        _read += events;
         Take(moves);
         if (moves > 0 && _own == 0 && !IsHome())
         {
+            _read += events;
             FlushComments(false);
             Removed(text, start, end);
             return;
         }
         RestoreComments();
         FlushComments(true);
-        var single = _own == 1 && _tasks[_tasks.Count - 1].IsOwn;
-        Put(_own <= 1 && (single || _own == 0) ? _tasks.Count - _own : commands == 0 ? 0 : _tasks.Count);
+        if (_own == 0 && events > 0) TakeBeforeEvents(events);
+        _read += events;
+        // One move of its own is always the last task.
+        var single = _own == 1;
+        Put(single ? _tasks.Count - 1 : _tasks.Count);
         if (commands == 0) Other(text, start, end, next);
         else if (single) One(text, start, end, next, _tasks[_tasks.Count - 1].Wanted);
         else if (_own == 0) NoMove(text, start, end, next);
@@ -197,7 +200,9 @@ internal sealed partial class Splicer
         if (!IsDone(wanted))
         {
             _now.Restore(before);
-            Instead(text, start, end, wanted with { Arc = null });
+            _line.Scan(text, start, end);
+            _text.Dropped(_line);
+            Chords(wanted, wanted.Arc!.Value, before);
             return;
         }
         Owe(wanted);
@@ -331,7 +336,7 @@ internal sealed partial class Splicer
     {
         var before = _now.Save();
         _line.Scan(text, start, end);
-        if (_now.ReadLine(text, start, end, out _) == 0 && !SaysInches)
+        if (_now.ReadLine(text, start, end, out _) == 0 && !SaysInches && !MustRewrite(text, start, end))
         {
             _text.Line(text, start, end, next);
             return;

@@ -14,7 +14,7 @@ public class EditPropertyTests
 {
     private static readonly DialectRules[] Dialects = DialectTable.All.Where(d => d.ExtruderLetters.Length > 0).ToArray();
 
-    private static int Runs => Type.GetType("Mono.Runtime") is null ? 1500 : 200;
+    private static int Runs => Type.GetType("Mono.Runtime") is null ? 400 : 100;
 
     [Test]
     public void Random_programs_come_back()
@@ -70,9 +70,62 @@ public class EditPropertyTests
             return RoundTrips.Converted(decoding, options) is { } difference ? "to " + options + ": " + difference : null;
         });
 
-    private static void ForAll(int seed, Func<Decoding, Random, string?> difference)
+    [Test]
+    public void Behind_another_start_code_the_layers_are_the_same()
+        => ForAll(8, (decoding, random) =>
+        {
+            string[] any = ["G28", "G91", "G90", "M83", "M82", "G1 X5 Y7 Z9 F900", "G92 X3", "M106 S9", "G20", "T1", "G1 F77", "; hello", "G10"];
+            var start = Enumerable.Range(0, random.Next(6)).Select(_ => any[random.Next(any.Length)]).Where(l => l != "G10" || decoding.Dialect.FirmwareRetraction).ToArray();
+            var result = GCodeEditor.ToDocument(decoding, decoding.Toolpath, new EditOptions { Start = start, End = ["M84 ; off"] });
+            var back = RoundTrips.Decode(result.Value!, decoding.Dialect);
+            var prints = decoding.Toolpath.Moves().Where(m => m.Kind == MoveKind.Print && m.Layer >= 0).Select(m => m.Source).ToArray();
+            if (prints.Length == 0) return null;
+            var kept = decoding.Toolpath.Moves().Where(m => m.Source >= decoding.FirstMarkLine && m.Source <= prints[prints.Length - 1]).ToArray();
+            var all = back.Toolpath.Moves().ToArray();
+            if (all.Length < kept.Length) return "moves are lost";
+            return SameMoves.Difference(Part(decoding.Toolpath, kept), Part(back.Toolpath, all.Skip(all.Length - kept.Length).ToArray()), new MoveTolerance { LayersOfStrands = true }) is { } found
+                ? found + "\n" + string.Concat(result.Value!.ToBytes().Select(b => (char)b)) + "\n-----"
+                : null;
+        });
+
+    [Test]
+    [Explicit("Each property for thousands of programs; minutes.")]
+    public void Many_random_programs()
     {
-        for (var run = 0; run < Runs; run++)
+        _first = Runs;
+        _runs = 10_000;
+        try
+        {
+            Random_programs_come_back();
+            What_is_left_after_random_cuts_is_the_kept_moves();
+            Chosen_layers_roles_tools_and_kinds_can_be_cut_out();
+            Events_and_tools_can_be_put_in();
+            Moves_can_be_mapped_and_their_material_and_speed_scaled();
+            Edits_can_follow_one_another();
+            Random_programs_can_be_converted();
+            Behind_another_start_code_the_layers_are_the_same();
+        }
+        finally
+        {
+            _first = 0;
+            _runs = Runs;
+        }
+    }
+
+    private int _first;
+    private int _runs = Runs;
+
+    private static Toolpath Part(Toolpath toolpath, Move[] moves)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Lines, moves.Length > 0 ? moves[0].Start : null);
+        foreach (var layer in toolpath.Layers) builder.AddLayer(layer);
+        foreach (var m in moves) builder.Add(m.End, m.E, m.Deposited, m.Speed, m.Kind, m.Role, m.Layer, m.Tool, m.Source, m.Arc);
+        return builder.Build(toolpath.Tools);
+    }
+
+    private void ForAll(int seed, Func<Decoding, Random, string?> difference)
+    {
+        for (var run = _first; run < _first + _runs; run++)
         {
             var random = new Random(seed * 1_000_000 + run);
             var dialect = Dialects[random.Next(Dialects.Length)];

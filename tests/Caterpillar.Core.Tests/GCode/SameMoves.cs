@@ -167,6 +167,9 @@ internal sealed class SameMoves
     {
         if (!_t.Amounts) return (a.Kind == MoveKind.Print) == (b.Kind == MoveKind.Print);
         var small = (a.E != 0 || b.E != 0) && (Math.Abs(a.E * _t.Factor(a.Tool)) <= 1.02 * _t.E || Math.Abs(b.E) <= 1.02 * _t.E);
+        // Rounded amounts of a retraction and its restore may leave a unit to print, or to be pushed forward first.
+        var pushes = a.Kind is MoveKind.Print or MoveKind.MovingRestore && b.Kind is MoveKind.Print or MoveKind.MovingRestore || a.Kind is MoveKind.Prime or MoveKind.Restore && b.Kind is MoveKind.Prime or MoveKind.Restore;
+        if (pushes && a.E != 0 && Math.Abs(a.Deposited * _t.Factor(a.Tool) - b.Deposited) <= 2.04 * _t.E) return true;
         return (small && a.Kind != MoveKind.Dwell && b.Kind != MoveKind.Dwell) || (a.E != 0 && Tiny(a)) || (b.E != 0 && Tiny(b)) || (_t.RetractionLength > 0 && a.E >= 0 == b.E >= 0);
     }
 
@@ -202,7 +205,7 @@ internal sealed class SameMoves
             if (_j == _b.Length) return Said("a chain of chords ends before its arc");
             var b = _b[_j];
             // A strand that first restores does so in its first chords.
-            var restores = b.Kind == MoveKind.MovingRestore && a.E > a.Deposited;
+            var restores = b.Kind == MoveKind.MovingRestore && (a.E > a.Deposited || _t.RetractionLength > 0);
             if (b.Kind != a.Kind && !restores && Math.Abs(b.E) > 1.02 * _t.E) return Said("kind of a chord");
             if (b.Speed > 0 && Math.Abs(a.Speed - b.Speed) > _t.Speed) return Said("speed of a chord");
             if (b.Tool != a.Tool || (a.Kind == MoveKind.Print && b.Kind == MoveKind.Print && b.Role != a.Role)) return Said("tool or role of a chord");
