@@ -113,6 +113,7 @@ public static class Decoder
         Detection? detected = options.Dialect is null ? DialectDetector.Detect(told, axis) : null;
         if (detected is { IsDefault: true } && late?.Invoke() is { } end) detected = DialectDetector.Detect([.. told, end], axis);
         var rules = options.Dialect ?? detected!.Value.Dialect;
+        axis = axis.In(rules);
         var core = new DecoderCore(rules, options.Rule, axis);
         var lines = 0;
         var mark = false;

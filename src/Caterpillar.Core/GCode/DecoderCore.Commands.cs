@@ -78,7 +78,7 @@ internal sealed partial class DecoderCore
         if (explicitMotion >= 0)
         {
             _motion = explicitMotion;
-            Move(line);
+            MoveAndTurn(line);
         }
         else if (action != 0)
         {
@@ -92,7 +92,7 @@ internal sealed partial class DecoderCore
                 Differs("gcode.dialect_modal", "A line moves without a G word: " + _rules.Title + " ignores it, others repeat the last motion.");
                 return;
             }
-            Move(line);
+            MoveAndTurn(line);
         }
         else if (words == 0)
         {
@@ -246,7 +246,7 @@ internal sealed partial class DecoderCore
     {
         for (var i = 0; i < line.Count; i++)
         {
-            if (line.HasValue[i] && (line.Letters[i] is (byte)'X' or (byte)'Y' or (byte)'Z' || _axis.Is(line.Letters[i])
+            if (line.HasValue[i] && (line.Letters[i] is (byte)'X' or (byte)'Y' or (byte)'Z' || _axis.Is(line.Letters[i]) || (_readsTurns && line.Letters[i] is (byte)'A' or (byte)'B' or (byte)'C')
                 || (_motion > 1 && line.Letters[i] is (byte)'I' or (byte)'J' or (byte)'K' or (byte)'R'))) return true;
         }
         return false;

@@ -62,6 +62,7 @@ internal sealed partial class DecoderCore
         if (line.TryGet('Z', out var z)) xyz |= RenameAxis(z, ref _z, ref _shiftZ, ref _knownZ);
         if (xyz) Features.G92Xyz++;
         if (RenameE(line)) Features.G92E++;
+        RenameTurns(line);
         if (line.Count == 1) BareG92();
     }
 

@@ -48,6 +48,8 @@ internal sealed partial class DecoderCore
             ShiftZ = _shiftZ,
             A = _a,
             B = _b,
+            Turns = _turns,
+            TurnShift = _turnShift,
             Feed = _feed,
             FeedFactor = _feedFactor,
             Flow = _flow,
@@ -90,6 +92,8 @@ internal sealed partial class DecoderCore
         _shiftZ = from.ShiftZ;
         _a = from.A;
         _b = from.B;
+        _turns = from.Turns;
+        _turnShift = from.TurnShift;
         _feed = from.Feed;
         _feedFactor = from.FeedFactor;
         _flow = from.Flow;

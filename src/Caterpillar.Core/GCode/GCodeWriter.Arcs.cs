@@ -50,6 +50,7 @@ public sealed partial class GCodeWriter
         _out.Word(arc.Plane == ArcPlane.YZ ? (byte)'J' : (byte)'I', first, xyz);
         _out.Word(arc.Plane == ArcPlane.XY ? (byte)'J' : (byte)'K', second, xyz);
         if (turns > 1) _out.Word((byte)'P', (long)turns, 0);
+        Turns();
         if (changed) _out.Word(_e, ue, _format.DecimalsE);
         Feed(speed);
         _out.EndLine();
@@ -84,8 +85,10 @@ public sealed partial class GCodeWriter
     {
         var count = Math.Min(arc.ChordCount(start, end, _format.ChordTolerance), 100_000);
         var done = 0.0;
+        var turned = BeginTurns();
         for (var k = 1; k <= count; k++)
         {
+            if (turned is not null) ShareTurns(turned, (double)k / count);
             var p = arc.PointAt(start, end, (double)k / count);
             var sum = k == count ? e : e * k / count;
             Straight(p.X, p.Y, p.Z, sum - done, speed, code);

@@ -1,3 +1,4 @@
+using System;
 using Caterpillar.Basics;
 using Caterpillar.Toolpaths;
 
@@ -36,5 +37,21 @@ public sealed partial class GCodeWriter
             _out.Word((byte)('A' + axis), _turns[axis], _format.DecimalsXyz);
         }
         _hasTurns = false;
+    }
+
+    // The turns of a move that becomes several: where the axes stand, and where they are to be.
+    private (long[] From, long[] To)? BeginTurns() => _hasTurns ? ((long[])_turns.Clone(), (long[])_nextTurns.Clone()) : null;
+
+    // An axis that was not there before turns from 0.
+    private void ShareTurns((long[] From, long[] To)? of, double share)
+    {
+        var (from, to) = of!.Value;
+        for (var axis = 0; axis < 3; axis++)
+        {
+            if (to[axis] == from[axis]) continue;
+            var start = from[axis] == long.MinValue ? 0 : from[axis];
+            _nextTurns[axis] = share >= 1 ? to[axis] : start + (long)Math.Floor((to[axis] - start) * share + 0.5);
+        }
+        _hasTurns = true;
     }
 }

@@ -34,6 +34,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         Axis(text, 'X', wanted.X - state.ShiftX, state.X, unit, state.Relative);
         Axis(text, 'Y', wanted.Y - state.ShiftY, state.Y, unit, state.Relative);
         Axis(text, 'Z', wanted.Z - state.ShiftZ, state.Z, unit, state.Relative);
+        Turn(text, wanted.Turns, state);
         Centers(wanted, state, unit);
         Extruder(text, wanted, state, unit, relativeE, owed);
         Feed(text, wanted, state, unit);
@@ -108,6 +109,16 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         {
             Insert((byte)letter, (relative ? target - current : target) / unit, Decimals(style.DecimalsXyz, unit));
         }
+    }
+
+    // Rotary axes; where A, B and C extrude there are none.
+    private void Turn(byte[] text, Turns wanted, MachineSnapshot state)
+    {
+        var (now, shift) = (state.Turns, state.TurnShift);
+        if (wanted == default && now == default && shift == default) return;
+        Axis(text, 'A', wanted.A - shift.A, now.A, 1, state.Relative);
+        Axis(text, 'B', wanted.B - shift.B, now.B, 1, state.Relative);
+        Axis(text, 'C', wanted.C - shift.C, now.C, 1, state.Relative);
     }
 
     private void Centers(Wanted wanted, MachineSnapshot state, double unit)

@@ -15,6 +15,8 @@ internal sealed class MachineSnapshot
     public double ShiftZ;
     public double A;
     public double B;
+    public Turns Turns;
+    public Turns TurnShift;
     public double Feed;
     public double FeedFactor;
     public double Flow;
@@ -44,7 +46,7 @@ internal sealed class MachineSnapshot
             && Near(ShiftX, other.ShiftX) && Near(ShiftY, other.ShiftY) && Near(ShiftZ, other.ShiftZ)
             && Speed == other.Speed && Tool == other.Tool && Motion == other.Motion && Plane == other.Plane
             && Relative == other.Relative && Inches == other.Inches && M83 == other.M83 && LastRelative == other.LastRelative
-            && AbsoluteCenters == other.AbsoluteCenters && Volumetric == other.Volumetric && SwitchedOn == other.SwitchedOn;
+            && AbsoluteCenters == other.AbsoluteCenters && Volumetric == other.Volumetric && Turns == other.Turns && TurnShift == other.TurnShift && SwitchedOn == other.SwitchedOn;
 
     private static bool Near(double a, double b) => System.Math.Abs(a - b) <= 1e-9;
 }

@@ -11,6 +11,8 @@ internal sealed class MoveColumns
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<int> _arcMoves = [];
     private readonly List<Arc> _arcs = [];
+    private readonly List<int> _turnMoves = [];
+    private readonly List<Turns> _turns = [];
     private int _sealed;
 
     public ToolpathColumns Columns { get; private set; } = new(64);
@@ -38,6 +40,13 @@ internal sealed class MoveColumns
         _arcs.Add(arc);
     }
 
+    /// <summary>With the last move the rotary axes have turned. The others keep them where they are.</summary>
+    public void Turn(Turns turns)
+    {
+        _turnMoves.Add(Count - 1);
+        _turns.Add(turns);
+    }
+
     /// <summary>Takes the layer from all moves so far; for files whose comments about layers begin late.</summary>
     public void ForgetLayers()
     {
@@ -54,6 +63,9 @@ internal sealed class MoveColumns
         Columns.Count = 0;
         _arcMoves.Clear();
         _arcs.Clear();
+        if (_turns.Count == 0) return;
+        _turnMoves.Clear();
+        _turns.Clear();
     }
 
     public IReadOnlyList<ToolpathBlock> ToBlocks()
@@ -63,7 +75,33 @@ internal sealed class MoveColumns
             if (Columns.Count < Columns.Capacity / 2) Columns = Columns.Copy(Columns.Count);
             Seal();
         }
+        if (_turns.Count > 0) FillTurns();
         return _blocks;
+    }
+
+    // Columns from the block of the first turn on.
+    private void FillTurns()
+    {
+        int next = 0, first = 0;
+        var now = default(Turns);
+        foreach (var block in _blocks)
+        {
+            var columns = block.Columns;
+            if (_turnMoves[0] < first + columns.Count)
+            {
+                columns.A = new double[columns.Capacity];
+                columns.B = new double[columns.Capacity];
+                columns.C = new double[columns.Capacity];
+                for (var i = 0; i < columns.Count; i++)
+                {
+                    while (next < _turnMoves.Count && _turnMoves[next] <= first + i) now = _turns[next++];
+                    columns.A[i] = now.A;
+                    columns.B[i] = now.B;
+                    columns.C[i] = now.C;
+                }
+            }
+            first += columns.Count;
+        }
     }
 
     private static void Forget(ToolpathColumns columns)

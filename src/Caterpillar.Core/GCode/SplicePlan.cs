@@ -224,10 +224,12 @@ internal sealed class MoveCursor
 }
 
 /// <summary>What a line has to do.</summary>
-internal readonly record struct Wanted(double X, double Y, double Z, double E, double Speed, MoveKind Kind, int Tool, Geometry.Arc? Arc)
+internal readonly record struct Wanted(double X, double Y, double Z, double E, double Speed, MoveKind Kind, int Tool, Geometry.Arc? Arc, Turns Turns)
 {
     public Wanted(ToolpathColumns c, int i)
-        : this(c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i], c.Kind[i], c.Tool[i], c.TryGetArc(i, out var arc) ? arc : null)
+        : this(
+            c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i], c.Kind[i], c.Tool[i], c.TryGetArc(i, out var arc) ? arc : null,
+            c.A is null ? default : new Turns(c.A[i], c.B![i], c.C![i]))
     {
     }
 }

@@ -27,7 +27,7 @@ internal sealed partial class Splicer
         _own = 0;
         if (_target is not null)
         {
-            for (var i = 0; i < moves; i++) Own(new Wanted(_in.LastMoves, i) with { Arc = moves == 1 ? _in.LastArc : null });
+            for (var i = 0; i < moves; i++) Own(new Wanted(_in.LastMoves, i) with { Arc = moves == 1 ? _in.LastArc : null, Turns = _in.Turns });
             return;
         }
         // Moves whose line made none here would hold up all others.

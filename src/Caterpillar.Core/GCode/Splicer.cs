@@ -279,7 +279,7 @@ internal sealed partial class Splicer
         if (_now.ReadLine(text, start, end, out _) != 1) return false;
         var c = _now.LastMoves;
         var owed = _target is null ? 0 : Owed;
-        return EndsRight(wanted) && Math.Abs(c.E[0] - wanted.E - owed) <= _toleranceE && (!(wanted.Speed > 0) || Math.Abs(c.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed)
+        return EndsRight(wanted) && (wanted.Turns == _now.Turns || wanted.Turns.IsNear(_now.Turns)) && Math.Abs(c.E[0] - wanted.E - owed) <= _toleranceE && (!(wanted.Speed > 0) || Math.Abs(c.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed)
             && (!_now.Strokes || c.Kind[0] == MoveKind.Print == (wanted.Kind == MoveKind.Print));
     }
 
