@@ -6,6 +6,7 @@ using System.Text;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
+using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Spectre.Console;
 
@@ -74,6 +75,14 @@ internal sealed class Session
         write(whole.Stream);
         whole.Commit();
     }
+
+    /// <summary>Writes G-code, binary where the name ends in .bgcode.</summary>
+    public void WriteGCode(string file, GCodeDocument document)
+        => Write(file, stream =>
+        {
+            if (BinaryGCode.IsName(file)) BinaryGCode.Write(document, stream, null, Cancel);
+            else document.WriteTo(stream);
+        });
 
     /// <summary>Writes text in UTF-8.</summary>
     public void WriteText(string file, Action<TextWriter> write) => Write(file, stream =>

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
+using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
@@ -14,7 +15,7 @@ internal sealed class WriteOptions
 {
     private readonly Option<string?> _output = new("--output", "-o")
     {
-        Description = "The G-code file, or - for standard output. Without it the name of the first input with .gcode, in the current folder.",
+        Description = "The G-code file, binary where its name ends in .bgcode, or - for standard output. Without it the name of the first input with .gcode, in the current folder.",
         HelpName = "FILE",
     };
 
@@ -59,14 +60,17 @@ internal sealed class WriteOptions
         session.Write(file, stream =>
         {
             var reason = arguments.GetValue(_reason);
+            using var text = BinaryGCode.IsName(file) ? new MemoryStream() : null;
+            var target = text ?? stream;
             // A bar and the G-code would mix on a terminal.
             var result = file == "-"
-                ? SafeWriter.Write(toolpath, setup, stream, reason, null, session.Cancel)
-                : session.Long("Writing", progress => SafeWriter.Write(toolpath, setup, stream, reason, progress, session.Cancel));
+                ? SafeWriter.Write(toolpath, setup, target, reason, null, session.Cancel)
+                : session.Long("Writing", progress => SafeWriter.Write(toolpath, setup, target, reason, progress, session.Cancel));
             session.Print(result.Diagnostics);
             written = result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
             if (written.Bytes > mostBytes)
                 throw new CliException(ExitCode.Refused, $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than allowed; nothing was written.");
+            if (text is not null) BinaryGCode.Write(GCodeDocument.FromBytes(text.ToArray()), stream, null, session.Cancel);
         });
         if (file != "-") session.Messages.WriteLine($"{file}: {Count(written!.Lines)} lines, {Count(written.Bytes)} bytes");
         return written!;

@@ -68,6 +68,23 @@ public class PackedFileTests : CliFixture
         Assert.That(File.ReadAllText("b.gcode"), Is.EqualTo(Code));
     }
 
+    [Test]
+    public void A_name_that_ends_in_bgcode_asks_for_binary_code()
+    {
+        File.WriteAllText("a.gcode", Code);
+        Assert.That(Run("convert", "a.gcode", "-o", "a.bgcode").Code, Is.Zero);
+        Assert.That(File.ReadAllText("a.bgcode"), Does.StartWith("GCDE"));
+        Assert.That(Run("decode", "a.bgcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2)), Is.EqualTo(Run("decode", "a.gcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2))));
+        Assert.That(Run("convert", "a.bgcode", "-o", "b.gcode").Code, Is.Zero);
+        Assert.That(File.ReadAllText("b.gcode"), Is.EqualTo("\n" + Code));
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        Assert.That(Run("slice", "part.stl", "-o", "part.gcode").Code, Is.Zero);
+        Assert.That(Run("slice", "part.stl", "-o", "part.bgcode").Code, Is.Zero);
+        Assert.That(new FileInfo("part.bgcode").Length, Is.LessThan(new FileInfo("part.gcode").Length / 2));
+        Assert.That(Run("decode", "part.bgcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2)), Is.EqualTo(Run("decode", "part.gcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2))));
+        Assert.That(Files(), Is.EquivalentTo(new[] { "a.gcode", "a.bgcode", "b.gcode", "part.stl", "part.gcode", "part.bgcode" }));
+    }
+
     private static byte[] Binary()
         => new BinaryFile().Table(BinaryFile.Printer, 0, "printer_model=MK4\n").Picture(0, 16, 8, [1, 2, 3]).Picture(2, 2, 4, [1]).Code(1, 0, Code).ToArray();
 }

@@ -13,7 +13,7 @@ namespace Caterpillar.Cli.Commands;
 internal sealed class ConvertVerb : Verb
 {
     private readonly Argument<string> _file = new("FILE") { Description = "G-code file, also binary (.bgcode) or packed with gzip, or - for standard input." };
-    private readonly Option<string> _out = new("--output", "-o") { Description = "File to write; - is standard output.", HelpName = "FILE", Required = true };
+    private readonly Option<string> _out = new("--output", "-o") { Description = "File to write, binary where its name ends in .bgcode; - is standard output.", HelpName = "FILE", Required = true };
     private readonly Option<string?> _from = new("--from") { Description = "The firmware the file is for; detected from the file without it.", HelpName = "DIALECT" };
     private readonly Option<string?> _to = new("--dialect") { Description = "The firmware to write for.", HelpName = "DIALECT" };
     private readonly Option<string?> _e = new("--e") { Description = "E as increments or as sums.", HelpName = "relative|absolute" };
@@ -67,7 +67,7 @@ internal sealed class ConvertVerb : Verb
             decoding = Again(session.Need(session.Long("Editing", p => GCodeEditor.ToDocument(decoding, edited, code, p, session.Cancel))), decoding.Dialect);
         if (target is not null)
             decoding = Again(session.Need(session.Long("Converting", p => GCodeConverter.ToDocument(decoding, target, p, session.Cancel))), target.Dialect ?? decoding.Dialect);
-        session.Write(arguments.GetValue(_out)!, Checked(decoding, arguments, session).WriteTo);
+        session.WriteGCode(arguments.GetValue(_out)!, Checked(decoding, arguments, session));
         return ExitCode.Done;
 
         Decoding Again(GCodeDocument text, DialectRules dialect)

@@ -105,11 +105,12 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
                     (_code ? _print : _before).Table(block);
                     break;
                 case BinaryBlockKind.Print:
+                    if (block.Data.Length == 0) break;
                     _print.Line("");
                     _print.Table(block);
                     break;
                 default:
-                    _settings.Settings(block);
+                    if (block.Data.Length > 0) _settings.Settings(block);
                     break;
             }
             if (_before.Length + _print.Length + _settings.Length > MostComments) throw new InvalidDataException("Its settings and pictures are too large.");

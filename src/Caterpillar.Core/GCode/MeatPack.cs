@@ -98,13 +98,13 @@ internal sealed class MeatPack
 
     private byte Character(int code) => _noSpaces && code == 11 ? (byte)'E' : (byte)Characters[code];
 
-    // Without blanks the words of a G line get theirs back.
+    // Without blanks the words of a packed G line get theirs back.
     private void Put(byte c)
     {
         if (_count + 2 > _out.Length) Array.Resize(ref _out, _out.Length * 2);
         if (_lineStart) _code = c == 'G';
         else if (c == ';') _code = false;
-        else if (_noSpaces && _code && c is >= (byte)'A' and <= (byte)'Z' && _out[_count - 1] != ' ') _out[_count++] = (byte)' ';
+        else if (_packed && _noSpaces && _code && c is >= (byte)'A' and <= (byte)'Z' && _out[_count - 1] != ' ') _out[_count++] = (byte)' ';
         _out[_count++] = c;
         _lineStart = c == '\n';
     }

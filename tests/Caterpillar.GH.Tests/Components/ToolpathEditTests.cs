@@ -173,6 +173,8 @@ public sealed class ToolpathEditTests
             canvas.Feed("G-code", GCodeDocument.FromText("G28\n")).Feed("Save", false).Solve();
             Assert.That(canvas.All("Path"), Is.EqualTo(new object?[] { null }), "Other G-code is not in the file yet.");
             Assert.That(Directory.GetFiles(folder), Has.Length.EqualTo(1));
+            canvas.Feed("File", "out.bgcode").Feed("Save", true).Solve();
+            Assert.That(GCodeDocument.ReadFile(Path.Combine(folder, "out.bgcode")).ToBytes(), Is.EqualTo(Encoding.ASCII.GetBytes("\nG28\n")), "The name asks for binary code.");
         }
         finally
         {

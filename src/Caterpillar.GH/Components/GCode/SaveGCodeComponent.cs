@@ -22,7 +22,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new GCodeParam(), "G-code", "G", "G-code to write.");
-        ports.Target("File", "F", "File to write; relative to the definition's own file.", "G-code|*.gcode");
+        ports.Target("File", "F", "File to write, binary where its name ends in .bgcode; relative to the definition's own file.", "G-code|*.gcode|Binary G-code|*.bgcode");
         ports.Boolean("Save", "S", "The moment it becomes true the file is written: give a button.", false);
         ports.Boolean("Overwrite", "O", "True replaces a file that is there already.", false);
     }
@@ -47,10 +47,11 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
     private void Write(Run run, GCodeDocument document, string file, bool overwrite)
     {
         if (File.Exists(file) && !overwrite) throw new InputProblem($"{file} is there already, and Overwrite is false.");
-        run.Work("Saving", (_, _) =>
+        run.Work("Saving", (progress, cancel) =>
         {
             using var whole = new WholeFile(file);
-            document.WriteTo(whole.Stream);
+            if (BinaryGCode.IsName(file)) BinaryGCode.Write(document, whole.Stream, progress, cancel);
+            else document.WriteTo(whole.Stream);
             whole.Commit();
             return file;
         });

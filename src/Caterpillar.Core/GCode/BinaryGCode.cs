@@ -1,0 +1,114 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using Caterpillar.Basics;
+
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// Writes Prusa's binary G-code (.bgcode, specification of libbgcode version 1), as PrusaSlicer does: who made it, tables for the printer, the pictures, the settings, and the G-code in blocks of
+/// 64 KB packed with MeatPack and heatshrink 12/4, which the printers unpack; all with checksums (nothing is packed with deflate, whose bytes would depend on the runtime). Read again it gives the same lines, but for the comments that became tables or pictures: those
+/// stand at the beginning and the end then. Lines end with LF.
+/// </summary>
+public static class BinaryGCode
+{
+    private const int BlockText = 65536;
+
+    /// <summary>True for a name that asks for binary G-code: .bgcode or .bgc.</summary>
+    public static bool IsName(string file)
+    {
+        if (file is null) throw new ArgumentNullException(nameof(file));
+        return file.EndsWith(".bgcode", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".bgc", StringComparison.OrdinalIgnoreCase);
+    }
+
+    /// <summary>Writes a document.</summary>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled; a part is written.</exception>
+    public static void Write(GCodeDocument document, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (document is null) throw new ArgumentNullException(nameof(document));
+        if (stream is null) throw new ArgumentNullException(nameof(stream));
+        var tables = BinaryTables.Of(document, cancel);
+        stream.Write([(byte)'G', (byte)'C', (byte)'D', (byte)'E', 1, 0, 0, 0, 1, 0], 0, 10);
+        if (tables.File.Count > 0) Block(stream, BinaryBlockKind.File, 0, Text(tables.File), 0);
+        Block(stream, BinaryBlockKind.Printer, 0, Text(tables.Printer), 0);
+        foreach (var (picture, data) in tables.Pictures) Block(stream, BinaryBlockKind.Thumbnail, 0, data, picture.Format switch { "JPG" => 1, "QOI" => 2, _ => 0 }, picture.Width, picture.Height);
+        Block(stream, BinaryBlockKind.Print, 0, Text(tables.Print), 0);
+        // Readers want a table of settings, be it empty.
+        var settings = Text(tables.Settings);
+        Block(stream, BinaryBlockKind.Slicer, settings.Length > 0 ? 3 : 0, settings, 0);
+        if (tables.Json is { } json) Block(stream, BinaryBlockKind.Slicer, json.Length > 0 ? 3 : 0, json, 1);
+        Code(document, stream, tables, progress, cancel);
+    }
+
+    private static void Code(GCodeDocument document, Stream stream, BinaryTables tables, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var packed = new MeatPackWriter();
+        using var plain = new MemoryStream();
+        var signal = false;
+        var line = 0;
+        var any = false;
+        var chunks = document.Chunks;
+        void Flush()
+        {
+            if (plain.Length == 0 && any) return;
+            any = true;
+            var data = packed.Take();
+            // The byte that switches MeatPack cannot stand in it.
+            if (signal) Block(stream, BinaryBlockKind.GCode, 3, plain.ToArray(), 0);
+            else Block(stream, BinaryBlockKind.GCode, 3, data, 2);
+            plain.SetLength(0);
+            signal = false;
+        }
+        for (var i = 0; i < chunks.Count; i++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            progress?.Report((double)i / chunks.Count);
+            var text = chunks[i].Text;
+            var starts = chunks[i].LineStarts();
+            for (var k = 0; k + 1 < starts.Length; k++)
+            {
+                if (tables.Holds(line++)) continue;
+                var start = starts[k] + (line == 1 ? TextEncoding.MarkLength(chunks[0]) : 0);
+                var end = LineEnds.Find(text, start, starts[k + 1]);
+                if (plain.Length > 0 && plain.Length + end - start + 1 > BlockText) Flush();
+                plain.Write(text, start, end - start);
+                plain.WriteByte((byte)'\n');
+                signal |= Array.IndexOf(text, (byte)0xFF, start, end - start) >= 0;
+                packed.Line(text, start, end);
+            }
+        }
+        Flush();
+        progress?.Report(1);
+    }
+
+    private static byte[] Text(IReadOnlyList<KeyValuePair<string, string>> table)
+    {
+        var text = new System.Text.StringBuilder();
+        foreach (var pair in table) text.Append(pair.Key).Append('=').Append(pair.Value).Append('\n');
+        return TextEncoding.Encode(text.ToString());
+    }
+
+    private static void Block(Stream stream, BinaryBlockKind kind, int compression, byte[] data, params int[] parameters)
+    {
+        var packed = compression == 0 ? data : Heatshrink.Pack(data, 12, 4);
+        var head = new byte[(compression == 0 ? 8 : 12) + 2 * parameters.Length];
+        var at = Number(head, 0, (uint)kind, 2);
+        at = Number(head, at, (uint)compression, 2);
+        at = Number(head, at, (uint)data.Length, 4);
+        if (compression != 0) at = Number(head, at, (uint)packed.Length, 4);
+        foreach (var parameter in parameters) at = Number(head, at, (uint)parameter, 2);
+        stream.Write(head, 0, head.Length);
+        stream.Write(packed, 0, packed.Length);
+        var sum = new byte[4];
+        Number(sum, 0, Crc32.Of(packed, 0, packed.Length, Crc32.Of(head, 0, head.Length)), 4);
+        stream.Write(sum, 0, 4);
+    }
+
+    private static int Number(byte[] bytes, int at, uint value, int count)
+    {
+        for (var k = 0; k < count; k++) bytes[at + k] = (byte)(value >> 8 * k);
+        return at + count;
+    }
+}
