@@ -24,6 +24,13 @@ public class ConvertTests : CliFixture
     }
 
     [Test]
+    public void Decimals_are_limited()
+    {
+        File.WriteAllText("a.gcode", File1.Replace("X10 E1", "X10.1234 E1.00006"));
+        Assert.That(Run("convert", "a.gcode", "-o", "-", "--decimals", "2,4").Text, Is.EqualTo(File1.Replace("X10 E1", "X10.12 E1.0001")));
+    }
+
+    [Test]
     public void A_layer_is_printed_slower_and_a_pause_put_before_it()
     {
         File.WriteAllText("a.gcode", File1);
@@ -117,6 +124,8 @@ public class ConvertTests : CliFixture
     [TestCase("--dialect", "basic")]
     [TestCase("--remove", "--mm")]
     [TestCase("--e", "sideways")]
+    [TestCase("--decimals", "3,x")]
+    [TestCase("--decimals", "1,2,3,4")]
     public void Wrong_wishes_are_wrong_usage(string option, string value)
     {
         File.WriteAllText("a.gcode", File1);

@@ -23,6 +23,7 @@ internal sealed class ConvertVerb : Verb
     private readonly Option<double> _tolerance = new("--tolerance") { Description = "Largest deviation of fitted arcs and of chords.", HelpName = "MM", DefaultValueFactory = _ => 0.02 };
     private readonly Option<bool> _millimetres = new("--mm") { Description = "Inches become millimetres." };
     private readonly Option<double> _retraction = new("--retraction") { Description = "Retraction in units of E that stands for G10 and G11 where the target has none.", HelpName = "E" };
+    private readonly Option<string?> _decimals = new("--decimals") { Description = "The most decimals of X, Y and Z, of E and of F, as 3,5,0; later ones may be left out.", HelpName = "XYZ,E,F" };
     private readonly ToolpathEditOptions _edits = new();
     private readonly SetupOptions _setup = new();
     private readonly Option<string?> _reason = WriteOptions.Override();
@@ -33,7 +34,7 @@ internal sealed class ConvertVerb : Verb
         Arguments.Add(_file);
         foreach (var option in new Option[]
         {
-            _out, _from, _to, _e, _unit, _diameter, _arcs, _tolerance, _millimetres, _retraction,
+            _out, _from, _to, _e, _unit, _diameter, _arcs, _tolerance, _millimetres, _retraction, _decimals,
         }) Options.Add(option);
         _edits.AddTo(this);
         _setup.AddTo(this);
@@ -86,6 +87,7 @@ internal sealed class ConvertVerb : Verb
     // Null where nothing is to be converted.
     private ConvertOptions? Target(ParseResult arguments)
     {
+        var decimals = Decimals(arguments);
         var target = new ConvertOptions
         {
             Dialect = CommonOptions.DialectOf(arguments.GetValue(_to)),
@@ -96,8 +98,25 @@ internal sealed class ConvertVerb : Verb
             ChordTolerance = Tolerance(arguments),
             Millimetres = arguments.GetValue(_millimetres),
             RetractionLength = arguments.GetValue(_retraction),
+            DecimalsXyz = decimals[0],
+            DecimalsE = decimals[1],
+            DecimalsF = decimals[2],
         };
-        return target.Dialect is null && target.RelativeE is null && target.Volumetric is null && !target.ExpandArcs && !target.Millimetres ? null : target;
+        return decimals[0] is null && target.Dialect is null && target.RelativeE is null && target.Volumetric is null && !target.ExpandArcs && !target.Millimetres ? null : target;
+    }
+
+    private int?[] Decimals(ParseResult arguments)
+    {
+        var decimals = new int?[3];
+        if (arguments.GetValue(_decimals) is not { } text) return decimals;
+        var parts = text.Split(',');
+        if (parts.Length > 3) throw new CliException(ExitCode.Usage, "--decimals takes at most three numbers: of X, Y and Z, of E and of F.");
+        for (var i = 0; i < parts.Length; i++)
+        {
+            if (!NumberReader.TryParseInt(parts[i].Trim(), out var count) || count is < 0 or > 9) throw new CliException(ExitCode.Usage, "--decimals needs whole numbers from 0 to 9, as 3,5,0.");
+            decimals[i] = count;
+        }
+        return decimals;
     }
 
     private double Tolerance(ParseResult arguments)
