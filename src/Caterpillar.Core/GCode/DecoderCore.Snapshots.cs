@@ -11,6 +11,8 @@ internal sealed partial class DecoderCore
 
     public int ToolNumber => _tool;
 
+    public bool IsSwitchedOn => _switchedOn;
+
     /// <summary>Events of the last line.</summary>
     public IReadOnlyList<Toolpaths.MoveEvent> LastEvents => _events;
 

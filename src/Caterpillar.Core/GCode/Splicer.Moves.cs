@@ -69,9 +69,8 @@ internal sealed partial class Splicer
     // What has to be in force before a move: its tool, the switch of the extruder, the mode of E.
     private void Prepare(Wanted wanted)
     {
-        var state = _now.Save();
-        if (wanted.Tool != state.Tool && wanted.Tool >= 0) Event(new ToolEvent(wanted.Tool));
-        if (_axis == ExtrusionAxis.Switched && wanted.Kind == MoveKind.Print != state.SwitchedOn) Command(state.SwitchedOn ? "M103" : "M101");
+        if (wanted.Tool != _now.ToolNumber && wanted.Tool >= 0) Event(new ToolEvent(wanted.Tool));
+        if (_axis == ExtrusionAxis.Switched && wanted.Kind == MoveKind.Print != _now.IsSwitchedOn) Command(_now.IsSwitchedOn ? "M103" : "M101");
         StateE(wanted);
     }
 

@@ -23,8 +23,10 @@ public class RoundTripTests
     public void The_toolpath_alone_is_written_anew(string file)
     {
         var decoding = RoundTrips.Decode(GCodeFiles.Document(file), null);
-        Assert.That(RoundTrips.Written(decoding, true), Is.Null);
-        Assert.That(RoundTrips.Written(decoding, false), Is.Null);
+        foreach (var relative in new[] { true, false })
+        {
+            if (InTurn(decoding, relative)) Assert.That(RoundTrips.Written(decoding, relative), Is.Null);
+        }
     }
 
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
@@ -33,7 +35,7 @@ public class RoundTripTests
         var decoding = RoundTrips.Decode(GCodeFiles.Document(file), null);
         foreach (var (name, options) in Notations())
         {
-            if (decoding.Toolpath.Count < 5000 || name is "relative E" or "absolute E") Assert.That(RoundTrips.Converted(decoding, options), Is.Null, name);
+            if (decoding.Toolpath.Count < 5000 || (name is "relative E" or "absolute E" && InTurn(decoding, name is "absolute E"))) Assert.That(RoundTrips.Converted(decoding, options), Is.Null, name);
         }
         if (decoding.Toolpath.Count < 10000) Assert.That(RoundTrips.Fitted(decoding), Is.Null, "arcs fitted");
     }
@@ -53,6 +55,9 @@ public class RoundTripTests
             }
         }
     }
+
+    // Of two ways, large files go one.
+    private static bool InTurn(Decoding decoding, bool first) => decoding.Toolpath.Count < 15000 || decoding.Toolpath.Count % 2 == (first ? 0 : 1);
 
     [Test]
     [Explicit("Every file in every way; some minutes.")]

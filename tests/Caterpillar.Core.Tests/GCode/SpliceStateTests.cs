@@ -148,6 +148,23 @@ public class SpliceStateTests
     }
 
     [Test]
+    public void Two_extruder_axes_become_one()
+    {
+        const string Two = "G90\nG1 X1 Y1 Z1 F600\nG1 X5 A1 B0.5\nG92 A0 B0\nG1 X9 A0.5\nG1 X12 B0.25\n";
+        var decoding = Decode(Two, "sailfish");
+        Assert.That(decoding.Report.ExtrusionAxis, Is.EqualTo("A+B"));
+        foreach (var relative in new[] { true, false })
+        {
+            var text = Convert(Two, "sailfish", new ConvertOptions { Dialect = DialectTable.Marlin2, RelativeE = relative });
+            Assert.That(Decode(text).Toolpath.Moves().Select(m => Math.Round(m.E, 9)), Is.EqualTo(new[] { 0, 1.5, 0.5, 0.25 }), text);
+            Assert.That(text, Does.Not.Contain("A").And.Not.Contain("B"));
+        }
+        var slower = decoding.Toolpath.ScaleFlow(new MoveFilter { Region = new Bounds(new Vec3(0, 0, 0), new Vec3(6, 9, 9)) }, 2);
+        var edited = Said(GCodeEditor.ToDocument(decoding, slower).Value!.ToBytes());
+        Assert.That(Decode(edited, "sailfish").Toolpath.Moves().Select(m => Math.Round(m.E, 9)), Is.EqualTo(new[] { 0, 3, 0.5, 0.25 }), edited);
+    }
+
+    [Test]
     public void Numbered_lines_may_be_extended_commands()
         => Assert.That(Decode("N1 PAUSE*80\nG1 X1\n", "klipper").Toolpath.Events.Single().Event, Is.EqualTo(new PauseEvent()));
 
