@@ -148,16 +148,31 @@ public class EditPropertyTests
     private static string Text(Decoding decoding, Toolpath edited)
         => string.Concat(GCodeEditor.ToDocument(decoding, edited).Value!.ToBytes().Select(b => (char)b)) + "\n-----";
 
-    // Of what is cut nothing is left, and of what is kept nothing is lost.
+    // What is kept is the same moves, each of which finds its tool as much pulled back as before.
     private static string? Kept(Toolpath before, Toolpath after)
     {
-        var sources = new HashSet<int>(after.Moves().Where(m => m.Source >= 0).Select(m => m.Source));
-        foreach (var move in after.Moves().Where(m => m.Source >= 0))
+        var states = States(before).ToDictionary(s => s.Move.Source);
+        foreach (var (move, pulled, firmware) in States(after))
         {
-            var was = before.Moves().First(m => m.Source == move.Source);
-            if (before.HomeOf(was) is null && (move.End != was.End || move.E != was.E || move.Kind != was.Kind || move.Speed != was.Speed || move.Tool != was.Tool)) return "a kept move changed: " + was + " to " + move;
+            if (move.Source < 0 || before.HomeOf(states[move.Source].Move) is not null) continue;
+            var was = states[move.Source];
+            if (move.End != was.Move.End || move.E != was.Move.E || move.Kind != was.Move.Kind || move.Speed != was.Move.Speed || move.Tool != was.Move.Tool) return "a kept move changed: " + was.Move + " to " + move;
+            if (move.Kind == MoveKind.Travel) continue;
+            if (firmware != was.Firmware || Math.Abs(pulled - was.Pulled) > 1e-6) return "pulled back otherwise before " + move + ": " + pulled + " " + firmware + " instead of " + was.Pulled + " " + was.Firmware;
         }
-        return sources.Count <= before.Count ? null : "more moves than before";
+        return null;
+    }
+
+    private static IEnumerable<(Move Move, double Pulled, bool Firmware)> States(Toolpath toolpath)
+    {
+        var pulled = new double[10];
+        var firmware = new bool[10];
+        foreach (var move in toolpath.Moves())
+        {
+            yield return (move, pulled[move.Tool], firmware[move.Tool]);
+            if (move.E != 0) pulled[move.Tool] = Math.Max(pulled[move.Tool] - move.E, 0);
+            else if (move.Kind is MoveKind.Retract or MoveKind.Restore) firmware[move.Tool] = move.Kind == MoveKind.Retract;
+        }
     }
 
     private static Toolpath Cut(Toolpath toolpath, Random random)
