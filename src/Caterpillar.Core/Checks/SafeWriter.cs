@@ -21,7 +21,7 @@ public static class SafeWriter
     /// <summary>Checks a toolpath and writes it as a file, whole or not at all.</summary>
     /// <param name="toolpath">What to write.</param>
     /// <param name="setup">The printer, material and settings it is for.</param>
-    /// <param name="path">The file; an older one is replaced.</param>
+    /// <param name="path">The file, binary where its name ends in .bgcode; an older one is replaced.</param>
     /// <param name="reason">Why findings of the checks are to be ignored; null where they are not.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels; nothing is left behind.</param>
@@ -32,7 +32,9 @@ public static class SafeWriter
     {
         if (Prepare(toolpath, setup, reason, progress.Part(0, 0.2), cancel, out var problems, out var overridden) is not { } format) return new Result<WrittenGCode>(null, problems.ToList());
         using var file = new WholeFile(path);
-        var written = Write(toolpath, format, file.Stream, overridden, progress.Part(0.2, 1), cancel);
+        using var text = BinaryGCode.IsName(path) ? new MemoryStream() : null;
+        var written = Write(toolpath, format, text ?? file.Stream, overridden, progress.Part(0.2, 1), cancel);
+        if (text is not null) BinaryGCode.Write(GCodeDocument.FromBytes(text.ToArray()), file.Stream, null, cancel);
         file.Commit();
         return new Result<WrittenGCode>(written, problems.ToList());
     }

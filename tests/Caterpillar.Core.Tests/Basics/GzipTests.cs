@@ -105,6 +105,7 @@ public class GzipTests
                     try
                     {
                         Assert.That(Unpacked(copy, out _), Is.EqualTo(data), $"byte {at}");
+                        Assert.That(at, Is.LessThan(packed.Length - 8), "Checksum and length are looked at.");
                     }
                     catch (InvalidDataException)
                     {

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
+using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -34,6 +35,17 @@ public class SafeWriterTests
         Assert.That(new FileInfo(file).Length, Is.EqualTo(written.Bytes));
         Assert.That(File.ReadAllLines(file), Has.Length.EqualTo(written.Lines).And.Some.StartsWith("G1 X50 "));
         Assert.That(Directory.GetFiles(_folder), Has.Length.EqualTo(1));
+    }
+
+    [Test]
+    public void A_name_that_ends_in_bgcode_asks_for_binary_code()
+    {
+        var file = Path.Combine(_folder, "part.bgcode");
+        Assert.That(SafeWriter.WriteFile(Line(50), new PrintSetup(), file).Value, Is.Not.Null);
+        Assert.That(File.ReadAllBytes(file)[0], Is.EqualTo((byte)'G'));
+        var text = SafeWriter.ToDocument(Line(50), new PrintSetup()).Value!;
+        var code = GCodeDocument.ReadFile(file).Lines(1, 10_000).Select(l => l.Text).Where(l => l.Length > 0 && l[0] != ';');
+        Assert.That(code, Is.EqualTo(text.Lines(1, 10_000).Select(l => l.Text).Where(l => l.Length > 0 && l[0] != ';')));
     }
 
     [Test]

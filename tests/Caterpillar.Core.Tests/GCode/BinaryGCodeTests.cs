@@ -147,6 +147,18 @@ public class BinaryGCodeTests
     }
 
     [Test]
+    public void Deflate_has_a_checksum_of_its_own()
+    {
+        var file = new BinaryFile(false).Code(1, 0, Text).ToArray();
+        for (var at = file.Length - 4; at < file.Length; at++)
+        {
+            var copy = (byte[])file.Clone();
+            copy[at] ^= 1;
+            Assert.That(Error(copy), Is.EqualTo("gcode.packed"));
+        }
+    }
+
+    [Test]
     public void What_is_said_in_errors_is_what_is_wrong()
     {
         Assert.That(Message([(byte)'G', (byte)'C', (byte)'D', (byte)'E', 2, 0, 0, 0, 1, 0]), Does.Contain("version"));

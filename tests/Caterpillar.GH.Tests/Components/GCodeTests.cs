@@ -182,6 +182,10 @@ public sealed class GCodeTests
             files.Component.ExpireSolution(false);
             files.Solve();
             Assert.That(((Toolpath)files.All("Toolpath")[0]!).Count, Is.EqualTo(canvas.One<Toolpath>("Toolpath").Count + 1), "A changed file is read again.");
+            File.WriteAllBytes(file, [0x1F, 0x8B, 8, 0, 1, 2]);
+            files.Component.ExpireSolution(false);
+            files.Solve();
+            Assert.That(files.Errors, Has.One.EndsWith("small.gcode cannot be read. It is cut off."));
         }
         finally
         {
