@@ -64,23 +64,32 @@ internal sealed class ConvertVerb : Verb
         var edited = _edits.Edit(decoding.Toolpath, Tolerance(arguments), arguments, session);
         if (arguments.GetValue(_arcs) == "fit") edited = edited.FitArcs(new ArcFitOptions { Tolerance = Tolerance(arguments) });
         var code = _edits.Code(arguments);
+        var written = document;
+        var dialect = decoding.Dialect;
         if (!ReferenceEquals(edited, decoding.Toolpath) || code.Start is not null || code.End is not null)
-            decoding = Again(session.Need(session.Long("Editing", p => GCodeEditor.ToDocument(decoding, edited, code, p, session.Cancel))), decoding.Dialect);
+        {
+            written = session.Need(session.Long("Editing", p => GCodeEditor.ToDocument(decoding, edited, code, p, session.Cancel)));
+            if (target is not null) decoding = Again(written, dialect, arguments, session);
+        }
         if (target is not null)
-            decoding = Again(session.Need(session.Long("Converting", p => GCodeConverter.ToDocument(decoding, target, p, session.Cancel))), target.Dialect ?? decoding.Dialect);
-        session.WriteGCode(arguments.GetValue(_out)!, Checked(decoding, arguments, session));
+        {
+            written = session.Need(session.Long("Converting", p => GCodeConverter.ToDocument(decoding, target, p, session.Cancel)));
+            dialect = target.Dialect ?? dialect;
+        }
+        session.WriteGCode(arguments.GetValue(_out)!, Checked(written, dialect, arguments, session));
         return ExitCode.Done;
-
-        Decoding Again(GCodeDocument text, DialectRules dialect)
-            => Decoder.Decode(text, new DecodeOptions { Dialect = dialect, FilamentDiameter = arguments.GetValue(_diameter) }, null, session.Cancel).Value!;
     }
 
+    private Decoding Again(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
+        => Decoder.Decode(text, new DecodeOptions { Dialect = dialect, FilamentDiameter = arguments.GetValue(_diameter) }, null, session.Cancel).Value!;
+
     // Against a printer only where one is named: the file was made for one that nobody knows here.
-    private GCodeDocument Checked(Decoding decoding, ParseResult arguments, Session session)
+    private GCodeDocument Checked(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
     {
         if (!_setup.IsGiven(arguments))
-            return arguments.GetValue(_reason) is null ? decoding.Document! : throw new CliException(ExitCode.Usage, "--override needs --printer: without it nothing is checked.");
+            return arguments.GetValue(_reason) is null ? text : throw new CliException(ExitCode.Usage, "--override needs --printer: without it nothing is checked.");
         var setup = _setup.Resolve(arguments, session);
+        var decoding = Again(text, dialect, arguments, session);
         return session.Need(session.Long("Checking", p => SafeEditor.ToDocument(decoding, decoding.Toolpath, setup, arguments.GetValue(_reason), null, p, session.Cancel)), ExitCode.Refused);
     }
 
