@@ -35,23 +35,12 @@ internal static class DecodeSummary
     // What is printed in each role, where the file says: its length, and the width that follows from its material.
     private static IEnumerable<string[]> Roles(Toolpath toolpath)
     {
-        var lengths = new double[System.Enum.GetValues<Role>().Length];
-        var areas = new double[lengths.Length];
-        var widths = new double[lengths.Length];
-        foreach (var move in toolpath.Moves())
+        var totals = RoleTotals.Of(toolpath);
+        if (totals.All(t => t.Role == Role.Unspecified)) yield break;
+        foreach (var total in totals)
         {
-            if (move.Kind != MoveKind.Print) continue;
-            lengths[(int)move.Role] += move.Length;
-            if (toolpath.BeadOf(move) is not { } bead) continue;
-            areas[(int)move.Role] += bead.Area * move.Length;
-            widths[(int)move.Role] += bead.Width(BeadShape.Stadium) * move.Length;
-        }
-        if (lengths.Skip(1).All(l => l == 0)) yield break;
-        for (var role = 0; role < lengths.Length; role++)
-        {
-            if (lengths[role] == 0) continue;
-            var means = areas[role] > 0 ? $", {Number(widths[role] / lengths[role])} mm wide, {Number(areas[role] / lengths[role])} mm² on average" : "";
-            yield return ["  " + Words(((Role)role).ToString()), Mm(lengths[role]) + means];
+            var strand = total is { Width: { } width, Area: { } area } ? $", {Number(width)} mm wide, {Number(area)} mm² on average" : "";
+            yield return ["  " + Words(total.Role.ToString()), Mm(total.Length) + strand];
         }
     }
 

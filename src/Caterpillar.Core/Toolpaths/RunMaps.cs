@@ -10,7 +10,7 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
 
     public override void Divide(Move move, MoveRun run)
     {
-        var chords = move.Arc is { } arc && !_keepsArcs ? arc.ChordCount(move.Start, tolerance) : 1;
+        var chords = move.Arc is { } arc && !_keepsArcs ? arc.ChordCount(move.Start, move.End, tolerance) : 1;
         for (var k = 1; k <= chords; k++)
         {
             run.Points.Add(k == chords ? move.End : move.Arc!.Value.PointAt(move.Start, move.End, (double)k / chords));

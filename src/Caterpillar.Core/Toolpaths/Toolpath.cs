@@ -101,8 +101,11 @@ public sealed class Toolpath
         if (move.Kind != MoveKind.Print || !(move.Length > 0) || VolumeOf(move) is not { } volume) return null;
         var area = volume / move.Length;
         var speed = move.Speed >= 0 && !double.IsInfinity(move.Speed) ? move.Speed : 0;
-        return area >= 0 && !double.IsInfinity(area) ? new Bead(area, move.Layer >= 0 ? Layers[move.Layer].Thickness : 0, speed) : null;
+        return area >= 0 && !double.IsInfinity(area) ? new Bead(area, ThicknessOf(move.Layer), speed) : null;
     }
+
+    /// <summary>Thickness of a layer in mm; 0 where it is not known, or for no layer.</summary>
+    internal double ThicknessOf(int layer) => layer >= 0 ? Layers[layer].Thickness : 0;
 
     /// <summary>mm³ for one unit of E of a tool, or null.</summary>
     public double? VolumePerE(int tool) => tool >= 0 && tool < Tools.Count ? Tools[tool].VolumePerE : null;

@@ -118,7 +118,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
             Add(move, end, move.E, move.Deposited, move.Speed, move.Arc);
             return;
         }
-        var chords = move.Arc is { } arc ? arc.ChordCount(move.Start, tolerance) : 1;
+        var chords = move.Arc is { } arc ? arc.ChordCount(move.Start, move.End, tolerance) : 1;
         for (var k = 1; k <= chords; k++)
         {
             var to = k == chords ? end : move.Arc!.Value.PointAt(move.Start, move.End, (double)k / chords);

@@ -54,6 +54,20 @@ public class BeadTests
         Assert.That(compared, Is.GreaterThan(300));
     }
 
+    [Test]
+    public void Each_role_has_its_length_and_its_mean_strand()
+    {
+        var toolpath = Decode("G90\nM83\n;LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\n;TYPE:Perimeter\nG1 X0 Y0 Z0.2 F600\nG1 X10 E0.5\nG1 Y30 E3\n;TYPE:Internal infill\nG3 X10 Y10 I0 J-10 E1\n", 1.75);
+        var totals = RoleTotals.Of(toolpath);
+        Assert.That(totals.Select(t => t.Role), Is.EqualTo(new[] { Role.InnerWall, Role.Infill }));
+        Assert.That(totals.Select(t => t.Length), Is.EqualTo(new[] { 40, 10 * Math.PI }).Within(1e-9));
+        var filament = Math.PI / 4 * 1.75 * 1.75;
+        Assert.That(totals.Select(t => t.Area!.Value), Is.EqualTo(new[] { 3.5 * filament / 40, filament / (10 * Math.PI) }).Within(1e-9));
+        var sides = 0.2 * (1 - Math.PI / 4);
+        Assert.That(totals[0].Width, Is.EqualTo(3.5 * filament / 40 / 0.2 + sides).Within(1e-9), "widths add up like areas");
+        Assert.That(RoleTotals.Of(Decode("M83\nG1 X10 E0.5\n", null)).Single().Width, Is.Null);
+    }
+
     // The value in force at each line.
     private static double[] Comments(GCodeDocument document, string name)
     {

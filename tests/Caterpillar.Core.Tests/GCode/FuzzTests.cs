@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Text;
 using Caterpillar.GCode;
+using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -100,11 +101,21 @@ public class FuzzTests
         }
         if (run % 8 != 0) return;
         decoding.Report.ToJson();
+        RoleTotals.Of(decoding.Toolpath);
+        if (run % 64 == 0) Reshape(decoding, random);
         if (!SameBytes(GCodeEditor.ToDocument(decoding, decoding.Toolpath).Value!.ToBytes(), bytes)) throw new InvalidOperationException("unedited file changed");
         GCodeWriter.ToBytes(decoding.Toolpath, new GCodeFormat { RelativeE = random.Next(2) == 0, DecimalsXyz = 3, DecimalsE = 3 });
         GCodeEditor.ToDocument(decoding, decoding.Toolpath.ScaleSpeed(new MoveFilter(), 0.5).ScaleFlow(new MoveFilter(), 1.1));
         GCodeEditor.ToDocument(decoding, decoding.Toolpath.Remove(new MoveFilter { Kinds = [(MoveKind)random.Next(8)] }));
         GCodeConverter.ToDocument(decoding, new ConvertOptions { Dialect = DialectTable.All[random.Next(DialectTable.All.Count)], RelativeE = random.Next(2) == 0, ExpandArcs = random.Next(4) == 0 });
+    }
+
+    private static void Reshape(Decoding decoding, Random random)
+    {
+        var filter = new MoveFilter { FirstLayer = random.Next(2) == 0 ? null : random.Next(3), Kinds = random.Next(2) == 0 ? null : [MoveKind.Print] };
+        var turned = decoding.Toolpath.Transformed(filter, Affine.Rotate(Vec3.UnitZ, random.Next(360)).Then(Affine.Scale(random.Next(1, 3), 1, 1)));
+        GCodeEditor.ToDocument(decoding, turned.InsertAtLayer(random.Next(3), new ToolEvent(random.Next(3))));
+        GCodeEditor.ToDocument(decoding, decoding.Toolpath.Deform(filter, p => p.WithZ(p.Z + Math.Abs(p.X) / 1000), 0.5));
     }
 
     private static byte[] Mutate(Random random)
