@@ -113,8 +113,10 @@ public static class Decoder
         Detection? detected = options.Dialect is null ? DialectDetector.Detect(told, axis) : null;
         if (detected is { IsDefault: true } && late?.Invoke() is { } end) detected = DialectDetector.Detect([.. told, end], axis);
         var rules = options.Dialect ?? detected!.Value.Dialect;
+        var given = axis;
         axis = axis.In(rules);
         var core = new DecoderCore(rules, options.Rule, axis);
+        if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched)) core.Diagnostics.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " knows no extruder by " + given.Name + ": what the file says of extrusion is left out.");
         var lines = 0;
         var mark = false;
         var checkpoints = document is null ? null : new List<Checkpoint>(document.Chunks.Count);

@@ -25,7 +25,7 @@ internal sealed partial class DecoderCore
     private double _feedFactor = 1;
     private double _feed;
 
-    private double Unit => _inches ? 25.4 : 1;
+    private double Unit => _inches ? Inch : 1;
 
     private void Execute(byte[] text, int start, int end)
     {
@@ -66,11 +66,19 @@ internal sealed partial class DecoderCore
         var action = 0;
         var explicitMotion = -1;
         var words = 0;
+        _machineCoordinates = false;
+        if (_rules.Letters.Length > 0 && HasUnknownLetter(line)) return;
         for (var i = 0; i < line.Count; i++)
         {
             if (line.Letters[i] != 'G' || !line.HasValue[i]) continue;
             words++;
-            var code = line.Values[i] is >= 0 and < 1000 ? (int)Math.Floor(line.Values[i] * 10 + 0.5) : -1;
+            if (_rules.Commands is CommandsRule.First or CommandsRule.Last && !Counts(line, i, words)) continue;
+            var code = Tenfold(line.Values[i]);
+            if (_rules.Commands == CommandsRule.InOrder && explicitMotion >= 0)
+            {
+                if (code is 0 or 10 or 20 or 30) Differs("gcode.dialect_commands", "A line has several motions: the last alone is read, with the words of all.");
+                else continue;
+            }
             if (code is 0 or 10 or 20 or 30) explicitMotion = code / 10;
             else if (!Modal(code)) action = code;
         }
@@ -79,12 +87,13 @@ internal sealed partial class DecoderCore
         {
             _motion = explicitMotion;
             MoveAndTurn(line);
+            if (words > 1 && _rules.Commands == CommandsRule.InOrder) ModesBehind(line);
         }
         else if (action != 0)
         {
             Action(action, line);
         }
-        else if (HasAxisWord(line) && (words == 0 || _rules.ModalMotion == ModalMotionRule.Standard))
+        else if (HasAxisWord(line) && (words == 0 || _rules.ModalMotion == ModalMotionRule.Standard || _machineCoordinates))
         {
             Features.ModalLines++;
             if (_rules.ModalMotion == ModalMotionRule.Never)
@@ -101,6 +110,42 @@ internal sealed partial class DecoderCore
         }
     }
 
+    private static int Tenfold(double code) => code is >= 0 and < 1000 ? (int)Math.Floor(code * 10 + 0.5) : -1;
+
+    // Modes that stand behind the motion of their line.
+    private void ModesBehind(ParsedLine line)
+    {
+        var moved = false;
+        for (var i = 0; i < line.Count; i++)
+        {
+            if (line.Letters[i] != 'G' || !line.HasValue[i]) continue;
+            var code = Tenfold(line.Values[i]);
+            if (code is 0 or 10 or 20 or 30) moved = true;
+            else if (moved) Modal(code);
+        }
+    }
+
+    private bool HasUnknownLetter(ParsedLine line)
+    {
+        for (var i = 0; i < line.Count; i++)
+        {
+            if (_rules.Letters.IndexOf(((char)line.Letters[i]).ToString(), StringComparison.Ordinal) >= 0) continue;
+            Refused("gcode.word_refused", _rules.Title + " refuses lines with the letter " + (char)line.Letters[i] + ".");
+            return true;
+        }
+        return false;
+    }
+
+    // Firmware that takes one command of a line.
+    private bool Counts(ParsedLine line, int word, int number)
+    {
+        var last = true;
+        for (var i = word + 1; i < line.Count && last; i++) last = line.Letters[i] != 'G' || !line.HasValue[i];
+        if (number == 1 && last) return true;
+        if (last) Differs("gcode.dialect_commands", "A line has several G words: " + _rules.Title + " executes the " + (_rules.Commands == CommandsRule.First ? "first" : "last") + " alone.");
+        return _rules.Commands == CommandsRule.First ? number == 1 : last;
+    }
+
     // True when the code changes a mode only.
     private bool Modal(int code)
     {
@@ -109,7 +154,8 @@ internal sealed partial class DecoderCore
             case 170:
             case 180:
             case 190:
-                if (_rules.Planes) _plane = (Geometry.ArcPlane)((code - 170) / 10);
+                if (_rules.Planes || code == 170) _plane = (Geometry.ArcPlane)((code - 170) / 10);
+                else Ignored('G', code / 10);
                 return true;
             case 200:
                 Features.G20++;
@@ -133,9 +179,10 @@ internal sealed partial class DecoderCore
             case 901:
             case 911:
                 if (_rules.AbsoluteCenters) _absoluteCenters = code == 901;
+                else if (code == 901) Ignored('G', 90.1);
                 return true;
             default:
-                return false;
+                return _rules.Workspaces && Workspace(code);
         }
     }
 
@@ -174,73 +221,23 @@ internal sealed partial class DecoderCore
         }
         var mask = (line.TryGet('X', out var x) ? ChunkParser.HasX : 0) | (line.TryGet('Y', out var y) ? ChunkParser.HasY : 0)
             | (line.TryGet('Z', out var z) ? ChunkParser.HasZ : 0) | (ExtruderWord(line, out var e) ? ChunkParser.HasE : 0);
+        if (_rules.RestorePoints && line.Find('R') >= 0) NotFollowed("R of a motion");
         General(mask, x, y, z, e, _motion);
+        _machineCoordinates = false;
     }
 
     private void General(int mask, double x, double y, double z, double e, int code)
     {
         var de = (mask & ChunkParser.HasE) != 0 ? ChangeOfE(e) : 0;
         Linear(
-            (mask & ChunkParser.HasX) != 0 ? Target(_x, x) : _x,
-            (mask & ChunkParser.HasY) != 0 ? Target(_y, y) : _y,
-            (mask & ChunkParser.HasZ) != 0 ? Target(_z, z) : _z,
+            (mask & ChunkParser.HasX) != 0 ? Target(_x, x, _shiftX) : _x,
+            (mask & ChunkParser.HasY) != 0 ? Target(_y, y, _shiftY) : _y,
+            (mask & ChunkParser.HasZ) != 0 ? Target(_z, z, _shiftZ) : _z,
             de,
             code);
     }
 
-    private double Target(double from, double word) => _relative ? from + word * Unit : word * Unit;
-
-    private double ChangeOfE(double word)
-    {
-        word *= Unit;
-        if (!(word is < LargestE and > -LargestE))
-        {
-            OutOfRange();
-            return 0;
-        }
-        if (_modesDiffer)
-            Differs("gcode.dialect_e_mode", "E is absolute or relative depending on the firmware here (order of G90, G91, M82, M83); " + _rules.Title + " takes it as " + (_relativeE ? "relative." : "absolute."));
-        var change = _relativeE ? word : word - _e;
-        _e += change;
-        if (_shadow)
-        {
-            var other = _lastRelative ? word : word - _shadowE;
-            _shadowE += other;
-            if (Math.Abs(other) >= NoChange) Tally.EMarlin2 += other;
-        }
-        return change;
-    }
-
-    private bool ExtruderWord(ParsedLine line, out double value)
-    {
-        value = 0;
-        if (!_axis.HasAmounts) return false;
-        if (_axis != ExtrusionAxis.Both) return line.TryGet((char)_axis.Letter, out value);
-        var hasA = line.TryGet('A', out var a) && a is > -LargestE and < LargestE;
-        var hasB = line.TryGet('B', out var b) && b is > -LargestE and < LargestE;
-        value = TwoAxes(a, hasA, b, hasB);
-        return hasA || hasB;
-    }
-
-    // Two extruder axes become one E: the sum of what both change.
-    private double TwoAxes(double a, bool hasA, double b, bool hasB)
-    {
-        double change = 0;
-        if (hasA)
-        {
-            change += _relativeE ? a : a - _a;
-            _a = _relativeE ? _a + a : a;
-        }
-        if (hasB)
-        {
-            change += _relativeE ? b : b - _b;
-            _b = _relativeE ? _b + b : b;
-        }
-        return _relativeE ? change : _e / Unit + change;
-    }
-
-    private double _a;
-    private double _b;
+    private double Target(double from, double word, double shift) => _machineCoordinates ? word * Unit - shift : _relative ? from + word * Unit : word * Unit;
 
     private bool HasAxisWord(ParsedLine line)
     {
@@ -262,6 +259,12 @@ internal sealed partial class DecoderCore
 
     private void Action(int code, ParsedLine line)
     {
+        if (IsHomer(code))
+        {
+            if (_rules.Homing == HomingRule.HomesToZero) Home(line);
+            else GoToStored(line, code == 280 ? 0 : 1);
+            return;
+        }
         switch (code)
         {
             case 40:
@@ -269,34 +272,32 @@ internal sealed partial class DecoderCore
                 return;
             case 100:
             case 110:
-                if (!HasOffsetWord(line)) FirmwareRetraction(code == 100);
-                return;
-            case 280:
-                Home(line);
+                if (line.HasAny(_rules.NoRetractionWith) || !_rules.FirmwareRetraction) Offsets(line, code);
+                else FirmwareRetraction(code == 100);
                 return;
             case 920:
                 Rename(line);
                 return;
-            case 921:
-            case 922:
-                ClearShifts();
+            case 281 when _rules.Homing == HomingRule.GoesToStoredPosition:
+            case 301 when _rules.Homing == HomingRule.GoesToStoredPosition:
+                Store(code == 281 ? 0 : 1);
                 return;
             default:
-                Ignored('G', code < 0 ? 0 : code / 10.0);
+                if (DialectRules.Names(_rules.ShiftResets, 'G', code / 10.0)) ClearShifts();
+                else Ignored('G', code < 0 ? 0 : code / 10.0);
                 return;
         }
     }
 
-    private static bool HasOffsetWord(ParsedLine line) => line.Has('P') || line.Has('L') || line.Has('X') || line.Has('Y') || line.Has('Z');
+    private bool IsHomer(int code)
+    {
+        if (code == 280 && _rules.Homers.Count == 1) return true;
+        return code is 280 or 300 or 1610 or 1620 && DialectRules.Names(_rules.Homers, 'G', code / 10.0);
+    }
 
     private void FirmwareRetraction(bool retract)
     {
         Features.FirmwareRetraction++;
-        if (!_rules.FirmwareRetraction)
-        {
-            Ignored('G', retract ? 10 : 11);
-            return;
-        }
         if (retract) Tally.FirmwareRetracts++;
         else Tally.FirmwareUnretracts++;
         Emit(_x, _y, _z, 0, 0, retract ? MoveKind.Retract : MoveKind.Restore);
@@ -304,7 +305,7 @@ internal sealed partial class DecoderCore
 
     private void Dwell(ParsedLine line)
     {
-        var seconds = line.TryGet('S', out var s) && _rules.DwellS > 0 ? s * _rules.DwellS : line.TryGet('P', out var p) ? p * _rules.DwellP : 0;
+        var seconds = _rules.DwellSeconds(line.TryGet('P', out var p) ? p : null, line.TryGet('S', out var s) ? s : null);
         if (!(seconds is > 0 and < 1e9)) return;
         AddEvent(new DwellEvent(seconds));
         Emit(_x, _y, _z, 0, 0, MoveKind.Dwell);

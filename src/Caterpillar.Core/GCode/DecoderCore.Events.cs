@@ -34,16 +34,17 @@ internal sealed partial class DecoderCore
         switch (code)
         {
             case 820:
-                Features.M82++;
-                SetM83(false);
-                return;
             case 830:
-                Features.M83++;
-                SetM83(true);
+                SetM83(code == 830);
                 return;
             case 1010:
             case 1030:
                 _switchedOn = code == 1010;
+                return;
+            case 2010 when _rules.SwitchedTools && line.Count == 1:
+            case 3010 when _rules.SwitchedTools && line.Count == 1:
+                ChangeTool(code / 1000 - 1);
+                _switchedOn = true;
                 return;
             case 1040:
             case 1090:
@@ -53,48 +54,59 @@ internal sealed partial class DecoderCore
             case 1900:
                 if (Temperature(line, out var bed)) AddEvent(new BedTemperatureEvent(bed, code == 1900));
                 return;
-            case 1060:
-            case 1070:
+            case 1060 when _rules.Fan != FanScale.None:
+            case 1070 when _rules.Fan != FanScale.None:
                 Fan(line, code == 1060);
                 return;
-            case 1260:
-            case 1270:
-                AddEvent(new FanEvent(code == 1260 ? 1 : 0));
+            case 1260 when _rules.ValveIsFan:
+            case 1270 when _rules.ValveIsFan:
+                AddEvent(new FanEvent(code == 1260 && line.Get('S', 1) != 0 ? 1 : 0));
+                return;
+            case 1200 when _rules.ModeStack:
+                PushModes();
+                return;
+            case 1210 when _rules.ModeStack:
+                PopModes();
                 return;
             case 2040:
                 if ((line.TryGet('S', out var acceleration) || line.TryGet('P', out acceleration)) && acceleration is > 0 and < 1e9) AddEvent(new AccelerationEvent(acceleration));
                 return;
-            case 2000:
+            case 2000 when _rules.Volumetric:
                 Volumetric(line);
                 return;
-            case 2200:
-                if (_rules.SpeedFactor && line.TryGet('S', out var percent) && percent is > 0 and < 1e6)
-                {
-                    _feedFactor = percent / 100;
-                    _speed = _feed / 60 * _feedFactor;
-                }
+            case 2200 when _rules.SpeedFactor:
+                SpeedFactor(line);
                 return;
-            case 2210:
-                if (_rules.FlowFactor && line.TryGet('S', out var flow) && flow is > 0 and < 1e6) _flow = flow / 100;
+            case 2210 when _rules.FlowFactor != FlowFactorRule.Ignored:
+                FlowFactor(line);
                 return;
             case 60:
                 if (_rules.ToolByM6) ChangeTool(line.TryGet('T', out var tool) ? tool : double.IsNaN(_nextTool) ? _tool : _nextTool);
+                else if (!ToolCommand(code, line)) Ignored('M', 6);
                 return;
             case 4860:
                 Object486(text, line);
                 return;
             default:
+                if (ToolCommand(code, line)) return;
+                if (DialectRules.Names(_rules.Dwells, 'M', code / 10.0)) Dwell(line);
+                if (code == 2000) Features.M200++;
                 Ignored('M', line.Values[0]);
                 return;
         }
     }
 
-    private void SetM83(bool on)
+    // M135 T1 and its like.
+    private bool ToolCommand(int code, ParsedLine line)
     {
-        if (_rules.RelativeE == RelativeERule.OnlyG90G91) return;
-        _m83 = on;
-        _lastRelative = on;
-        Modes();
+        foreach (var command in _rules.ToolCommands)
+        {
+            var blank = command.IndexOf(" ", StringComparison.Ordinal);
+            if (!NumberReader.TryParseInt(command.Substring(1, blank - 1), out var number) || number * 10 != code || !line.TryGet(command[blank + 1], out var tool)) continue;
+            ChangeTool(tool);
+            return true;
+        }
+        return false;
     }
 
     private bool IsPause(int code, ParsedLine line)
@@ -118,18 +130,21 @@ internal sealed partial class DecoderCore
     private void Fan(ParsedLine line, bool on)
     {
         // Only the part fan: others have numbers from 2 on.
-        if (line.TryGet('P', out var number) && number is not (0 or 1)) return;
-        if (!line.TryGet('S', out var speed)) speed = on ? 255 : 0;
+        if (_rules.FanLetter != 'P' && line.TryGet('P', out var number) && number is not (0 or 1)) return;
+        if (!line.TryGet(_rules.FanLetter, out var speed))
+        {
+            // Without a number it only reports.
+            if (on && _rules.Fan == FanScale.FractionOrByte) return;
+            speed = on ? 255 : 0;
+        }
         if (!on) speed = 0;
         if (!(speed is >= 0 and < 1e6)) return;
-        AddEvent(new FanEvent(_rules.Fan == FanScale.FractionOrByte && speed <= 1 ? speed : Math.Min(speed / 255, 1)));
-    }
-
-    private void Volumetric(ParsedLine line)
-    {
-        Features.M200++;
-        if (!_rules.Volumetric) return;
-        _volumetric = line.TryGet('D', out var diameter) ? diameter > 0 : !line.TryGet('S', out var on) || on > 0;
+        AddEvent(new FanEvent(_rules.Fan switch
+        {
+            FanScale.Switch => speed > 0 ? 1 : 0,
+            FanScale.FractionOrByte when speed <= 1 => speed,
+            _ => Math.Min(speed / 255, 1),
+        }));
     }
 
     private void Macro(byte[] text, ParsedLine line)
@@ -139,6 +154,7 @@ internal sealed partial class DecoderCore
         var end = start;
         while (end < line.CodeEnd && text[end] > ' ' && text[end] != '*') end++;
         var name = TextEncoding.Decode(text, start, Math.Min(end, start + 60)).ToUpperInvariant();
+        if (_rules.ExtendedCommands && NamedState(name, TextEncoding.Decode(text, end, Math.Min(line.CodeEnd, end + 400)).ToUpperInvariant())) return;
         switch (name)
         {
             case "EXCLUDE_OBJECT_START":
@@ -163,7 +179,7 @@ internal sealed partial class DecoderCore
     // extruder, extruder1, extruder2 …
     private void Activate(string name)
     {
-        if (_rules.SharedE || !name.StartsWith("extruder", StringComparison.Ordinal)) return;
+        if (!_rules.ExtendedCommands || !name.StartsWith("extruder", StringComparison.Ordinal)) return;
         var number = 0;
         if (name.Length == 8 || NumberReader.TryParseInt(name.Substring(8), out number)) ChangeTool(number);
     }
@@ -192,7 +208,18 @@ internal sealed partial class DecoderCore
         SetObject(close > 0 ? TextEncoding.Decode(text, quote + 1, Math.Min(close, quote + 200)) : "object " + NumberFormatter.Format((long)number));
     }
 
-    private void Ignored(char letter, double number) => Count(letter + NumberFormatter.Format(number is > -1e6 and < 1e6 ? number : 0, 1));
+    private void Ignored(char letter, double number)
+    {
+        var name = letter + NumberFormatter.Format(number is > -1e6 and < 1e6 ? number : 0, 1);
+        Count(name);
+        foreach (var other in _rules.NotFollowed)
+        {
+            if (other == name) NotFollowed(name);
+        }
+    }
+
+    private void NotFollowed(string name) => Diagnostics.Add(
+        Severity.Warning, "gcode.not_followed", _rules.Title + ": " + name + " moves the head or shifts its coordinates in a way that is not followed; positions behind it may be wrong.", new SourceLocation(Line: _line));
 
     private void Count(string name)
     {

@@ -27,32 +27,6 @@ internal sealed partial class DecoderCore
         _knownX = _knownY = _knownZ = true;
     }
 
-    private void Home(ParsedLine line)
-    {
-        bool x = line.Has('X'), y = line.Has('Y'), z = line.Has('Z');
-        if (!x && !y && !z) x = y = z = true;
-        var moves = (x && _x + _shiftX != 0) || (y && _y + _shiftY != 0) || (z && _z + _shiftZ != 0);
-        AddEvent(new HomeEvent(x, y, z));
-        if (x)
-        {
-            _x = _shiftX = 0;
-            _knownX = true;
-        }
-        if (y)
-        {
-            _y = _shiftY = 0;
-            _knownY = true;
-        }
-        if (z)
-        {
-            _z = _shiftZ = 0;
-            _knownZ = true;
-        }
-        _wasPrint = false;
-        // The way home is a move of the toolpath, though not of the file's own.
-        if (moves && _started) Emit(_x, _y, _z, 0, 0, MoveKind.Travel);
-    }
-
     // G92: the place gets another name; the head stays.
     private void Rename(ParsedLine line)
     {
@@ -94,7 +68,7 @@ internal sealed partial class DecoderCore
             return true;
         }
         if (!line.TryGet((char)_axis.Letter, out var e)) return false;
-        e *= Unit;
+        e *= UnitOfE;
         if (!(e is > -LargestE and < LargestE)) return false;
         _e = _shadowE = e;
         return true;
@@ -121,12 +95,20 @@ internal sealed partial class DecoderCore
         }
     }
 
+    // What G92 has shifted; the zero of a workspace stays.
     private void ClearShifts()
     {
-        _x += _shiftX;
-        _y += _shiftY;
-        _z += _shiftZ;
-        _shiftX = _shiftY = _shiftZ = 0;
+        var (x, y, z) = Origin();
+        Shift(x, y, z);
         _wasPrint = false;
+    }
+
+    // Coordinates as written get another zero; the head stays.
+    private void Shift(double x, double y, double z)
+    {
+        _x += _shiftX - x;
+        _y += _shiftY - y;
+        _z += _shiftZ - z;
+        (_shiftX, _shiftY, _shiftZ) = (x, y, z);
     }
 }

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
 
@@ -21,6 +22,9 @@ internal sealed partial class DecoderCore
 
     /// <summary>The geometry of the last line's arc, where it made one.</summary>
     public Geometry.Arc? LastArc => _out.LastArc;
+
+    /// <summary>The factor of M221 for the present tool.</summary>
+    public double Flow => _flow;
 
     /// <summary>True when E words are increments now.</summary>
     public bool IsRelativeE => _relativeE;
@@ -73,7 +77,17 @@ internal sealed partial class DecoderCore
             KnownY = _knownY,
             KnownZ = _knownZ,
             Started = _started,
-            EByTool = _rules.SharedE ? [] : _tools.Select(t => new KeyValuePair<int, double>(t.Key, t.Value.E)).ToArray(),
+            UnitOfE = UnitOfE,
+            KeptFactor = _keptFactor,
+            Workspace = _system,
+            Workspaces = _systems,
+            Stored28 = _stored28,
+            Stored30 = _stored30,
+            Offset = _offset,
+            OffsetE = _offsetE,
+            ModeStack = _modeStack,
+            NamedStates = _namedStates,
+            EByTool = _rules.PositionOfE != PositionOfERule.PerTool ? [] : _tools.Select(t => new KeyValuePair<int, double>(t.Key, t.Value.E)).ToArray(),
         };
     }
 
@@ -81,8 +95,7 @@ internal sealed partial class DecoderCore
     {
         foreach (var pair in from.EByTool)
         {
-            if (!_tools.TryGetValue(pair.Key, out var state)) _tools.Add(pair.Key, state = new ToolState());
-            state.E = pair.Value;
+            StateOf(pair.Key).E = pair.Value;
         }
         if (from.Tool != _tool) SelectTool(from.Tool);
         _x = from.X;
@@ -116,6 +129,15 @@ internal sealed partial class DecoderCore
         _knownY = from.KnownY;
         _knownZ = from.KnownZ;
         _started = from.Started;
+        _keptFactor = from.KeptFactor;
+        _system = from.Workspace;
+        _systems = from.Workspaces;
+        _stored28 = from.Stored28;
+        _stored30 = from.Stored30;
+        _offset = from.Offset;
+        _offsetE = from.OffsetE;
+        _modeStack = from.ModeStack;
+        _namedStates = from.NamedStates;
         Modes();
     }
 }

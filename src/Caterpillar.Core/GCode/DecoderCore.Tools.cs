@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
@@ -69,6 +70,8 @@ internal sealed partial class DecoderCore
         Tally.ToolChanges++;
         StoreTool();
         SelectTool(tool);
+        if (_rules.PositionOfE == PositionOfERule.ZeroAtChange) _e = _shadowE = 0;
+        if (_rules.FlowFactor == FlowFactorRule.UntilToolChange) _flow = 1;
         AddEvent(new ToolEvent(tool));
     }
 
@@ -79,22 +82,26 @@ internal sealed partial class DecoderCore
         _state.Touched |= _run != 0 || _highest != 0 || _retracted != 0;
         _state.Highest = _highest;
         _state.E = _e;
+        _state.Flow = _flow;
+    }
+
+    private ToolState StateOf(int tool)
+    {
+        if (!_tools.TryGetValue(tool, out var state)) _tools.Add(tool, state = new ToolState());
+        return state;
     }
 
     private void SelectTool(int tool)
     {
-        if (!_tools.TryGetValue(tool, out var state))
-        {
-            state = new ToolState();
-            _tools.Add(tool, state);
-        }
+        var state = StateOf(tool);
         _state = state;
         _tool = tool;
         _highestTool = Math.Max(_highestTool, tool);
         _retracted = state.Retracted;
         _run = state.Run;
         _highest = state.Highest;
-        if (!_rules.SharedE) _e = _shadowE = state.E;
+        if (_rules.PositionOfE == PositionOfERule.PerTool) _e = _shadowE = state.E;
+        if (_rules.FlowFactor == FlowFactorRule.PerTool) _flow = state.Flow;
     }
 
     private sealed class ToolState
@@ -103,6 +110,7 @@ internal sealed partial class DecoderCore
         public double Run;
         public double Highest;
         public double E;
+        public double Flow = 1;
         public bool Touched;
     }
 }

@@ -21,8 +21,12 @@ internal static class EventText
                 break;
             case FanEvent fan:
                 var speed = Math.Min(Math.Max(fan.Speed, 0), 1);
-                if (rules.Fan == FanScale.FractionOrByte) yield return "M106 S" + NumberFormatter.Format(speed, 3);
-                else yield return speed == 0 ? "M107" : "M106 S" + NumberFormatter.Format(speed * 255, 0);
+                if (rules.Fan == FanScale.None) break;
+                if (rules.ValveIsFan && rules.Fan == FanScale.Switch) yield return speed > 0 ? "M126" : "M127";
+                else if (rules.Fan == FanScale.FractionOrByte) yield return "M106 " + rules.FanLetter + NumberFormatter.Format(speed, 3);
+                else yield return speed == 0 ? "M107" : "M106 " + rules.FanLetter + NumberFormatter.Format(speed * 255, 0);
+                break;
+            case ToolEvent tool when tool.Tool >= rules.ToolLimit:
                 break;
             case ToolEvent tool:
                 yield return (rules.ToolByM6 ? "M6 T" : "T") + NumberFormatter.Format(tool.Tool);
@@ -38,7 +42,8 @@ internal static class EventText
                 yield return rules.Pauses.Count > 0 ? rules.Pauses[0] : "M0";
                 break;
             case HomeEvent home:
-                yield return home.X && home.Y && home.Z ? "G28" : "G28" + (home.X ? " X" : "") + (home.Y ? " Y" : "") + (home.Z ? " Z" : "");
+                var zero = rules.Homing == HomingRule.HomesToZero ? "" : "0";
+                yield return home.X && home.Y && home.Z ? "G28" : "G28" + (home.X ? " X" + zero : "") + (home.Y ? " Y" + zero : "") + (home.Z ? " Z" + zero : "");
                 break;
             case CommentEvent comment:
                 yield return comment.Text.Length > 0 ? "; " + OneLine(comment.Text) : ";";

@@ -31,9 +31,11 @@ internal sealed class ExtrusionAxis
     /// <summary>The axis with this letter, or <see cref="None"/>.</summary>
     public static ExtrusionAxis Of(char letter) => letter switch { 'E' => E, 'A' => A, 'B' => B, _ => None };
 
-    /// <summary>What is left of it in a dialect: where A and B are no extruders, they turn axes.</summary>
+    /// <summary>What is left of it in a dialect: where A and B are no extruders, they turn axes; where there are no amounts, a switch may be left, or nothing.</summary>
     public ExtrusionAxis In(DialectRules rules)
-        => this == A && rules.ExtruderLetters.IndexOf("A", StringComparison.Ordinal) < 0 || this == B && rules.ExtruderLetters.IndexOf("B", StringComparison.Ordinal) < 0
+        => HasAmounts && rules.ExtruderLetters.Length == 0 ? rules.SwitchedExtruder ? Switched : None
+            : this == Switched && !rules.SwitchedExtruder ? None
+            : this == A && rules.ExtruderLetters.IndexOf("A", StringComparison.Ordinal) < 0 || this == B && rules.ExtruderLetters.IndexOf("B", StringComparison.Ordinal) < 0
             || this == Both && rules.ExtruderLetters.IndexOf("A", StringComparison.Ordinal) < 0 ? None : this;
 
     public bool Is(byte letter) => Letter == letter || (this == Both && (letter == 'A' || letter == 'B'));

@@ -22,7 +22,8 @@ public sealed partial class GCodeWriter
     private bool Native(Vec3 start, Vec3 end, double e, double speed, Arc arc)
     {
         var turns = Math.Ceiling(Math.Abs(arc.Sweep) / 360 - 1e-9);
-        if (turns > 1 && (!_rules.ArcTurns || turns > 1e6)) return SplitTurns(start, end, e, speed, arc, turns);
+        var word = turns > 1e6 ? 0 : _rules.TurnsWord((int)turns);
+        if (turns > 1 && word == 0) return SplitTurns(start, end, e, speed, arc, turns);
         var xyz = _format.DecimalsXyz;
         var ux = NumberFormatter.ToUnits(end.X, xyz);
         var uy = NumberFormatter.ToUnits(end.Y, xyz);
@@ -36,6 +37,9 @@ public sealed partial class GCodeWriter
         var rest = Math.Abs(arc.Sweep) - 360 * (turns - 1);
         // Printed alike, a short arc would become a full circle, and a circle that does not close a short arc.
         if (closed ? rest < 180 : rest > 359.999) return false;
+        var code = _rules.ArcCode(arc.Plane, arc.Sweep < 0);
+        if (closed && code == 3 && !_rules.CounterclockwiseCircles) return false;
+        if (_rules.HelixRisesFirst && uz != _z) return false;
         var cu = NumberFormatter.ToUnits(arc.Center.X, xyz) - _x;
         var cv = NumberFormatter.ToUnits(arc.Center.Y, xyz) - _y;
         var cw = NumberFormatter.ToUnits(arc.Center.Z, xyz) - _z;
@@ -43,13 +47,13 @@ public sealed partial class GCodeWriter
         if (first == 0 && second == 0) return false;
         Plane(arc.Plane);
         var ue = StepE(e, out var changed);
-        _out.Command((byte)'G', arc.Sweep < 0 ? 2 : 3);
+        _out.Command((byte)'G', code);
         if (ux != _x || (closed && arc.Plane != ArcPlane.YZ)) _out.Word((byte)'X', ux, xyz);
         if (uy != _y || (closed && arc.Plane != ArcPlane.ZX)) _out.Word((byte)'Y', uy, xyz);
         if (uz != _z || (closed && arc.Plane != ArcPlane.XY)) _out.Word((byte)'Z', uz, xyz);
         _out.Word(arc.Plane == ArcPlane.YZ ? (byte)'J' : (byte)'I', first, xyz);
         _out.Word(arc.Plane == ArcPlane.XY ? (byte)'J' : (byte)'K', second, xyz);
-        if (turns > 1) _out.Word((byte)'P', (long)turns, 0);
+        if (word > 0) _out.Word((byte)'P', word, 0);
         Turns();
         if (changed) _out.Word(_e, ue, _format.DecimalsE);
         Feed(speed);

@@ -68,15 +68,22 @@ public sealed partial class GCodeWriter
 
     private void Fan(double speed)
     {
-        if (_rules.Fan == FanScale.Byte && speed == 0)
+        if (_rules.Fan == FanScale.None) return;
+        if (_rules.ValveIsFan && _rules.Fan == FanScale.Switch)
+        {
+            _out.Command((byte)'M', speed > 0 ? 126 : 127);
+            _out.EndLine();
+            return;
+        }
+        if (_rules.Fan != FanScale.FractionOrByte && speed == 0)
         {
             _out.Command((byte)'M', 107);
             _out.EndLine();
             return;
         }
         _out.Command((byte)'M', 106);
-        if (_rules.Fan == FanScale.Byte) _out.Word('S', speed * 255, 0);
-        else _out.Word('S', speed, 3);
+        if (_rules.Fan == FanScale.FractionOrByte) _out.Word(_rules.FanLetter, speed, 3);
+        else _out.Word(_rules.FanLetter, speed * 255, 0);
         _out.EndLine();
     }
 
@@ -85,13 +92,20 @@ public sealed partial class GCodeWriter
         _out.Command((byte)'G', 28);
         if (!(home.X && home.Y && home.Z))
         {
-            if (home.X) _out.Bare('X');
-            if (home.Y) _out.Bare('Y');
-            if (home.Z) _out.Bare('Z');
+            if (home.X) HomeAxis('X');
+            if (home.Y) HomeAxis('Y');
+            if (home.Z) HomeAxis('Z');
         }
         _out.EndLine();
         _homed = home;
         _placed = false;
+    }
+
+    // Where G28 goes over a point, that is the stored position itself.
+    private void HomeAxis(char letter)
+    {
+        if (_rules.Homing == HomingRule.HomesToZero) _out.Bare(letter);
+        else _out.Word((byte)letter, 0, 0);
     }
 
     // A line that we did not make may have moved the head or changed the speed: the next move says everything.
@@ -123,15 +137,20 @@ public sealed partial class GCodeWriter
         _tool = tool;
         if (lines is { Count: > 0 }) TemplateLines(lines);
         else StateTool(tool);
-        if (_rules.SharedE) return;
+        if (_rules.PositionOfE == PositionOfERule.Shared) return;
         if (!_sums.TryGetValue(tool, out var sum)) _sums.Add(tool, sum = new ExtruderSum());
+        if (_rules.PositionOfE == PositionOfERule.ZeroAtChange)
+        {
+            sum.Wanted -= NumberFormatter.FromUnits(sum.Written, _format.DecimalsE);
+            sum.Written = 0;
+        }
         _sum = sum;
     }
 
     // What rounding has left of E belongs to its tool, also where the tools share a position.
     private void KeepRest(int next)
     {
-        if (!_rules.SharedE) return;
+        if (_rules.PositionOfE != PositionOfERule.Shared) return;
         var written = NumberFormatter.FromUnits(_sum.Written, _format.DecimalsE);
         _rests[_tool] = _sum.Wanted - written;
         _sum.Wanted = _rests.TryGetValue(next, out var rest) ? written + rest : written;

@@ -36,7 +36,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         Axis(text, 'Z', wanted.Z - state.ShiftZ, state.Z, unit, state.Relative);
         Turn(text, wanted.Turns, state);
         Centers(wanted, state, unit);
-        Extruder(text, wanted, state, unit, relativeE, owed);
+        Extruder(text, wanted, state, relativeE, owed);
         Feed(text, wanted, state, unit);
         Apply(text, start, end);
     }
@@ -81,7 +81,8 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
 
     private void Motion(Wanted wanted, MachineSnapshot state, int straight)
     {
-        var code = wanted.Arc is { } arc ? (arc.Sweep < 0 ? 2 : 3) : straight;
+        if (rules.Commands is CommandsRule.First or CommandsRule.Last) SoleCommand();
+        var code = wanted.Arc is { } arc ? rules.ArcCode(arc.Plane, arc.Sweep < 0) : straight;
         for (var i = 0; i < _line.Count; i++)
         {
             if (_line.Letters[i] != 'G' || !_line.HasValue[i] || !(_line.Values[i] is 0 or 1 or 2 or 3)) continue;
@@ -92,6 +93,16 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         // A line that repeats the last motion.
         if (code < 0) code = state.Motion is 0 or 1 ? state.Motion : 1;
         if (rules.ModalMotion == ModalMotionRule.Never || state.Motion != code) Insert((byte)'G', code, 0);
+    }
+
+    // Modes in the line have been stated in front of it; firmware that takes one command of a line gets the motion.
+    private void SoleCommand()
+    {
+        for (var i = 0; i < _line.Count; i++)
+        {
+            if (_line.Letters[i] != 'G' || !_line.HasValue[i] || _line.Values[i] is 0 or 1 or 2 or 3) continue;
+            _edits.Add(new Edit(_line.LetterAt[i], i + 1 < _line.Count ? _line.LetterAt[i + 1] : _line.NumberEnd[i], 255, 0, 0));
+        }
     }
 
     private void Axis(byte[] text, char letter, double target, double current, double unit, bool relative)
@@ -134,11 +145,17 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         Center('J', (center.Y - from.Y) / unit, arc.Plane != ArcPlane.ZX, unit);
         Center('K', (center.Z - from.Z) / unit, arc.Plane != ArcPlane.XY, unit);
         Delete('R');
-        var turns = Math.Ceiling(Math.Abs(arc.Sweep) / 360 - 1e-9);
-        if (turns <= 1) Delete('P');
-        else if (_line.Find('P') < 0) Insert((byte)'P', turns, 0);
+        Turns(rules.TurnsWord(arc.Turns));
         // A full circle says its end, so that the other words cannot be mistaken.
-        if (_line.Find('R') >= 0 && _line.Find('X') < 0 && arc.Plane != ArcPlane.YZ) Insert((byte)'X', (state.Relative ? wanted.X - state.ShiftX - state.X : wanted.X - state.ShiftX) / unit, style.DecimalsXyz);
+        if ((_line.Find('R') >= 0 || (rules.ArcNamesEnd && _line.Find('Y') < 0)) && _line.Find('X') < 0 && arc.Plane != ArcPlane.YZ) Insert((byte)'X', (state.Relative ? wanted.X - state.ShiftX - state.X : wanted.X - state.ShiftX) / unit, style.DecimalsXyz);
+    }
+
+    private void Turns(int number)
+    {
+        var word = _line.Find('P');
+        if (number == 0) Delete('P');
+        else if (word < 0) Insert((byte)'P', number, 0);
+        else if (_line.Values[word] != number) Replace(word, number, 0);
     }
 
     private void Center(char letter, double value, bool inPlane, double unit)
@@ -159,8 +176,9 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         }
     }
 
-    private void Extruder(byte[] text, Wanted wanted, MachineSnapshot state, double unit, bool relativeE, double owed)
+    private void Extruder(byte[] text, Wanted wanted, MachineSnapshot state, bool relativeE, double owed)
     {
+        var unit = state.UnitOfE;
         // An extruder of another letter goes.
         if (source != axis && source.FirstLetter is not 0 and var old && old != _extruder) Delete((char)old);
         if (source == ExtrusionAxis.Both) Delete('B');
@@ -186,8 +204,8 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         else Insert((byte)'F', feed / unit, decimals);
     }
 
-    // An inch is coarser.
-    private static int Decimals(int decimals, double unit) => unit > 1 ? decimals + 2 : decimals;
+    // An inch is coarser, and a cubic inch more so.
+    private static int Decimals(int decimals, double unit) => unit > 1000 ? decimals + 5 : unit > 1 ? decimals + 2 : decimals;
 
     private static double Half(int decimals) => 0.5 * NumberFormatter.FromUnits(1, decimals);
 

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
@@ -40,15 +41,32 @@ internal sealed class MachineSnapshot
     public bool Started;
     public KeyValuePair<int, double>[] EByTool = [];
 
+    /// <summary>mm (or mm³) for one unit of E as it is written now.</summary>
+    public double UnitOfE = 1;
+
+    public double KeptFactor = 1;
+    public int Workspace;
+    public double[]? Workspaces;
+    public Vec3 Stored28;
+    public Vec3 Stored30;
+    public Vec3 Offset;
+    public double OffsetE;
+    public KeptState[] ModeStack = [];
+    public KeptState[] NamedStates = [];
+
     /// <summary>True when lines are read alike in both states; where E is relative for good, its position does not matter.</summary>
     public bool ReadsAlike(MachineSnapshot other, bool positionOfEMatters)
         => Near(X, other.X) && Near(Y, other.Y) && Near(Z, other.Z) && (Near(E, other.E) || !positionOfEMatters)
             && Near(ShiftX, other.ShiftX) && Near(ShiftY, other.ShiftY) && Near(ShiftZ, other.ShiftZ)
             && Speed == other.Speed && Tool == other.Tool && Motion == other.Motion && Plane == other.Plane
             && Relative == other.Relative && Inches == other.Inches && M83 == other.M83 && LastRelative == other.LastRelative
-            && AbsoluteCenters == other.AbsoluteCenters && Volumetric == other.Volumetric && Turns == other.Turns && TurnShift == other.TurnShift && SwitchedOn == other.SwitchedOn;
+            && AbsoluteCenters == other.AbsoluteCenters && Volumetric == other.Volumetric && SwitchedOn == other.SwitchedOn && Turns == other.Turns && TurnShift == other.TurnShift
+            && Workspace == other.Workspace && Alike(Workspaces, other.Workspaces) && Stored28 == other.Stored28 && Stored30 == other.Stored30
+            && Offset == other.Offset && OffsetE == other.OffsetE && ModeStack.SequenceEqual(other.ModeStack) && NamedStates.SequenceEqual(other.NamedStates);
 
     private static bool Near(double a, double b) => System.Math.Abs(a - b) <= 1e-9;
+
+    private static bool Alike(double[]? a, double[]? b) => a is null || b is null ? a == b : a.SequenceEqual(b);
 }
 
 /// <summary>The state before a chunk of the document, and how many lines and events are before it.</summary>

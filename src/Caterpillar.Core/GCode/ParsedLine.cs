@@ -90,6 +90,16 @@ internal sealed class ParsedLine
         return false;
     }
 
+    /// <summary>True when a word with one of these letters stands in the line.</summary>
+    public bool HasAny(string letters)
+    {
+        foreach (var letter in letters)
+        {
+            if (Has(letter)) return true;
+        }
+        return false;
+    }
+
     public bool TryGet(char letter, out double value)
     {
         var at = Find(letter);

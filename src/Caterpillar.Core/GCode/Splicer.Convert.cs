@@ -16,13 +16,12 @@ internal sealed partial class Splicer
 
     private bool ExpandArcs => _target is { ExpandArcs: true };
 
-    // E in the unit of the target; and what M221 did, where it does not exist there.
+    // E in the unit of the target; and what M221 did, where it does something else there.
     private Wanted Scaled(Wanted wanted)
     {
         if (_target is null || wanted.E == 0) return wanted;
         var e = wanted.E;
-        if (_decoding.Dialect.FlowFactor && !_rules.FlowFactor && _in.Save().Flow is var flow and not 1 && _in.LastMoves.Count == 1)
-            e += _in.LastMoves.Deposited[0] * (1 - 1 / flow);
+        if (_in.Flow != _now.Flow && _in.LastMoves.Count == 1) e += _in.LastMoves.Deposited[0] * (1 / _now.Flow - 1 / _in.Flow);
         return wanted with { E = e * _target.Factor(wanted.Tool) };
     }
 
@@ -71,7 +70,7 @@ internal sealed partial class Splicer
             if (code is 82 or 83 && (target.RelativeE is not null || from.RelativeE != _rules.RelativeE)) return [];
             if (code == 200 && (target.ChangesUnit || !_rules.Volumetric || !from.Volumetric)) return [];
             if (code == 220 && from.SpeedFactor != _rules.SpeedFactor) return [];
-            if (code == 221 && from.FlowFactor != _rules.FlowFactor) return [];
+            if (code == 221 && (from.FlowFactor == FlowFactorRule.Ignored || _rules.FlowFactor == FlowFactorRule.Ignored)) return [];
             return null;
         }
         if (letter != 'G') return null;
@@ -79,7 +78,8 @@ internal sealed partial class Splicer
         return code switch
         {
             92 => Rename(Comment(text, end)),
-            10 or 11 when _in.LastMoves.Count > 0 && !_rules.FirmwareRetraction => FirmwareRetraction(code == 10, Comment(text, end)),
+            10 or 11 when _in.LastMoves.Count > 0 && _rules.FirmwareRetraction => _line.HasAny(_rules.NoRetractionWith) ? ["G" + NumberFormatter.Format(code, 0) + Comment(text, end)] : null,
+            10 or 11 when _in.LastMoves.Count > 0 => FirmwareRetraction(code == 10, Comment(text, end)),
             _ => null,
         };
     }
@@ -109,7 +109,7 @@ internal sealed partial class Splicer
             return _decoding.Dialect.BareG92 == BareG92Rule.Nothing ? [] : [Names(true, true, true, true) + comment];
         }
         var hasE = from == ExtrusionAxis.Both ? _line.Find('A') >= 0 || _line.Find('B') >= 0 : from.Letter != 0 && _line.Find((char)from.Letter) >= 0;
-        var otherE = hasE && (_axis != from || target.ChangesUnit);
+        var otherE = hasE && (_axis != from || target.ChangesUnit || (_in.Save().Inches && _decoding.Dialect.InchesOfE != _rules.InchesOfE));
         if (!otherE && !inches) return null;
         var line = Names(_line.Find('X') >= 0, _line.Find('Y') >= 0, _line.Find('Z') >= 0, hasE);
         return line == "G92" ? [] : [line + comment];
@@ -127,6 +127,6 @@ internal sealed partial class Splicer
         var now = _now.Save();
         var unit = now.Inches ? 25.4 : 1;
         var value = _now.IsRelativeE ? length : now.E + length;
-        return ["G1 " + (char)_extruder + Text(value, unit) + " F" + Text(_target.RetractionSpeed * 60 / now.FeedFactor, unit) + comment];
+        return ["G1 " + (char)_extruder + Text(value, now.UnitOfE) + " F" + Text(_target.RetractionSpeed * 60 / now.FeedFactor, unit) + comment];
     }
 }

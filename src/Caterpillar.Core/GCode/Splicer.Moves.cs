@@ -69,7 +69,11 @@ internal sealed partial class Splicer
     // What has to be in force before a move: its tool, the switch of the extruder, the mode of E.
     private void Prepare(Wanted wanted)
     {
-        if (wanted.Tool != _now.ToolNumber && wanted.Tool >= 0) Event(new ToolEvent(wanted.Tool));
+        if (wanted.Tool != _now.ToolNumber && wanted.Tool >= 0)
+        {
+            if (wanted.Tool < _rules.ToolLimit) Event(new ToolEvent(wanted.Tool));
+            else if (wanted.Tool > 0) Diagnostics.Add(Severity.Warning, "gcode.tools_lost", _rules.Title + " knows no change of tools: they are left out.");
+        }
         if (_axis == ExtrusionAxis.Switched && wanted.Kind == MoveKind.Print != _now.IsSwitchedOn) Command(_now.IsSwitchedOn ? "M103" : "M101");
         StateE(wanted);
     }
@@ -104,7 +108,7 @@ internal sealed partial class Splicer
         var extruder = _decoding.Axis.Letter;
         if (!_now.IsRelativeE && unchanged && extruder != 0 && _line.Find((char)extruder) >= 0)
         {
-            var unit = before.Inches ? 25.4 : 1;
+            var unit = before.UnitOfE;
             var e = _line.Get((char)extruder, 0) * unit - wanted.E;
             if (Math.Abs(e - before.E) > NoChange)
             {

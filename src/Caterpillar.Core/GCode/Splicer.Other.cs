@@ -42,6 +42,8 @@ internal sealed partial class Splicer
             return;
         }
         _text.Line(text, start, end, next);
+        // Some firmware forgets at home what G92 has said.
+        if (_target is not null && IsHome() && !SameNames()) Command(Names(true, true, true, false));
     }
 
     // What came of the line that both machines have read last.
@@ -73,6 +75,7 @@ internal sealed partial class Splicer
                 comment = "";
             }
         }
+        if (IsHome() && !SameNames()) Command(Names(true, true, true, false));
     }
 
     private bool IsNaming() => _line.Shape == LineShape.Code && _line.Letters[0] == 'G' && _line.HasValue[0] && Math.Floor(_line.Values[0]) == 92;
@@ -97,10 +100,10 @@ internal sealed partial class Splicer
         if (x) line += " X" + Text(now.X + now.ShiftX - (now.KnownX ? file.ShiftX : 0), unit);
         if (y) line += " Y" + Text(now.Y + now.ShiftY - (now.KnownY ? file.ShiftY : 0), unit);
         if (z) line += " Z" + Text(now.Z + now.ShiftZ - (now.KnownZ ? file.ShiftZ : 0), unit);
-        if (e && _extruder != 0) line += " " + (char)_extruder + Text(file.E * (_target?.Factor(now.Tool) ?? 1), unit);
+        if (e && _extruder != 0) line += " " + (char)_extruder + Text(file.E * (_target?.Factor(now.Tool) ?? 1), now.UnitOfE);
         return line;
     }
 
     // An inch is coarser.
-    private static string Text(double value, double unit = 1) => NumberFormatter.Format(value / unit, unit > 1 ? 8 : 6);
+    private static string Text(double value, double unit = 1) => NumberFormatter.Format(value / unit, unit > 1000 ? 11 : unit > 1 ? 8 : 6);
 }

@@ -25,6 +25,9 @@ public enum ArcPlane : byte
 /// <param name="Plane">Plane in which it turns.</param>
 public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = ArcPlane.XY)
 {
+    /// <summary>Turns that are begun: 1 up to a full circle, 2 beyond; at most 10⁶.</summary>
+    public int Turns => (int)Math.Min(Math.Max(Math.Ceiling(Math.Abs(Sweep) / 360 - 1e-6), 1), 1e6);
+
     /// <summary>Radius in mm at the start.</summary>
     public double Radius(Vec3 start)
     {

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Machines;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -37,6 +38,12 @@ internal sealed record MoveTolerance
 
     /// <summary>What primed or restored one tool may print with another; what it is for is then in the file only.</summary>
     public bool UnknownRoles { get; init; }
+
+    /// <summary>How fast a fan can be told to turn: on and off only, or not at all.</summary>
+    public FanScale Fan { get; init; }
+
+    /// <summary>False where the target has no tools.</summary>
+    public bool Tools { get; init; } = true;
 
     /// <summary>False where the target has no E at all: only the way of the head is compared, and which of it prints.</summary>
     public bool Amounts { get; init; } = true;

@@ -58,6 +58,8 @@ internal sealed class RandomProgram
 
     private double Unit => _inches ? 25.4 : 1;
 
+    private double UnitOfE => _dialect.InchesOfE == InchesOfERule.Unchanged ? 1 : Unit;
+
     private bool Chance(double share) => _random.NextDouble() < share;
 
     private double Around(double low, double high) => Math.Floor((low + (high - low) * _random.NextDouble()) * 1000 + 0.5) / 1000;
@@ -125,7 +127,7 @@ internal sealed class RandomProgram
         if (Chance(0.15) && !RelativeE)
         {
             _sum = Chance(0.7) ? 0 : Around(-5, 5);
-            Line("G92", (_e, _sum / Unit));
+            Line("G92", (_e, _sum / UnitOfE));
         }
         if (Chance(0.06))
         {
@@ -137,11 +139,12 @@ internal sealed class RandomProgram
         if (_tools > 1 && Chance(0.25))
         {
             var tool = _random.Next(_tools);
-            if (!_dialect.SharedE)
+            if (_dialect.PositionOfE == PositionOfERule.PerTool)
             {
                 _ofTool[_tool] = _sum;
                 _sum = _ofTool[tool];
             }
+            if (_dialect.PositionOfE == PositionOfERule.ZeroAtChange && tool != _tool) _sum = 0;
             _tool = tool;
             Line((_dialect.ToolByM6 ? "M6 T" : "T") + tool.ToString(CultureInfo.InvariantCulture));
         }
@@ -199,7 +202,7 @@ internal sealed class RandomProgram
         if (e != 0)
         {
             e = Math.Floor(e * 1e5 + 0.5) / 1e5;
-            words.Add((_e, (RelativeE ? e : _sum + e) / Unit));
+            words.Add((_e, (RelativeE ? e : _sum + e) / UnitOfE));
             _sum += e;
         }
         if (feed > 0) words.Add(('F', feed / Unit));

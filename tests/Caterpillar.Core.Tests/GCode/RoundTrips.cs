@@ -30,7 +30,7 @@ internal static class RoundTrips
     {
         var result = GCodeEditor.ToDocument(decoding, edited, options ?? new EditOptions());
         if (result.Value is null) return Said(result.Diagnostics);
-        return SameMoves.Difference(edited, Decode(result.Value, decoding.Dialect).Toolpath, tolerance);
+        return SameMoves.Difference(edited, Decode(result.Value, decoding.Dialect).Toolpath, tolerance with { Fan = decoding.Dialect.Fan });
     }
 
     /// <summary>The whole toolpath written by the writer that knows no document.</summary>
@@ -42,7 +42,7 @@ internal static class RoundTrips
         var format = new GCodeFormat { Dialect = decoding.Dialect, RelativeE = relative, HasE = decoding.Axis != ExtrusionAxis.None };
         if (format.LacksAmounts(toolpath)) return decoding.Axis == ExtrusionAxis.Switched ? null : "lacks amounts";
         var back = Decode(GCodeDocument.FromBytes(GCodeWriter.ToBytes(toolpath, format)), decoding.Dialect);
-        return SameMoves.Difference(toolpath, back.Toolpath, new MoveTolerance { Speed = 0.5 / 60 + 1e-6, Chords = 0.01, SameLayers = false, LayersOfStrands = !ReferenceEquals(toolpath, decoding.Toolpath) });
+        return SameMoves.Difference(toolpath, back.Toolpath, new MoveTolerance { Speed = 0.5 / 60 + 1e-6, Chords = 0.01, SameLayers = false, Fan = decoding.Dialect.Fan, LayersOfStrands = !ReferenceEquals(toolpath, decoding.Toolpath) });
     }
 
     /// <summary>Converted to another dialect or notation; null also where it cannot be, and says so.</summary>
@@ -64,6 +64,8 @@ internal static class RoundTrips
             Speed = 0.5 / 60 * NumberFormatter.FromUnits(1, options.DecimalsF ?? 2) + 1e-9,
             Chords = Math.Max(options.ChordTolerance, 1e-3),
             RetractionLength = dialect.FirmwareRetraction || !decoding.Dialect.FirmwareRetraction ? null : options.RetractionLength,
+            Tools = dialect.ToolLimit > 0,
+            Fan = dialect.Fan,
             Amounts = decoding.Axis.HasAmounts && dialect.ExtruderLetters.Length > 0,
             EFactors = Factors(decoding, back, options),
         };

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Tests.GCode;
@@ -84,7 +85,7 @@ internal sealed partial class SameMoves
         var b = _b[_j];
         _sums.Expect(a.Tool, ExpectedE(a), a.Deposited * _t.Factor(a.Tool));
         _sums.Find(b.Tool, b.E, b.Deposited);
-        if (a.Tool != b.Tool) return Said("tool");
+        if (_t.Tools && a.Tool != b.Tool) return Said("tool");
         if (Drift(a.Tool) is { } drift) return Said(drift);
         // What the firmware does in place by itself has a speed of its own.
         if (b.Speed > 0 && a.Speed > 0 && (a.E != 0 || a.Length > 1e-9) && Math.Abs(a.Speed - b.Speed) > _t.Speed && !IsStandIn(a)) return Said("speed");
@@ -175,16 +176,17 @@ internal sealed partial class SameMoves
         for (; _nextB < _actual.Events.Count && _actual.Events[_nextB].Move <= _j; _nextB++) Take(_eventsB, _actual.Events[_nextB].Event, ref _toolB);
     }
 
-    private static void Take(List<PrinterEvent> events, PrinterEvent what, ref int tool)
+    private void Take(List<PrinterEvent> events, PrinterEvent what, ref int tool)
     {
         // The tool that works already is no change.
         if (what is ToolEvent change)
         {
+            if (!_t.Tools) return;
             if (change.Tool == tool) return;
             tool = change.Tool;
         }
         // Comments and lines of text are nothing that the machine does; the message of a pause is a comment.
-        if (what is CommentEvent or RawEvent) return;
+        if (what is CommentEvent or RawEvent || (what is FanEvent && _t.Fan == FanScale.None)) return;
         events.Add(what is PauseEvent ? new PauseEvent() : what);
     }
 
@@ -198,11 +200,12 @@ internal sealed partial class SameMoves
         return message;
     }
 
-    private static bool SameEvent(PrinterEvent a, PrinterEvent b) => (a, b) switch
+    private bool SameEvent(PrinterEvent a, PrinterEvent b) => (a, b) switch
     {
+        (FanEvent x, FanEvent y) when _t.Fan == FanScale.Switch => x.Speed > 0 == y.Speed > 0,
         (FanEvent x, FanEvent y) => Math.Abs(x.Speed - y.Speed) <= 0.5 / 255 + 1e-9,
         (DwellEvent x, DwellEvent y) => Math.Abs(x.Seconds - y.Seconds) <= 5.1e-4,
-        (NozzleTemperatureEvent x, NozzleTemperatureEvent y) => x.Wait == y.Wait && x.Tool == y.Tool && Math.Abs(x.Celsius - y.Celsius) <= 0.051,
+        (NozzleTemperatureEvent x, NozzleTemperatureEvent y) => x.Wait == y.Wait && (x.Tool == y.Tool || !_t.Tools) && Math.Abs(x.Celsius - y.Celsius) <= 0.051,
         (BedTemperatureEvent x, BedTemperatureEvent y) => x.Wait == y.Wait && Math.Abs(x.Celsius - y.Celsius) <= 0.051,
         (AccelerationEvent x, AccelerationEvent y) => Math.Abs(x.Value - y.Value) <= 0.51,
         _ => a.Equals(b),

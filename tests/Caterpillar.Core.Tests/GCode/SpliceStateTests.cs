@@ -43,7 +43,7 @@ public class SpliceStateTests
     [Test]
     public void Modes_units_and_names_in_cut_lines_hold_behind_them()
     {
-        const string Text = "G21\nM83\nG1 X10 Y10 Z1 F600\n;LAYER:0\nG1 X50 E1\n;LAYER:1\nG20\nG91 G1 X1 E1\nG92 X0\nM82\nG92 E7\n;LAYER:2\nG1 X1 E0.1 F20\nG90 G21\nG1 X5 E30\n";
+        const string Text = "G21\nM83\nG1 X10 Y10 Z1 F600\n;LAYER:0\nG1 X50 E1\n;LAYER:1\nG20\nG91\nG1 X1 E1\nG92 X0\nM82\nG92 E7\n;LAYER:2\nG1 X1 E0.1 F20\nG90\nG21\nG1 X5 E30\n";
         var edited = Edit(Text, t => t.Remove(new MoveFilter { FirstLayer = 1, LastLayer = 1 }));
         var expected = Decode(Text).Toolpath.Moves().Where(m => m.Layer != 1).Select(m => (m.End, m.E, m.Speed));
         var kept = Decode(edited).Toolpath.Moves().Where(m => m.E != 0 || m.Layer < 0).Select(m => (m.End, m.E, m.Speed)).ToArray();
@@ -118,8 +118,8 @@ public class SpliceStateTests
     [Test]
     public void Flow_and_speed_factors_go_into_the_numbers_where_the_target_has_none()
     {
-        var text = Convert("M83\nG1 X1 Y1 Z1 F600\nM221 S50\nM220 S200\nG1 X5 E1\n", "marlin2", new ConvertOptions { Dialect = DialectTable.Sailfish });
-        Assert.That(text, Does.Not.Contain("M22").And.Contain("G1 X5 E0.5 F1200\n"));
+        var text = Convert("M83\nG1 X1 Y1 Z1 F600\nM221 S50\nM220 S200\nG1 X5 E1\n", "marlin2", new ConvertOptions { Dialect = DialectTable.Cnc });
+        Assert.That(text, Does.Not.Contain("M22").And.Contain("G1 X5 A0.5 F1200\n"));
     }
 
     [Test]

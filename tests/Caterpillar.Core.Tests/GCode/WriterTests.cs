@@ -80,7 +80,9 @@ public class WriterTests
         Assert.That(back.Events.Select(e => e.Event), Is.EqualTo(events));
     }
 
-    [TestCase("marlin2", "G3 X10 Y0 I-10 J0 P2 E1")]
+    [TestCase("marlin2", "G3 X10 Y0 I-10 J0 P1 E1")]
+    [TestCase("cnc", "G3 X10 Y0 I-10 J0 P2 A1")]
+    [TestCase("marlin1", "G3 X10 Y0 I-10 J0 E0.5")]
     [TestCase("klipper", "G3 X10 Y0 Z0.5 I-10 J0 E0.5")]
     public void Arcs_stay_arcs(string dialect, string expected)
     {

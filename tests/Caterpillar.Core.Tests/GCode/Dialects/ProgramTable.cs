@@ -1,0 +1,55 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+using NUnit.Framework;
+using Decoder = Caterpillar.GCode.Decoder;
+
+namespace Caterpillar.Tests.GCode.Dialects;
+
+/// <summary>
+/// Tables of small programs: a row is a program (lines divided by <c>;</c>), a column a dialect, a cell what its firmware makes of it, read from its source and not from our decoder. Where a firmware's
+/// extruder has another letter than E (A of LinuxCNC), programs are run with that letter.
+/// </summary>
+internal static class ProgramTable
+{
+    /// <summary>One case for each program and dialect; <paramref name="sources"/> has a line <c>dialect: file and function</c> for each dialect of the table.</summary>
+    public static IEnumerable<TestCaseData> Cases(string table, string sources)
+    {
+        var where = sources.Split('\n').Where(l => l.Trim().Length > 0).Select(l => l.Split([':'], 2)).ToDictionary(p => p[0].Trim(), p => p[1].Trim());
+        string[]? names = null;
+        foreach (var line in table.Split('\n').Where(l => l.Trim().Length > 0))
+        {
+            var bar = line.LastIndexOf('|');
+            var cells = line.Substring(bar + 1).Split([' '], StringSplitOptions.RemoveEmptyEntries);
+            if (names is null)
+            {
+                names = cells;
+                Assert.That(names, Is.EquivalentTo(DialectTable.All.Select(d => d.Name)), "a column for each dialect");
+                Assert.That(where.Keys, Is.SupersetOf(names), "a source for each dialect");
+                continue;
+            }
+            var program = line.Substring(0, bar).Trim();
+            Assert.That(cells, Has.Length.EqualTo(names.Length), program);
+            for (var i = 0; i < names.Length; i++)
+                yield return new TestCaseData(program, names[i], cells[i], where[names[i]]).SetArgDisplayNames(program, names[i], cells[i]);
+        }
+    }
+
+    public static Result<Decoding> Run(string program, string dialect)
+    {
+        var rules = DialectTable.Find(dialect)!;
+        if (rules.ExtruderLetters.StartsWith("A", StringComparison.Ordinal)) program = string.Join(";", program.Split(';').Select(l => l.StartsWith("G", StringComparison.Ordinal) ? l.Replace(" E", " A") : l));
+        return Decoder.Decode(Encoding.ASCII.GetBytes(program.Replace(';', '\n') + "\n"), new DecodeOptions { Dialect = rules });
+    }
+
+    public static Decoding Decode(string program, string dialect) => Run(program, dialect).Value!;
+
+    public static string Text(double? value) => value is { } number ? NumberFormatter.Format(number, 3) : "-";
+
+    /// <summary>X of the machine after the last move, or 0.</summary>
+    public static double X(Decoding decoding) => decoding.Toolpath.Count == 0 ? 0 : decoding.Toolpath[decoding.Toolpath.Count - 1].End.X;
+}
