@@ -139,7 +139,7 @@ internal sealed partial class SameMoves
     private bool Tiny(Move move) => move.Length <= 1.8 * _t.Xyz;
 
     private bool Vanishes(Move move, double factor)
-        => Tiny(move) && Math.Abs(move.E * factor) <= 1.02 * _t.E && move.Kind is not (MoveKind.Dwell or MoveKind.Retract or MoveKind.Restore) | move.E != 0;
+        => Tiny(move) && (!_t.Amounts || Math.Abs(move.E * factor) <= 1.02 * _t.E) && move.Kind is not (MoveKind.Dwell or MoveKind.Retract or MoveKind.Restore) | move.E != 0;
 
     private string? Layers(Move a, Move b)
     {
