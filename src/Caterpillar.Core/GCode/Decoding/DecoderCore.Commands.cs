@@ -30,8 +30,12 @@ internal sealed partial class DecoderCore
     private void Execute(byte[] text, int start, int end)
     {
         if (_line == 1 && start == 0 && end >= 3 && text[0] == 0xEF && text[1] == 0xBB && text[2] == 0xBF) start = 3;
-        var line = _parsed;
-        line.Scan(text, start, end);
+        _parsed.Scan(text, start, end);
+        Execute(_parsed, text, end);
+    }
+
+    private void Execute(ParsedLine line, byte[] text, int end)
+    {
         Features.Count(line);
         if (line.Shape == LineShape.Macro)
         {

@@ -7,7 +7,7 @@ namespace Caterpillar.GCode;
 /// <summary>Saving and restoring the state, and reading one line at a time; for writing a file again.</summary>
 internal sealed partial class DecoderCore
 {
-    /// <summary>Columns of the moves of the last line read by <see cref="ReadLine"/>.</summary>
+    /// <summary>Columns of the moves of the last line that was read.</summary>
     public Toolpaths.ToolpathColumns LastMoves => _out.Columns;
 
     public int ToolNumber => _tool;
@@ -32,10 +32,17 @@ internal sealed partial class DecoderCore
     /// <summary>Reads a line and forgets what was before it; returns the number of moves it makes. <paramref name="commands"/> counts motion commands, also those that move nothing.</summary>
     public int ReadLine(byte[] text, int start, int end, out int commands)
     {
+        _parsed.Scan(text, start, end);
+        return ReadLine(_parsed, text, end, out commands);
+    }
+
+    /// <summary>The same for a line whose words are known.</summary>
+    public int ReadLine(ParsedLine line, byte[] text, int end, out int commands)
+    {
         _out.Clear();
         _events.Clear();
         var before = Tally.Rapids + Tally.Feeds;
-        Execute(text, start, end);
+        Execute(line, text, end);
         commands = Tally.Rapids + Tally.Feeds - before;
         return _out.Columns.Count;
     }

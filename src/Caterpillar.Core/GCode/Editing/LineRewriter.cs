@@ -13,7 +13,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
     private readonly byte _extruder = axis.FirstLetter;
     private readonly List<Edit> _edits = [];
     private bool _anew;
-    private readonly ParsedLine _line = new();
+    private ParsedLine _line = new();
     private byte[] _out = new byte[256];
 
     public byte[] Bytes => _out;
@@ -21,12 +21,12 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
     public int Count { get; private set; }
 
     /// <summary>
-    /// Makes <paramref name="wanted"/> of the line between <paramref name="start"/> and <paramref name="end"/>; <paramref name="code"/> is the G of a straight move, or −1 for that of the line,
+    /// Makes <paramref name="wanted"/> of the scanned line between <paramref name="start"/> and <paramref name="end"/>; <paramref name="code"/> is the G of a straight move, or −1 for that of the line,
     /// <paramref name="owed"/> what rounding of E has left; with <paramref name="anew"/> also numbers that are right are written again.
     /// </summary>
-    public void Rewrite(byte[] text, int start, int end, Wanted wanted, MachineSnapshot state, int code, bool relativeE, double owed, bool anew)
+    public void Rewrite(ParsedLine line, byte[] text, int start, int end, Wanted wanted, MachineSnapshot state, int code, bool relativeE, double owed, bool anew)
     {
-        _line.Scan(text, start, end);
+        _line = line;
         _edits.Clear();
         _anew = anew;
         Motion(wanted, state, code);

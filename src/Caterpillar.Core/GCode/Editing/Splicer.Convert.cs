@@ -30,11 +30,10 @@ internal sealed partial class Splicer
         => _extruder == 0 && _target is not null && _decoding.Axis.HasAmounts && wanted.Kind is MoveKind.Retract or MoveKind.Restore or MoveKind.Prime;
 
     // Words that the target reads otherwise, or not at all, although the move would be the same here.
-    private bool MustRewrite(byte[] text, int start, int end)
+    private bool MustRewrite(byte[] text)
     {
         if (_target is null) return false;
         if (ExpandArcs && _in.LastArc is not null) return true;
-        _line.Scan(text, start, end);
         if (_target.Millimetres && _in.Save().Inches) return true;
         if (_target.LimitsDecimals && _rewriter.IsTooFine(_line, text)) return true;
         var from = _decoding.Axis;

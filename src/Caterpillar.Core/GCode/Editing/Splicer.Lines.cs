@@ -174,7 +174,8 @@ internal sealed partial class Splicer
         }
         var code = wanted.Arc is { } turn ? "G" + NumberFormatter.Format(_rules.ArcCode(turn.Plane, turn.Sweep < 0)) : wanted.Kind == MoveKind.Travel && _style.TravelsByG0 ? "G0" : "G1";
         var bytes = Encoding.ASCII.GetBytes(_style.LowerCase ? code.ToLowerInvariant() : code);
-        _rewriter.Rewrite(bytes, 0, bytes.Length, wanted, before, Code(wanted), _now.IsRelativeE, Owed, false);
+        _made.Scan(bytes, 0, bytes.Length);
+        _rewriter.Rewrite(_made, bytes, 0, bytes.Length, wanted, before, Code(wanted), _now.IsRelativeE, Owed, false);
         // Nothing but the command: no printed change.
         if (_rewriter.Count <= bytes.Length) return;
         _now.ReadLine(_rewriter.Bytes, 0, _rewriter.Count, out _);

@@ -15,14 +15,13 @@ internal sealed partial class Splicer
     {
         if (IsLost(wanted))
         {
-            _line.Scan(text, start, end);
             _text.Dropped(_line);
             return;
         }
         wanted = Scaled(wanted);
         Prepare(wanted);
         var before = _now.Save();
-        if (!Anew && Does(text, start, end, wanted) && !MustRewrite(text, start, end))
+        if (!Anew && Does(text, end, wanted) && !MustRewrite(text))
         {
             Owe(wanted);
             _text.Line(text, start, end, next);
@@ -31,25 +30,24 @@ internal sealed partial class Splicer
         if (!Anew && _target is null && _now.LastMoves.Count == 1 && EndsRight(wanted))
         {
             _now.Restore(before);
-            if (Bridge(text, start, end, wanted, ref before) && Does(text, start, end, wanted))
+            if (Bridge(wanted, ref before) && Does(text, end, wanted))
             {
                 _text.Line(text, start, end, next);
                 return;
             }
         }
         _now.Restore(before);
-        if (ModesFirst(text, start, end)) before = _now.Save();
+        if (ModesFirst()) before = _now.Save();
         if ((wanted.Arc is not null && !CanArc(wanted, before)) || SaysInches)
         {
-            Instead(text, start, end, wanted);
+            Instead(wanted);
             return;
         }
-        _rewriter.Rewrite(text, start, end, wanted, before, Code(wanted), _now.IsRelativeE, Owed, Anew);
+        _rewriter.Rewrite(_line, text, start, end, wanted, before, Code(wanted), _now.IsRelativeE, Owed, Anew);
         _now.ReadLine(_rewriter.Bytes, 0, _rewriter.Count, out _);
         if (!IsDone(wanted))
         {
             _now.Restore(before);
-            _line.Scan(text, start, end);
             _text.Dropped(_line);
             Chords(wanted, wanted.Arc!.Value, before);
             return;
@@ -59,9 +57,8 @@ internal sealed partial class Splicer
     }
 
     // The move in lines of its own.
-    private void Instead(byte[] text, int start, int end, Wanted wanted)
+    private void Instead(Wanted wanted)
     {
-        _line.Scan(text, start, end);
         _text.Dropped(_line);
         Fresh(wanted);
     }
@@ -99,9 +96,8 @@ internal sealed partial class Splicer
     }
 
     // Lines of state that let the rest of the file stay as it is: G92 E where E is absolute, F where it is inherited.
-    private bool Bridge(byte[] text, int start, int end, Wanted wanted, ref MachineSnapshot before)
+    private bool Bridge(Wanted wanted, ref MachineSnapshot before)
     {
-        _line.Scan(text, start, end);
         var done = false;
         var original = _in.LastMoves;
         var unchanged = original.Count == 1 && Math.Abs(original.E[0] - wanted.E) <= NoChange;
@@ -126,9 +122,9 @@ internal sealed partial class Splicer
         return done;
     }
 
-    private bool Does(byte[] text, int start, int end, Wanted wanted)
+    private bool Does(byte[] text, int end, Wanted wanted)
     {
-        if (_now.ReadLine(text, start, end, out _) != 1) return false;
+        if (_now.ReadLine(_line, text, end, out _) != 1) return false;
         var c = _now.LastMoves;
         var owed = _target is null ? 0 : Owed;
         return EndsRight(wanted) && (wanted.Turns == _now.Turns || wanted.Turns.IsNear(_now.Turns)) && Math.Abs(c.E[0] - wanted.E - owed) <= _toleranceE && (!(wanted.Speed > 0) || Math.Abs(c.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed)
@@ -142,13 +138,7 @@ internal sealed partial class Splicer
     }
 
     // Modes in the line of a motion hold for its words: they are stated in front, so that the words can be worked out.
-    private bool ModesFirst(byte[] text, int start, int end)
-    {
-        _line.Scan(text, start, end);
-        return ModesOf();
-    }
-
-    private bool ModesOf()
+    private bool ModesFirst()
     {
         var any = false;
         for (var i = 0; i < _line.Count; i++)
@@ -187,16 +177,14 @@ internal sealed partial class Splicer
     private void NoMove(byte[] text, int start, int end, int next)
     {
         var before = _now.Save();
-        _line.Scan(text, start, end);
-        if (_now.ReadLine(text, start, end, out _) == 0 && !SaysInches && !MustRewrite(text, start, end))
+        if (_now.ReadLine(_line, text, end, out _) == 0 && !SaysInches && !MustRewrite(text))
         {
             _text.Line(text, start, end, next);
             return;
         }
         _now.Restore(before);
-        _line.Scan(text, start, end);
         _text.Dropped(_line);
-        ModesFirst(text, start, end);
+        ModesFirst();
         if (_line.TryGet('F', out var feed)) State("G1", 'F', feed * (_in.Save().Inches ? 25.4 : 1) / (_now.Save().Inches ? 25.4 : 1), _style.DecimalsF);
     }
 
@@ -204,10 +192,9 @@ internal sealed partial class Splicer
     private bool SaysInches => _target is { Millimetres: true } && _line.HasCode(20);
 
     // Modes that stand in a line whose move is cut out stay.
-    private void Removed(byte[] text, int start, int end)
+    private void Removed()
     {
-        _line.Scan(text, start, end);
         _text.Dropped(_line);
-        if (_line.Shape == LineShape.Code) ModesFirst(text, start, end);
+        if (_line.Shape == LineShape.Code) ModesFirst();
     }
 }

@@ -11,7 +11,6 @@ internal sealed partial class Splicer
     // A line stays where the target takes it as the file's firmware does; otherwise what it did is said in the target's words.
     private void Other(byte[] text, int start, int end, int next)
     {
-        _line.Scan(text, start, end);
         if (_target is not null && _line.Shape == LineShape.Code && Replacement(text, end) is { } lines)
         {
             _text.Dropped(_line);
@@ -19,7 +18,7 @@ internal sealed partial class Splicer
             return;
         }
         var before = _now.Save();
-        var moves = _now.ReadLine(text, start, end, out var commands);
+        var moves = _now.ReadLine(_line, text, end, out var commands);
         // A tool that worked already here, and no longer does behind one that was put in, is not to be taken.
         if (_target is null && _in.LastEvents.Count == 0 && _now.LastEvents.Count > 0)
         {
@@ -66,7 +65,7 @@ internal sealed partial class Splicer
     {
         var comment = Comment(text, end);
         _text.Dropped(_line);
-        if (_line.Shape == LineShape.Code && _line.Letters[0] != 'M') ModesOf();
+        if (_line.Shape == LineShape.Code && _line.Letters[0] != 'M') ModesFirst();
         foreach (var what in _in.LastEvents.ToArray())
         {
             foreach (var line in EventText.Lines(what.Event, _rules))

@@ -25,7 +25,11 @@ internal sealed partial class Splicer
     private readonly ExtrusionAxis _axis;
     private readonly byte _extruder;
     private readonly LineRewriter _rewriter;
+
+    // The line of the file that is gone through, and one that is made.
     private readonly ParsedLine _line = new();
+    private readonly ParsedLine _made = new();
+
     private readonly SplicedText _text;
     private readonly double _tolerance;
     private readonly double _toleranceE;
@@ -118,7 +122,8 @@ internal sealed partial class Splicer
     private void Line(byte[] text, int start, int end, int next)
     {
         if (_number == _firstKept) Begin();
-        var moves = _in.ReadLine(text, start, end, out var commands);
+        _line.Scan(text, start, end);
+        var moves = _in.ReadLine(_line, text, end, out var commands);
         var events = _in.LastEvents.Count;
         if (_number < _firstKept || _number > _lastKept)
         {
@@ -128,7 +133,6 @@ internal sealed partial class Splicer
         }
         if (moves == 0 && commands == 0)
         {
-            _line.Scan(text, start, end);
             if (_line.Shape == LineShape.Blank)
             {
                 _comments.Add(new CommentLine(text, start, end, next));
@@ -145,7 +149,7 @@ internal sealed partial class Splicer
         {
             _read += events;
             FlushComments(false);
-            Removed(text, start, end);
+            Removed();
             return;
         }
         RestoreComments();
