@@ -34,7 +34,7 @@ public static class SetupFormat
             DecimalsF = printer.DecimalsF,
             FirmwareRetraction = printer.FirmwareRetraction,
             HasE = printer.ExtrusionUnit != ExtrusionUnit.None,
-            Header = ["Made with Caterpillar", "Dialect " + printer.Dialect.Name, $"Printer {setup.Printer.Name}, material {setup.Material.Name}, settings {setup.Settings.Name}"],
+            Header = Header(setup),
             Start = start,
             End = end,
             LayerLines = layers is null ? null : layer => layers.Render(OfLayer(values, toolpath, layer)).Value ?? [],
@@ -48,6 +48,18 @@ public static class SetupFormat
         if (format.Switches)
             problems.Add(Severity.Warning, "gcode.amounts_lost", printer.Dialect.Title + " only switches its extruder on and off (M101, M103): amounts of E and retractions are not written.");
         return new Result<GCodeFormat>(format, problems.ToList());
+    }
+
+    // What E means is said as slicers say it, so that the strands can be measured in the file.
+    private static string[] Header(PrintSetup setup)
+    {
+        string[] header = ["Made with Caterpillar", "Dialect " + setup.Printer.Dialect.Name, $"Printer {setup.Printer.Name}, material {setup.Material.Name}, settings {setup.Settings.Name}"];
+        return setup.Printer.ExtrusionUnit switch
+        {
+            ExtrusionUnit.Mm => [.. header, "filament_diameter = " + NumberFormatter.Format(setup.Material.FilamentDiameter, 4)],
+            ExtrusionUnit.Mm3 => [.. header, "use_volumetric_e = 1"],
+            _ => header,
+        };
     }
 
     private static TemplateValues OfLayer(TemplateValues values, Toolpath toolpath, int layer) => values.With("layer", layer).With("layer_z_mm", toolpath.Layers[layer].Z);

@@ -1,10 +1,11 @@
-bytes 48135
-lines 1395
-sha256 c1d72b4047ff278039d7ad32e3a78aa378d58cbd3a84928b52caa926d7ce6b6b
+bytes 48162
+lines 1396
+sha256 32fd9316b29eef1242d543d7a9ca27cff2a55bab63001a79dde9e1175a872c49
 
 ; Made with Caterpillar
 ; Dialect marlin2
 ; Printer generic, material pla, settings standard
+; filament_diameter = 1.75
 ;TYPE:Custom
 M107 ; fan off
 M140 S60 ; heat the bed
@@ -61,9 +62,8 @@ G2 Y131.8 I0 J0.9 E0.10579
 G2 Y130 I0 J-0.9 E0.1058
 G3 X100 Y127.321 I0 J-20 E0.39184
 G2 X99.1 Y128.879 I-0.45 J0.779 E0.10579
-G2 X100 Y127.321 I0.45 J-0.779 E0.1058
 ...
-G3 X124.142 Y124.142 I-19.319 J-5.176 E0.39184
+G2 X129.319 Y115.176 I-0.869 J-0.233 E0.10579
 ...
 G3 Y104.824 I19.319 J-5.176 E0.39184
 G2 X88.943 Y104.358 I-0.869 J-0.233 E0.10579
