@@ -78,11 +78,7 @@ internal sealed class Session
 
     /// <summary>Writes G-code, binary where the name ends in .bgcode.</summary>
     public void WriteGCode(string file, GCodeDocument document)
-        => Write(file, stream =>
-        {
-            if (BinaryGCode.IsName(file)) BinaryGCode.Write(document, stream, null, Cancel);
-            else document.WriteTo(stream);
-        });
+        => Write(file, stream => BinaryGCode.WriteAs(file, document, stream, null, Cancel));
 
     /// <summary>Writes text in UTF-8.</summary>
     public void WriteText(string file, Action<TextWriter> write) => Write(file, stream =>

@@ -39,15 +39,16 @@ internal sealed class MoveFilterOptions
             if (toolpath.Layers.All(l => l.Object != name))
                 throw new CliException(ExitCode.Usage, $"There is no object \"{name}\"; there are " + string.Join(", ", toolpath.Layers.Select(l => $"\"{l.Object}\"").Distinct().Take(20)) + ".");
         }
-        return new MoveFilter
+        var filter = new MoveFilter
         {
-            FirstLayer = arguments.GetValue(_first) ?? (toolpath.Layers.Count > 0 ? int.MinValue : null),
+            FirstLayer = arguments.GetValue(_first),
             LastLayer = arguments.GetValue(_last),
             Roles = arguments.GetValue(_roles) is { Length: > 0 } roles ? roles.Select(RoleOf).ToArray() : null,
             Objects = objects,
             Tool = arguments.GetValue(_tool),
             Region = arguments.GetValue(_box) is { } box ? BoxOf(box) : null,
         };
+        return filter.InLayersOf(toolpath);
     }
 
     private static Bounds BoxOf(string text)

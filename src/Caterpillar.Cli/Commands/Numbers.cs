@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -42,7 +41,7 @@ internal static class Numbers
     }
 
     /// <summary>A whole number, or null.</summary>
-    public static int? Whole(string text) => int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var number) ? number : null;
+    public static int? Whole(string text) => NumberReader.TryParseInt(text, out var number) ? number : null;
 
     private static double Number(string text, string option)
         => NumberReader.TryParse(text.Trim(), out var value) && double.IsFinite(value) ? value : throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is no number.");

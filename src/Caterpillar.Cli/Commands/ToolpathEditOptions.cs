@@ -106,7 +106,7 @@ internal sealed class ToolpathEditOptions
         foreach (var move in toolpath.Moves())
         {
             if (strands.Matches(move, move.Layer >= 0 ? toolpath.Layers[move.Layer] : null))
-                box = box.Include(move.Arc is { } arc ? arc.Bounds(move.Start, move.End) : Bounds.Empty.Include(move.Start).Include(move.End));
+                box = box.Include(move.Bounds);
         }
         return box.IsEmpty ? Vec3.Zero : box.Center.WithZ(0);
     }

@@ -42,8 +42,8 @@ public static class LimitCheck
                 var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
                 CheckPlace(columns, i, first + i, start, end, setup.Printer, findings);
                 if (known) CheckRates(toolpath, columns, i, first + i, start, end, setup, findings);
-                if (nozzles is not null && columns.E[i] > 0 && nozzles.At(first + i, columns.Tool[i]) < needed)
-                    ReportCold(nozzles.At(first + i, columns.Tool[i]), first + i, setup.Printer, findings);
+                if (columns.E[i] > 0 && nozzles?.At(first + i, columns.Tool[i]) is { } celsius && celsius < needed)
+                    ReportCold(celsius, first + i, setup.Printer, findings);
                 known = true;
                 start = end;
             }

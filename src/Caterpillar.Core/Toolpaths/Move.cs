@@ -18,6 +18,9 @@ namespace Caterpillar.Toolpaths;
 public readonly record struct Move(
     int Index, Vec3 Start, Vec3 End, double E, double Deposited, double Speed, MoveKind Kind, Role Role, int Layer, int Tool, int Source, Arc? Arc)
 {
+    /// <summary>Box around the way of the head, mm.</summary>
+    public Bounds Bounds => Arc is { } arc ? arc.Bounds(Start, End) : Bounds.Empty.Include(Start).Include(End);
+
     /// <summary>True when the head stays where it is.</summary>
     internal bool IsInPlace => Arc is null && Start.DistanceTo(End) <= 1e-9;
 

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
@@ -38,6 +39,13 @@ public sealed record MoveFilter
             && (Objects is null || (layer is not null && Objects.Contains(layer.Object)))
             && (Tool is null || move.Tool == Tool)
             && (Region is null || Region.Value.Contains(move.End));
+
+    /// <summary>The same, but for the moves that are in no layer, where the toolpath has any layers: start and end code of a file.</summary>
+    public MoveFilter InLayersOf(Toolpath toolpath)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        return FirstLayer is null && toolpath.Layers.Count > 0 ? this with { FirstLayer = int.MinValue } : this;
+    }
 
     /// <summary>True when a layer is chosen whole.</summary>
     internal bool MatchesWhole(Layer layer)

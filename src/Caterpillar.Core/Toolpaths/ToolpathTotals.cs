@@ -33,9 +33,7 @@ public sealed record ToolpathTotals(
             {
                 prints++;
                 print += length;
-                printBounds = move.Arc is { } arc
-                    ? printBounds.Include(arc.Bounds(move.Start, move.End))
-                    : printBounds.Include(move.Start).Include(move.End);
+                printBounds = printBounds.Include(move.Bounds);
             }
             else if (length > 0)
             {

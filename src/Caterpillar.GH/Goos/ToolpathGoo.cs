@@ -66,8 +66,7 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     {
         if (Value is null) return null;
         var units = DocumentUnits.Current;
-        var layers = new MoveFilter { FirstLayer = Value.Layers.Count > 0 ? int.MinValue : null };
-        return With(Value.Deform(layers, p => RhinoGeometry.ToVec(xmorph.MorphPoint(RhinoGeometry.ToPoint(p, units)), units)));
+        return With(Value.Deform(new MoveFilter().InLayersOf(Value), p => RhinoGeometry.ToVec(xmorph.MorphPoint(RhinoGeometry.ToPoint(p, units)), units)));
     }
 
     public override bool CastFrom(object source)

@@ -42,6 +42,15 @@ public static class BinaryGCode
         Code(document, stream, tables, progress, cancel);
     }
 
+    /// <summary>Writes a document in the form that the name of its file asks for: binary, or as it is.</summary>
+    /// <inheritdoc cref="Write" path="/exception"/>
+    public static void WriteAs(string file, GCodeDocument document, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (document is null) throw new ArgumentNullException(nameof(document));
+        if (IsName(file)) Write(document, stream, progress, cancel);
+        else document.WriteTo(stream);
+    }
+
     private static void Code(GCodeDocument document, Stream stream, BinaryTables tables, IProgress<double>? progress, CancellationToken cancel)
     {
         var packed = new MeatPackWriter();

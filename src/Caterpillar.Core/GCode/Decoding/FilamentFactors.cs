@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
 
@@ -21,11 +22,9 @@ internal static class FilamentFactors
             var parts = text.Split(',');
             var factors = new double?[Math.Min(parts.Length, 1000)];
             for (var i = 0; i < factors.Length; i++)
-                factors[i] = NumberReader.TryParse(parts[i].Trim(), out var d) && d is > 0 and < 1000 ? Area(d) : diameter is { } other ? Area(other) : null;
+                factors[i] = NumberReader.TryParse(parts[i].Trim(), out var d) && d is > 0 and < 1000 ? ExtrusionLaw.FilamentAreaOf(d) : diameter is { } other ? ExtrusionLaw.FilamentAreaOf(other) : null;
             return factors;
         }
-        return diameter is { } given ? [Area(given)] : [];
+        return diameter is { } given ? [ExtrusionLaw.FilamentAreaOf(given)] : [];
     }
-
-    private static double Area(double diameter) => Math.PI / 4 * diameter * diameter;
 }

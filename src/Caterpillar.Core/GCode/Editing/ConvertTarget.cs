@@ -120,7 +120,7 @@ internal sealed record ConvertTarget
         var factors = new double[tools.Count];
         for (var i = 0; i < factors.Length; i++)
         {
-            var area = options.FilamentDiameter is { } given ? Math.PI / 4 * given * given
+            var area = options.FilamentDiameter is { } given ? ExtrusionLaw.FilamentAreaOf(given)
                 : tools[i].VolumePerE is { } known && known != 1 ? known
                 : areas.Length == 0 ? null : areas[Math.Min(i, areas.Length - 1)];
             if (!(area > 0))

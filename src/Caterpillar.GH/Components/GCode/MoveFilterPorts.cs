@@ -44,9 +44,5 @@ internal static class MoveFilterPorts
         => [filter with { Roles = null, Objects = null }, string.Join(",", filter.Roles ?? []), string.Join("\n", filter.Objects ?? [])];
 
     /// <summary>The same for what bends or moves a print: start and end code, which are in no layer, stay.</summary>
-    public static MoveFilter ReadLayers(Run run, int first, Toolpath toolpath)
-    {
-        var filter = Read(run, first);
-        return filter.FirstLayer is null && toolpath.Layers.Count > 0 ? filter with { FirstLayer = int.MinValue } : filter;
-    }
+    public static MoveFilter ReadLayers(Run run, int first, Toolpath toolpath) => Read(run, first).InLayersOf(toolpath);
 }

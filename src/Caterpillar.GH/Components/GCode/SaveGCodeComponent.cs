@@ -50,8 +50,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
         run.Work("Saving", (progress, cancel) =>
         {
             using var whole = new WholeFile(file);
-            if (BinaryGCode.IsName(file)) BinaryGCode.Write(document, whole.Stream, progress, cancel);
-            else document.WriteTo(whole.Stream);
+            BinaryGCode.WriteAs(file, document, whole.Stream, progress, cancel);
             whole.Commit();
             return file;
         });
