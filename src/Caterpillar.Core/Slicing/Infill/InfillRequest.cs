@@ -1,0 +1,41 @@
+using System.Collections.Generic;
+using Caterpillar.Expressions;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>An area of a layer to be filled.</summary>
+/// <param name="Area">Where the center lines of strands may run, mm.</param>
+/// <param name="Pattern">What the lines look like.</param>
+/// <param name="Spacing">
+/// mm, positive: area filled per length of line. It is the pitch of solid lines × 100 / percent, whatever the pattern; patterns of several families of lines
+/// space each family wider (<see cref="InfillFiller.Families"/>), so that all of them together lay down the same length.
+/// </param>
+/// <param name="Width">Width of a strand, mm, positive.</param>
+internal sealed record InfillRequest(Region Area, InfillPattern Pattern, double Spacing, double Width)
+{
+    /// <summary>Direction of the (first) lines, degrees from +X.</summary>
+    public double Angle { get; init; }
+
+    /// <summary>Height at which the strands lie, mm. Cubic, gyroid and formula differ with it.</summary>
+    public double Z { get; init; }
+
+    /// <summary>Number of the layer.</summary>
+    public int Layer { get; init; }
+
+    /// <summary>Ends of lines are joined along the boundary.</summary>
+    public bool Linked { get; init; } = true;
+
+    /// <summary>Nothing may stay uncovered: rows fit between the sides of each island, and the flow follows their distance.</summary>
+    public bool Solid { get; init; }
+
+    /// <summary>For <see cref="InfillPattern.Formula"/>: variables x, y, z (mm), layer, spacing and width, in this order (<see cref="LevelSet.Variables"/>).</summary>
+    public Formula? Formula { get; init; }
+
+    /// <summary>For <see cref="InfillPattern.Formula"/>: how far, in mm, the lines may lie off the true curve.</summary>
+    public double Tolerance { get; init; } = 0.02;
+
+    /// <summary>For <see cref="InfillPattern.Curves"/> and <see cref="InfillPattern.Lightning"/>: the lines of this layer, in mm.</summary>
+    public IReadOnlyList<Polyline>? Curves { get; init; }
+}
