@@ -12,37 +12,19 @@ internal sealed class IslandSlicer(SliceRules rules, Layer layer, RegionEngine e
     /// <summary>Adds the paths of an island. Ranks: inner walls from the inside out, the outer wall, the infill.</summary>
     public void Slice(Region island, int layerNumber, int islandNumber, List<PathStep> steps)
     {
-        var innermost = island;
-        for (var wall = 0; wall < rules.Walls; wall++)
+        var walls = new WallBuilder(rules.WallRules, engine).Build(island);
+        foreach (var wall in walls.Paths)
         {
-            // The first wall keeps half a width from the outline, each next one a pitch from the last.
-            var line = wall == 0
-                ? island.Offset(-rules.Width / 2, JoinStyle.Miter, 2, ArcTolerance, engine)
-                : innermost.Offset(-rules.Pitch, JoinStyle.Miter, 2, ArcTolerance, engine);
-            if (line.IsEmpty)
-            {
-                innermost = Region.Empty;
-                break;
-            }
-            innermost = line;
-            var rank = rules.Walls - wall;
-            // Offsetting leaves corners of rounding size, which a printer need not see.
-            foreach (var contour in line.Simplified(rules.Simplify, engine).Contours)
-            {
-                if (contour.Count < 3) continue;
-                steps.Add(new PathStep(
-                    PrintPath.Own(Lifted(contour.Raw), [rules.Bead], closed: true).With(wall == 0 ? Role.OuterWall : Role.InnerWall, layer),
-                    new StepGroup(layerNumber, islandNumber, rank)) { Region = island });
-            }
+            var path = PrintPath.Own(Lifted(wall.Points), wall.Beads(rules.WallRules), wall.Closed).With(wall.Index == 0 ? Role.OuterWall : Role.InnerWall, layer);
+            steps.Add(new PathStep(path, new StepGroup(layerNumber, islandNumber, rules.Walls - wall.Index)) { Region = island });
         }
-        if (rules.InfillSpacing > 0 && !innermost.IsEmpty) Fill(island, innermost, layerNumber, islandNumber, steps);
+        if (rules.InfillSpacing > 0 && !walls.Inside.IsEmpty) Fill(island, walls.Inside, layerNumber, islandNumber, steps);
     }
 
     // The infill reaches the inner edge of the last wall and the overlap into it. Lines turn by a quarter from layer to layer.
-    private void Fill(Region island, Region innermost, int layerNumber, int islandNumber, List<PathStep> steps)
+    private void Fill(Region island, Region inside, int layerNumber, int islandNumber, List<PathStep> steps)
     {
-        var inset = rules.Walls == 0 ? 0 : rules.Pitch / 2 - rules.InfillOverlap;
-        var area = inset == 0 ? innermost : innermost.Offset(-inset, JoinStyle.Miter, 2, ArcTolerance, engine);
+        var area = rules.Walls == 0 ? inside : inside.Offset(rules.InfillOverlap, JoinStyle.Miter, 2, ArcTolerance, engine);
         var angle = rules.InfillAngle + (layer.Index % 2 == 0 ? 0 : 90);
         foreach (var line in area.HatchLines(angle, rules.InfillSpacing))
         {

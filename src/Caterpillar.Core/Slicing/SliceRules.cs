@@ -5,7 +5,7 @@ namespace Caterpillar.Slicing;
 
 /// <summary>The numbers of the settings that slicing one layer needs. Lengths in mm.</summary>
 internal sealed record SliceRules(
-    double Width, double Pitch, Bead Bead, int Walls, double InfillSpacing, double InfillAngle, double InfillOverlap, double Simplify)
+    double Width, double Pitch, Bead Bead, int Walls, double InfillSpacing, double InfillAngle, double InfillOverlap, double Simplify, WallRules WallRules)
 {
     public static SliceRules Of(PrintSettings settings, double thickness)
     {
@@ -20,6 +20,7 @@ internal sealed record SliceRules(
             settings.InfillSpacing > 0 ? settings.InfillSpacing : settings.InfillPercent > 0 ? pitch * 100 / settings.InfillPercent : 0,
             settings.InfillAngle,
             settings.InfillOverlapPercent / 100 * settings.LineWidth,
-            settings.SimplifyTolerance);
+            settings.SimplifyTolerance,
+            WallRules.Of(settings, thickness));
     }
 }
