@@ -4,7 +4,6 @@ using System.Text;
 using BenchmarkDotNet.Attributes;
 using Caterpillar.GCode;
 using Caterpillar.Toolpaths;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Bench;
 
@@ -13,7 +12,7 @@ namespace Caterpillar.Bench;
 public class GCodeBenchmarks
 {
     private byte[] _bytes = [];
-    private Decoding? _decoding;
+    private DecodedGCode? _decoding;
 
     [GlobalSetup]
     public void Prepare()
@@ -24,10 +23,10 @@ public class GCodeBenchmarks
     }
 
     [Benchmark]
-    public Decoding DecodeOnOneThread() => Decoder.Decode(GCodeDocument.FromBytes(_bytes), new DecodeOptions { Threads = 1 }).Value ?? throw new InvalidOperationException();
+    public DecodedGCode DecodeOnOneThread() => GCodeDecoder.Decode(GCodeDocument.FromBytes(_bytes), new DecodeOptions { Threads = 1 }).Value ?? throw new InvalidOperationException();
 
     [Benchmark]
-    public Decoding DecodeOnTwoThreads() => Decoder.Decode(GCodeDocument.FromBytes(_bytes), new DecodeOptions { Threads = 2 }).Value ?? throw new InvalidOperationException();
+    public DecodedGCode DecodeOnTwoThreads() => GCodeDecoder.Decode(GCodeDocument.FromBytes(_bytes), new DecodeOptions { Threads = 2 }).Value ?? throw new InvalidOperationException();
 
     [Benchmark]
     public object DecodeAndWriteUnedited()

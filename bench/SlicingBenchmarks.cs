@@ -44,5 +44,5 @@ public class SlicingBenchmarks
     public byte[] Write() => GCodeWriter.ToBytes(_toolpath!);
 
     [Benchmark]
-    public object Decode() => Decoder.Decode(_text);
+    public object Decode() => GCodeDecoder.Decode(_text);
 }

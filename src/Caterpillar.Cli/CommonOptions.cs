@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Linq;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 
 namespace Caterpillar.Cli;

@@ -11,14 +11,14 @@ namespace Caterpillar.Cli;
 /// <summary>What a decoded file does, in lines for people.</summary>
 internal static class DecodeSummary
 {
-    public static void Write(TextWriter text, Decoding decoding, DecodeReport report)
+    public static void Write(TextWriter text, DecodedGCode decoding, DecodeReport report)
     {
         text.WriteLine($"{report.File}: {decoding.Dialect.Title}" + (decoding.Evidence.Count > 0 ? " (" + string.Join(" ", decoding.Evidence) + ")" : ""));
         var moves = decoding.Toolpath;
         var rows = new[]
         {
             ["  Printed", $"{Mm(report.PrintLength)} in {Count(report.PrintSegments + report.PrintArcs)} moves, {Count(moves.Layers.Count)} layers"],
-            ["  Travelled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs)} moves, {Count(report.Retracts + report.FirmwareRetracts)} retractions"],
+            ["  Traveled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs)} moves, {Count(report.Retracts + report.FirmwareRetracts)} retractions"],
             ["  Extruded", report.HasAmounts ? $"{Mm(report.EUsed)} of E, net {Mm(report.ENet)}" : "no amounts of E"],
             ["  Printed box", Box(report.PrintBounds)],
             new[] { "  All moves", Box(report.AllBounds) },

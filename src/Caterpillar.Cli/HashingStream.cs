@@ -1,6 +1,7 @@
 using System.IO;
 using System.Security.Cryptography;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 
 namespace Caterpillar.Cli;
 

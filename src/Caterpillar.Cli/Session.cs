@@ -6,6 +6,7 @@ using System.Text;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
+using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Spectre.Console;
@@ -71,7 +72,7 @@ internal sealed class Session
             return;
         }
         NoFolder(file);
-        using var whole = new WholeFile(file);
+        using var whole = new AtomicFile(file);
         write(whole.Stream);
         whole.Commit();
     }

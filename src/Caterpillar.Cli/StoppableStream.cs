@@ -3,10 +3,11 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Reads a stream that may wait for its writer for ever (standard input), and stops waiting when the work is cancelled.</summary>
+/// <summary>Reads a stream that may wait for its writer for ever (standard input), and stops waiting when the work is canceled.</summary>
 internal sealed class StoppableStream(Stream inner, CancellationToken cancel) : ReadStream
 {
     public override int Read(byte[] buffer, int offset, int count)

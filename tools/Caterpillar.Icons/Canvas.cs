@@ -2,12 +2,12 @@ using System;
 
 namespace Caterpillar.Icons;
 
-/// <summary>An RGB colour.</summary>
+/// <summary>An RGB color.</summary>
 internal readonly record struct Ink(byte R, byte G, byte B)
 {
     public static Ink Dark { get; } = new(52, 56, 60);
 
-    public static Ink Grey { get; } = new(140, 146, 152);
+    public static Ink Gray { get; } = new(140, 146, 152);
 
     public static Ink Light { get; } = new(226, 230, 233);
 

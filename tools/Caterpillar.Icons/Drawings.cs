@@ -31,21 +31,21 @@ internal static class Drawings
         ["CylinderTrace"] = c => c.Rect(5, 7, 19, 17.5, Ink.Green).Disc(12, 17.5, 3, Ink.Green).Line(5, 10.5, 19, 10.5, 1, Ink.Dark).Line(5, 14, 19, 14, 1, Ink.Dark).Line(5, 17.5, 19, 17.5, 1, Ink.Dark)
             .Polygon(Ink.Light, 5, 7, 8, 4.5, 16, 4.5, 19, 7, 16, 9, 8, 9),
         ["ConeTrace"] = c => c.Polyline(1.8, Ink.Green, 3.8, 19.5, 20.2, 18, 5.8, 15.5, 18.2, 14, 7.8, 11.5, 16.2, 10, 9.8, 7.5, 14.2, 6, 12, 3.8),
-        ["Deform"] = c => c.Line(4, 20, 4, 5, 1.4, Ink.Grey).Line(9, 20, 9, 5, 1.4, Ink.Grey).Polyline(2.2, Ink.Green, 14, 20, 15, 14, 12.5, 9, 15.5, 4).Polyline(2.2, Ink.Green, 19, 20, 20, 14, 17.5, 9, 20, 4),
-        ["Modulate"] = c => c.Polygon(Ink.Green, 4, 11, 9, 11, 12, 8, 15, 8, 18, 11, 20, 11, 20, 14, 18, 14, 15, 17, 12, 17, 9, 14, 4, 14).Disc(6, 5.5, 2.2, Ink.Dark).Disc(12, 4.8, 1.4, Ink.Grey).Disc(17.5, 5.5, 2.2, Ink.Light),
+        ["Deform"] = c => c.Line(4, 20, 4, 5, 1.4, Ink.Gray).Line(9, 20, 9, 5, 1.4, Ink.Gray).Polyline(2.2, Ink.Green, 14, 20, 15, 14, 12.5, 9, 15.5, 4).Polyline(2.2, Ink.Green, 19, 20, 20, 14, 17.5, 9, 20, 4),
+        ["Modulate"] = c => c.Polygon(Ink.Green, 4, 11, 9, 11, 12, 8, 15, 8, 18, 11, 20, 11, 20, 14, 18, 14, 15, 17, 12, 17, 9, 14, 4, 14).Disc(6, 5.5, 2.2, Ink.Dark).Disc(12, 4.8, 1.4, Ink.Gray).Disc(17.5, 5.5, 2.2, Ink.Light),
         ["CoolLayers"] = c => c.Line(4, 19, 14, 19, 2.2, Ink.Green).Line(4, 15, 11, 15, 2.2, Ink.Green).Line(4, 11, 8, 11, 2.2, Ink.Green).Line(16.5, 3.5, 16.5, 14.5, 1.4, Ink.Blue).Line(11.5, 6, 20.5, 12, 1.4, Ink.Blue)
             .Line(11.8, 12, 20.5, 6, 1.4, Ink.Blue),
         ["PlanarSlicer"] = c => c.Polygon(Ink.Light, 12, 3, 21, 19, 3, 19).Line(10.2, 7.5, 13.8, 7.5, 1.6, Ink.Green).Line(8, 11.5, 16, 11.5, 1.6, Ink.Green)
             .Line(5.8, 15.5, 18.2, 15.5, 1.6, Ink.Green).Line(3.6, 19.5, 20.4, 19.5, 1.6, Ink.Green),
-        ["PlanToolpath"] = c => c.Polyline(2, Ink.Green, 4, 19, 10, 19, 10, 13).Polyline(1.2, Ink.Grey, 10, 13, 12, 6, 16, 6, 17, 12).Polyline(2, Ink.Green, 17, 12, 17, 19, 20.5, 19)
+        ["PlanToolpath"] = c => c.Polyline(2, Ink.Green, 4, 19, 10, 19, 10, 13).Polyline(1.2, Ink.Gray, 10, 13, 12, 6, 16, 6, 17, 12).Polyline(2, Ink.Green, 17, 12, 17, 19, 20.5, 19)
             .Disc(4.5, 19, 2, Ink.Dark).Disc(19.5, 19, 2, Ink.Orange),
         ["GenerateGCode"] = c => { Page(c); Nozzle(c, 12, 7); c.Line(8.5, 17, 15.5, 17, 1.8, Ink.Green); },
         ["GCodeText"] = c => { Page(c); c.Line(8, 8, 14, 8, 1.3, Ink.Green).Line(8, 11, 16, 11, 1.3, Ink.Dark).Line(8, 14, 13, 14, 1.3, Ink.Dark).Line(8, 17, 16, 17, 1.3, Ink.Dark); },
         ["DecodeGCode"] = c => { Page(c); c.Polyline(2, Ink.Green, 8, 17, 11, 10, 14, 14, 18, 7); },
         ["DeconstructPrintPath"] = c => c.Polyline(2.4, Ink.Green, 4, 18, 9, 7, 15, 15, 20, 5).Disc(4.2, 18, 2, Ink.Dark).Disc(9, 7, 2, Ink.Dark).Disc(15, 15, 2, Ink.Dark).Disc(19.8, 5.2, 2, Ink.Dark),
-        ["SortPaths"] = c => c.Line(3.5, 6, 9, 6, 2.2, Ink.Green).Line(9, 6, 15, 12, 1.2, Ink.Grey).Line(15, 12, 20.5, 12, 2.2, Ink.Green).Line(15, 12, 9, 18, 1.2, Ink.Grey)
+        ["SortPaths"] = c => c.Line(3.5, 6, 9, 6, 2.2, Ink.Green).Line(9, 6, 15, 12, 1.2, Ink.Gray).Line(15, 12, 20.5, 12, 2.2, Ink.Green).Line(15, 12, 9, 18, 1.2, Ink.Gray)
             .Line(3.5, 18, 9, 18, 2.2, Ink.Green).Disc(9, 6, 1.7, Ink.Dark).Disc(15, 12, 1.7, Ink.Dark).Disc(9, 18, 1.7, Ink.Dark),
-        ["GapBead"] = c => c.Polygon(Ink.Grey, 3, 21, 3, 17, 9, 12, 15, 15.5, 21, 11, 21, 21).Polygon(Ink.Green, 3, 16, 9, 11, 15, 14.5, 21, 10, 21, 7, 3, 7)
+        ["GapBead"] = c => c.Polygon(Ink.Gray, 3, 21, 3, 17, 9, 12, 15, 15.5, 21, 11, 21, 21).Polygon(Ink.Green, 3, 16, 9, 11, 15, 14.5, 21, 10, 21, 7, 3, 7)
             .Line(3, 5, 21, 5, 1.4, Ink.Dark),
         ["ConstructPrintPath"] = c => c.Polyline(2.4, Ink.Green, 4, 18, 9, 7, 15, 15, 20, 5).Line(14.5, 19.5, 20.5, 19.5, 1.8, Ink.Dark).Line(17.5, 16.5, 17.5, 21, 1.8, Ink.Dark),
         ["ConstructBead"] = c => c.Disc(7.5, 15, 4.5, Ink.Green).Disc(16.5, 15, 4.5, Ink.Green).Rect(7.5, 10.5, 16.5, 19.5, Ink.Green).Line(3.5, 20.6, 20.5, 20.6, 1.4, Ink.Dark)
@@ -57,11 +57,11 @@ internal static class Drawings
         ["MergePaths"] = c => c.Polyline(2.2, Ink.Green, 4, 18, 8, 10, 12, 12).Polyline(2.2, Ink.Blue, 12, 12, 16, 14, 20, 6).Disc(12, 12, 2.4, Ink.Orange),
         ["BeadParam"] = c => c.Hexagon().Disc(9.5, 12, 3, Ink.Green).Disc(14.5, 12, 3, Ink.Green).Rect(9.5, 9, 14.5, 15, Ink.Green),
         ["DeconstructToolpath"] = c => c.Polyline(2.2, Ink.Green, 4, 18, 9, 18, 9, 8, 15, 8).Disc(4.2, 18, 1.9, Ink.Dark).Disc(9, 13, 1.9, Ink.Dark).Disc(15, 8, 1.9, Ink.Orange)
-            .Line(17, 13, 20.5, 13, 1.4, Ink.Grey).Line(17, 16, 20.5, 16, 1.4, Ink.Grey).Line(17, 19, 20.5, 19, 1.4, Ink.Grey),
-        ["FilterToolpath"] = c => c.Polygon(Ink.Grey, 3, 4, 21, 4, 14, 12, 14, 20, 10, 18, 10, 12).Line(6, 6.5, 18, 6.5, 1.8, Ink.Green),
+            .Line(17, 13, 20.5, 13, 1.4, Ink.Gray).Line(17, 16, 20.5, 16, 1.4, Ink.Gray).Line(17, 19, 20.5, 19, 1.4, Ink.Gray),
+        ["FilterToolpath"] = c => c.Polygon(Ink.Gray, 3, 4, 21, 4, 14, 12, 14, 20, 10, 18, 10, 12).Line(6, 6.5, 18, 6.5, 1.8, Ink.Green),
         ["EditToolpath"] = c => c.Polyline(2.2, Ink.Green, 3.5, 19, 9, 19, 9, 12, 14, 12).Line(13, 17, 19.5, 6, 3, Ink.Orange).Line(12.4, 18, 13.4, 16.3, 2, Ink.Dark),
-        ["InsertAtLayer"] = c => c.Line(4, 19, 20, 19, 2, Ink.Green).Line(4, 15, 20, 15, 2, Ink.Green).Line(4, 7, 20, 7, 2, Ink.Green).Line(4, 11, 14, 11, 1.4, Ink.Grey).Polygon(Ink.Orange, 20, 8, 20, 14, 14.5, 11),
-        ["DeformToolpath"] = c => c.Line(4, 19, 20, 19, 1.8, Ink.Grey).Polyline(2, Ink.Green, 4, 15, 9, 13.4, 15, 13.4, 20, 15).Polyline(2, Ink.Green, 4, 11, 9, 7.8, 15, 7.8, 20, 11).Disc(20, 11, 1.7, Ink.Orange),
+        ["InsertAtLayer"] = c => c.Line(4, 19, 20, 19, 2, Ink.Green).Line(4, 15, 20, 15, 2, Ink.Green).Line(4, 7, 20, 7, 2, Ink.Green).Line(4, 11, 14, 11, 1.4, Ink.Gray).Polygon(Ink.Orange, 20, 8, 20, 14, 14.5, 11),
+        ["DeformToolpath"] = c => c.Line(4, 19, 20, 19, 1.8, Ink.Gray).Polyline(2, Ink.Green, 4, 15, 9, 13.4, 15, 13.4, 20, 15).Polyline(2, Ink.Green, 4, 11, 9, 7.8, 15, 7.8, 20, 11).Disc(20, 11, 1.7, Ink.Orange),
         ["SaveGCode"] = c => { Page(c); c.Line(12, 7, 12, 15, 2.4, Ink.Green).Polygon(Ink.Green, 8, 13, 16, 13, 12, 18); },
         ["PrintPathParam"] = c => c.Hexagon().Polyline(2.4, Ink.Green, 7, 16, 10.5, 8, 14, 15, 17, 8),
         ["ToolpathParam"] = c => c.Hexagon().Polyline(1.8, Ink.Green, 7, 16, 17, 16, 17, 13, 7, 13, 7, 10, 17, 10).Disc(17, 9.5, 1.6, Ink.Orange),
@@ -75,7 +75,7 @@ internal static class Drawings
 
     private static void Caterpillar(Canvas c) => c
         .Disc(5.5, 16, 3.2, Ink.Green).Disc(9.5, 13, 3.4, Ink.Green).Disc(13.5, 16, 3.4, Ink.Green).Disc(17.5, 11.5, 4.2, Ink.Green)
-        .Disc(18.7, 10.5, 0.9, Ink.Dark).Line(16.5, 8, 15.5, 4.5, 1.2, Ink.Dark).Line(18.8, 7.6, 20, 4.5, 1.2, Ink.Dark).Line(3, 20.5, 21, 20.5, 1.4, Ink.Grey);
+        .Disc(18.7, 10.5, 0.9, Ink.Dark).Line(16.5, 8, 15.5, 4.5, 1.2, Ink.Dark).Line(18.8, 7.6, 20, 4.5, 1.2, Ink.Dark).Line(3, 20.5, 21, 20.5, 1.4, Ink.Gray);
 
     // The triangle of the previews, its sharp corner forward.
     private static void Turtle(Canvas c, double x, double y, double size)
@@ -83,7 +83,7 @@ internal static class Drawings
 
     private static void Printer(Canvas c)
     {
-        c.Polyline(2, Ink.Dark, 4, 20, 4, 4, 20, 4, 20, 20).Line(3.2, 20.2, 20.8, 20.2, 1.6, Ink.Dark).Line(5, 9, 19, 9, 1.2, Ink.Grey);
+        c.Polyline(2, Ink.Dark, 4, 20, 4, 4, 20, 4, 20, 20).Line(3.2, 20.2, 20.8, 20.2, 1.6, Ink.Dark).Line(5, 9, 19, 9, 1.2, Ink.Gray);
         Nozzle(c, 12, 7);
         c.Line(8, 18.4, 16, 18.4, 2, Ink.Green).Line(9, 16.2, 15, 16.2, 2, Ink.Green);
     }
@@ -91,7 +91,7 @@ internal static class Drawings
     private static void Sliders(Canvas c)
     {
         double[] knobs = [8, 15, 11];
-        for (var i = 0; i < 3; i++) c.Line(4, 6 + 6 * i, 20, 6 + 6 * i, 1.6, Ink.Grey).Disc(knobs[i], 6 + 6 * i, 2.6, i == 1 ? Ink.Orange : Ink.Green);
+        for (var i = 0; i < 3; i++) c.Line(4, 6 + 6 * i, 20, 6 + 6 * i, 1.6, Ink.Gray).Disc(knobs[i], 6 + 6 * i, 2.6, i == 1 ? Ink.Orange : Ink.Green);
     }
 
     private static void Page(Canvas c) => c.Polygon(Ink.Dark, 5, 3, 15, 3, 19, 7, 19, 21, 5, 21).Polygon(Ink.Light, 6, 4, 14.6, 4, 18, 7.4, 18, 20, 6, 20);

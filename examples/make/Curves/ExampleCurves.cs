@@ -18,7 +18,7 @@ internal static class ExampleCurves
     // Rings with small circles on their outside, which the path goes around once on its way: buckles in the wall.
     private static string Pimples()
     {
-        const int Layers = 60, Places = 12;
+        const int Layers = 60, PathSamples = 12;
         const double Radius = 20, Small = 0.9;
         var text = new StringBuilder("{\n  \"units\": \"mm\",\n  \"curves\": [\n");
         for (var layer = 0; layer < Layers; layer++)
@@ -27,7 +27,7 @@ internal static class ExampleCurves
             // Three layers with pimples, three without; every other row is turned by half a place.
             var row = layer / 6;
             var pimpled = layer % 6 >= 3;
-            var turn = row % 2 == 0 ? 0 : 180.0 / Places;
+            var turn = row % 2 == 0 ? 0 : 180.0 / PathSamples;
             text.Append("    {\"name\": \"ring ").Append(NumberFormatter.Format(layer)).Append("\", \"layer\": ").Append(NumberFormatter.Format(layer)).Append(", ");
             if (!pimpled)
             {
@@ -35,12 +35,12 @@ internal static class ExampleCurves
                 continue;
             }
             text.Append("\"pieces\": [\n");
-            for (var i = 0; i < Places; i++)
+            for (var i = 0; i < PathSamples; i++)
             {
-                var at = turn + 360.0 * i / Places;
+                var at = turn + 360.0 * i / PathSamples;
                 var (sin, cos) = Angle.SinCos(at);
                 text.Append("      {").Append(Arc((Radius + Small) * cos, (Radius + Small) * sin, z, Small, at + 180, -360)).Append("}, {");
-                text.Append(Arc(0, 0, z, Radius, at, 360.0 / Places)).Append(i + 1 < Places ? "},\n" : "}\n");
+                text.Append(Arc(0, 0, z, Radius, at, 360.0 / PathSamples)).Append(i + 1 < PathSamples ? "},\n" : "}\n");
             }
             text.Append("    ]}").Append(layer + 1 < Layers ? ",\n" : "\n");
         }

@@ -5,7 +5,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// A solid of boxes between grid lines, with round holes and ribs. Neighbouring faces share their corners, so the surface is watertight whatever is
+/// A solid of boxes between grid lines, with round holes and ribs. Neighboring faces share their corners, so the surface is watertight whatever is
 /// filled.
 /// </summary>
 internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
@@ -32,7 +32,7 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
         }
     }
 
-    /// <summary>Fills the lower half towards −X of a cell that has full neighbours below and at −X, and empty ones elsewhere.</summary>
+    /// <summary>Fills the lower half towards −X of a cell that has full neighbors below and at −X, and empty ones elsewhere.</summary>
     public void AddRib(int x, int y, int z) => _rib[x, y, z] = true;
 
     /// <summary>A hole in the middle of a column of full cells along Z.</summary>
@@ -124,7 +124,7 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
     // Counter-clockwise like the corners; a quarter belongs to each corner. Points of opposite faces are the same up to the shift.
     private static Vec3[] Circle(Vec3[] corners, double radius)
     {
-        var centre = (corners[0] + corners[2]) * 0.5;
+        var center = (corners[0] + corners[2]) * 0.5;
         var across = (corners[0] - corners[1]).Unit();
         var along = (corners[0] - corners[3]).Unit();
         var points = new Vec3[HoleCorners + 1];
@@ -132,7 +132,7 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
         {
             // The first point lies towards the side between the last and the first corner.
             var (sin, cos) = Angle.SinCos(360.0 * (i % HoleCorners) / HoleCorners);
-            points[i] = centre + across * (radius * cos) + along * (radius * sin);
+            points[i] = center + across * (radius * cos) + along * (radius * sin);
         }
         return points;
     }

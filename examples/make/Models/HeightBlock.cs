@@ -7,7 +7,7 @@ namespace Caterpillar.Examples;
 /// <summary>A block on Z = 0 with a rectangle as plan and a height field on top.</summary>
 internal static class HeightBlock
 {
-    /// <summary>Width and depth in mm, centred; the height in mm is asked at the corners of square cells of a grid.</summary>
+    /// <summary>Width and depth in mm, centerd; the height in mm is asked at the corners of square cells of a grid.</summary>
     public static TriMesh Make(double width, double depth, int columns, int rows, Func<int, int, double> height)
     {
         var points = new List<Vec3>();
@@ -46,12 +46,12 @@ internal static class HeightBlock
     {
         var foot = points.Count;
         foreach (var v in rim) points.Add(points[v].WithZ(0));
-        var centre = points.Count;
+        var center = points.Count;
         points.Add(Vec3.Zero);
         for (var i = 0; i < rim.Count; i++)
         {
             var j = (i + 1) % rim.Count;
-            faces.AddRange([foot + i, foot + j, rim[j], foot + i, rim[j], rim[i], centre, foot + j, foot + i]);
+            faces.AddRange([foot + i, foot + j, rim[j], foot + i, rim[j], rim[i], center, foot + j, foot + i]);
         }
     }
 }

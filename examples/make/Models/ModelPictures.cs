@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using Caterpillar.Checks;
 using Caterpillar.Display;
+using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -35,7 +36,7 @@ internal static class ModelPictures
     private static Toolpath Twisted(Toolpath toolpath, PrintSetup setup)
     {
         var gcode = SafeWriter.ToDocument(toolpath, setup).Value ?? throw new InvalidOperationException("The bracket can't be printed.");
-        var decoded = Decoder.Decode(gcode).Value ?? throw new InvalidDataException("The bracket can't be read.");
+        var decoded = GCodeDecoder.Decode(gcode).Value ?? throw new InvalidDataException("The bracket can't be read.");
         var middle = ToolpathTotals.Of(decoded.Toolpath).PrintBounds.Center;
         var twist = DeformationText.Compile("r, theta + 1.2 * z, z", system: DeformationSystem.Cylindrical, axis: middle).Value!;
         return decoded.Toolpath.Deform(new MoveFilter { FirstLayer = 0 }, twist).Value!;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Caterpillar.Files;
 using Caterpillar.Shaping;
 
 namespace Caterpillar.Examples;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Caterpillar.Display;
+using Caterpillar.Files;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
@@ -23,7 +24,7 @@ internal static class TracePictures
                 Width = 480,
                 Height = 360,
                 View = new View(-60, name.StartsWith("heart", StringComparison.Ordinal) || name.Contains("plate", StringComparison.Ordinal) ? 40 : 22),
-                ColourBy = byArea ? ColourBy.Speed : ColourBy.Height,
+                ColorBy = byArea ? ColorBy.Speed : ColorBy.Height,
             };
             var bytes = PngWriter.ToBytes(Picture.Draw(Drawn(make()), options));
             File.WriteAllBytes(Path.Combine(folder, "kanada_" + name + ".png"), bytes);

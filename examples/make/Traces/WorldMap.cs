@@ -1,4 +1,5 @@
 using System;
+using Caterpillar.Files;
 using Caterpillar.Shaping;
 
 namespace Caterpillar.Examples;

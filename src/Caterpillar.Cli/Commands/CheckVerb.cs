@@ -58,6 +58,6 @@ internal sealed class CheckVerb : Verb
     private static Toolpath Decoded(string file, string name, DecodeOptions options, Session session)
     {
         using var stream = session.OpenRead(file);
-        return session.Need(session.Long("Reading " + name, progress => Decoder.DecodeStream(stream, options, name, progress, session.Cancel))).Toolpath;
+        return session.Need(session.Long("Reading " + name, progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel))).Toolpath;
     }
 }

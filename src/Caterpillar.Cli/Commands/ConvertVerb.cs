@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.IO;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -21,7 +22,7 @@ internal sealed class ConvertVerb : Verb
     private readonly Option<double?> _diameter = new("--filament-diameter") { Description = "Diameter in mm where the file does not say.", HelpName = "MM" };
     private readonly Option<string?> _arcs = new("--arcs") { Description = "Fit arcs to strands, or expand arcs to chords.", HelpName = "fit|expand" };
     private readonly Option<double> _tolerance = new("--tolerance") { Description = "Largest deviation of fitted arcs and of chords.", HelpName = "MM", DefaultValueFactory = _ => 0.02 };
-    private readonly Option<bool> _millimetres = new("--mm") { Description = "Inches become millimetres." };
+    private readonly Option<bool> _millimeters = new("--mm") { Description = "Inches become millimeters." };
     private readonly Option<double> _retraction = new("--retraction") { Description = "Retraction in units of E that stands for G10 and G11 where the target has none.", HelpName = "E" };
     private readonly Option<string?> _decimals = new("--decimals") { Description = "The most decimals of X, Y and Z, of E and of F, as 3,5,0; later ones may be left out.", HelpName = "XYZ,E,F" };
     private readonly ToolpathEditOptions _edits = new();
@@ -34,7 +35,7 @@ internal sealed class ConvertVerb : Verb
         Arguments.Add(_file);
         foreach (var option in new Option[]
         {
-            _out, _from, _to, _e, _unit, _diameter, _arcs, _tolerance, _millimetres, _retraction, _decimals,
+            _out, _from, _to, _e, _unit, _diameter, _arcs, _tolerance, _millimeters, _retraction, _decimals,
         }) Options.Add(option);
         _edits.AddTo(this);
         _setup.AddTo(this);
@@ -60,7 +61,7 @@ internal sealed class ConvertVerb : Verb
             session.Print([new Diagnostic(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message, new SourceLocation(Session.NameOf(file)))]);
             return ExitCode.BadInput;
         }
-        var decoding = session.Need(session.Long("Reading", p => Decoder.Decode(document, new DecodeOptions { Dialect = from, FilamentDiameter = arguments.GetValue(_diameter) }, p, session.Cancel)));
+        var decoding = session.Need(session.Long("Reading", p => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = from, FilamentDiameter = arguments.GetValue(_diameter) }, p, session.Cancel)));
         var edited = _edits.Edit(decoding.Toolpath, Tolerance(arguments), arguments, session);
         if (arguments.GetValue(_arcs) == "fit") edited = edited.FitArcs(new ArcFitOptions { Tolerance = Tolerance(arguments) });
         var code = _edits.Code(arguments);
@@ -80,8 +81,8 @@ internal sealed class ConvertVerb : Verb
         return ExitCode.Done;
     }
 
-    private Decoding Again(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
-        => Decoder.Decode(text, new DecodeOptions { Dialect = dialect, FilamentDiameter = arguments.GetValue(_diameter) }, null, session.Cancel).Value!;
+    private DecodedGCode Again(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
+        => GCodeDecoder.Decode(text, new DecodeOptions { Dialect = dialect, FilamentDiameter = arguments.GetValue(_diameter) }, null, session.Cancel).Value!;
 
     // Against a printer only where one is named: the file was made for one that nobody knows here.
     private GCodeDocument Checked(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
@@ -105,13 +106,13 @@ internal sealed class ConvertVerb : Verb
             FilamentDiameter = arguments.GetValue(_diameter),
             ExpandArcs = arguments.GetValue(_arcs) == "expand",
             ChordTolerance = Tolerance(arguments),
-            Millimetres = arguments.GetValue(_millimetres),
+            Millimeters = arguments.GetValue(_millimeters),
             RetractionLength = arguments.GetValue(_retraction),
             DecimalsXyz = decimals[0],
             DecimalsE = decimals[1],
             DecimalsF = decimals[2],
         };
-        return decimals[0] is null && target.Dialect is null && target.RelativeE is null && target.Volumetric is null && !target.ExpandArcs && !target.Millimetres ? null : target;
+        return decimals[0] is null && target.Dialect is null && target.RelativeE is null && target.Volumetric is null && !target.ExpandArcs && !target.Millimeters ? null : target;
     }
 
     private int?[] Decimals(ParseResult arguments)

@@ -1,5 +1,5 @@
 using System.CommandLine;
-using Caterpillar.Curves;
+using Caterpillar.Drawings;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 

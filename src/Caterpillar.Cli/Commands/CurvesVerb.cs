@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.Curves;
+using Caterpillar.Drawings;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Planning;

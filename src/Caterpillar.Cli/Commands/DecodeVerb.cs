@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Security.Cryptography;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 using Caterpillar.GCode;
 
 namespace Caterpillar.Cli.Commands;
@@ -48,7 +49,7 @@ internal sealed class DecodeVerb : Verb
             Threads = arguments.GetValue(_threads),
         };
         var json = arguments.GetValue(_json);
-        var decoded = new List<(string File, Decoding Decoding, DecodeReport Report)>();
+        var decoded = new List<(string File, DecodedGCode DecodedGCode, DecodeReport Report)>();
         var bad = false;
         foreach (var file in arguments.GetValue(_files)!)
         {
@@ -68,17 +69,17 @@ internal sealed class DecodeVerb : Verb
             if (json) text.Write("[\n " + string.Join(",\n ", decoded.Select(d => d.Report.ToJson(" "))) + "\n]\n");
             else if (!arguments.GetValue(_csv)) foreach (var (_, decoding, report) in decoded) DecodeSummary.Write(text, decoding, report);
         });
-        if (arguments.GetValue(_csv)) session.Write("-", stream => MoveTable.Write(stream, decoded.Select(d => (d.File, d.Decoding.Toolpath)).ToArray(), session.Cancel));
+        if (arguments.GetValue(_csv)) session.Write("-", stream => MoveTable.Write(stream, decoded.Select(d => (d.File, d.DecodedGCode.Toolpath)).ToArray(), session.Cancel));
         return ExitCode.Done;
     }
 
-    private static (string, Decoding, DecodeReport) Decode(string file, DecodeOptions options, bool hash, Session session)
+    private static (string, DecodedGCode, DecodeReport) Decode(string file, DecodeOptions options, bool hash, Session session)
     {
         var name = Session.NameOf(file);
         using var plain = GzipReader.Open(session.OpenRead(file));
         using var sum = hash ? IncrementalHash.CreateHash(HashAlgorithmName.SHA256) : null;
         using var stream = sum is null ? plain : new HashingStream(plain, sum);
-        var result = session.Long("Reading " + name, progress => Decoder.DecodeStream(stream, options, name, progress, session.Cancel));
+        var result = session.Long("Reading " + name, progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel));
         if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.packed", name)]);
         var decoding = session.Need(result);
         var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };

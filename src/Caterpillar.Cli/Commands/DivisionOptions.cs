@@ -1,6 +1,6 @@
 using System;
 using System.CommandLine;
-using Caterpillar.Curves;
+using Caterpillar.Drawings;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Cli.Commands;

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.IO;
 using Caterpillar.Display;
+using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.Toolpaths;
 
@@ -19,7 +20,7 @@ internal sealed class PictureVerb : Verb
 
     private readonly Option<string> _view = new("--view") { Description = "From where it is seen: top, front, or azimuth,elevation in degrees.", DefaultValueFactory = _ => "-60,28" };
 
-    private readonly Option<ColourBy> _colour = new("--colour") { Description = "What colours mean.", DefaultValueFactory = _ => ColourBy.Role };
+    private readonly Option<ColorBy> _color = new("--color") { Description = "What colors mean.", DefaultValueFactory = _ => ColorBy.Role };
 
     private readonly Option<bool> _travel = new("--travel") { Description = "Draw travels as thin lines." };
 
@@ -33,7 +34,7 @@ internal sealed class PictureVerb : Verb
         Options.Add(_layer);
         Options.Add(_upTo);
         Options.Add(_view);
-        Options.Add(_colour);
+        Options.Add(_color);
         Options.Add(_travel);
         Options.Add(_width);
     }
@@ -45,13 +46,13 @@ internal sealed class PictureVerb : Verb
         if (width is < 16 or > 8000) throw new CliException(ExitCode.Usage, "--width: 16 to 8000 pixels.");
         var view = ViewOf(arguments.GetValue(_view)!);
         using var stream = session.OpenRead(file);
-        var toolpath = session.Need(session.Long("Decoding", progress => Decoder.DecodeStream(stream, null, Session.NameOf(file), progress, session.Cancel))).Toolpath;
+        var toolpath = session.Need(session.Long("Decoding", progress => GCodeDecoder.DecodeStream(stream, null, Session.NameOf(file), progress, session.Cancel))).Toolpath;
         var options = new PictureOptions
         {
             Width = width,
             Height = width * 3 / 4,
             View = view,
-            ColourBy = arguments.GetValue(_colour),
+            ColorBy = arguments.GetValue(_color),
             Travel = arguments.GetValue(_travel),
             Layers = Layers(arguments, toolpath),
         };

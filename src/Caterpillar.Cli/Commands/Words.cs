@@ -34,12 +34,12 @@ internal static class AxisMappings
         var star = text.IndexOf('*');
         if (equals == 1 && star == 3 && Axis(text[0]) is { } from && Word(text[2]) is { } to && NumberReader.TryParse(text[4..], out var scale) && scale != 0)
         {
-            if (to < DrivenWord.X || to - DrivenWord.X == (int)from) return new AxisMapping(from, to, scale);
+            if (to < OutputAxis.X || to - OutputAxis.X == (int)from) return new AxisMapping(from, to, scale);
         }
         throw new CliException(ExitCode.Usage, $"--map {text}: write for example X=A*2.86 (degrees for a mm) or Y=Y*0.5.");
     }
 
     private static PathAxis? Axis(char c) => c switch { 'X' or 'x' => PathAxis.X, 'Y' or 'y' => PathAxis.Y, 'Z' or 'z' => PathAxis.Z, _ => null };
 
-    private static DrivenWord? Word(char c) => Enum.TryParse<DrivenWord>(c.ToString(), true, out var word) && char.IsLetter(c) ? word : null;
+    private static OutputAxis? Word(char c) => Enum.TryParse<OutputAxis>(c.ToString(), true, out var word) && char.IsLetter(c) ? word : null;
 }

@@ -22,7 +22,7 @@ public static class SafeEditor
     /// <returns>The file, or none with the findings and <see cref="SafeWriter.Refused"/>.</returns>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     public static Result<GCodeDocument> ToDocument(
-        Decoding decoding, Toolpath edited, PrintSetup setup, string? reason = null, EditOptions? code = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+        DecodedGCode decoding, Toolpath edited, PrintSetup setup, string? reason = null, EditOptions? code = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
@@ -31,7 +31,7 @@ public static class SafeEditor
             var replaced = GCodeEditor.ToDocument(decoding, edited, code, null, cancel);
             if (replaced.Value is null) return replaced;
             var options = new DecodeOptions { Dialect = decoding.Dialect, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
-            decoding = Decoder.Decode(replaced.Value, options, null, cancel).Value!;
+            decoding = GCodeDecoder.Decode(replaced.Value, options, null, cancel).Value!;
             edited = decoding.Toolpath;
         }
         var findings = LimitCheck.Run(edited, ForFile(setup, edited), progress.Part(0, 0.2), cancel);

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -31,7 +32,7 @@ public static class SafeWriter
         Toolpath toolpath, PrintSetup setup, string path, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (Prepare(toolpath, setup, reason, progress.Part(0, 0.2), cancel, out var problems, out var overridden) is not { } format) return new Result<WrittenGCode>(null, problems.ToList());
-        using var file = new WholeFile(path);
+        using var file = new AtomicFile(path);
         using var text = BinaryGCode.IsName(path) ? new MemoryStream() : null;
         var written = Write(toolpath, format, text ?? file.Stream, overridden, progress.Part(0.2, 1), cancel);
         if (text is not null) BinaryGCode.Write(GCodeDocument.FromBytes(text.ToArray()), file.Stream, null, cancel);

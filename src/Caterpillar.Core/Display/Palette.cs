@@ -1,8 +1,9 @@
+using Caterpillar.Files;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Display;
 
-/// <summary>The colours of roles and scales, the same in pictures, pages and on the canvas.</summary>
+/// <summary>The colors of roles and scales, the same in pictures, pages and on the canvas.</summary>
 public static class Palette
 {
     private static readonly Rgb[] Scale =
@@ -10,7 +11,7 @@ public static class Palette
 
     public static Rgb Travel { get; } = new(150, 160, 180);
 
-    /// <summary>The colour of a role.</summary>
+    /// <summary>The color of a role.</summary>
     public static Rgb Of(Role role) => role switch
     {
         Role.OuterWall => new Rgb(240, 136, 62),
@@ -30,7 +31,7 @@ public static class Palette
         _ => new Rgb(98, 160, 74),
     };
 
-    /// <summary>A colour of the scale from dark violet (0) to yellow (1).</summary>
+    /// <summary>A color of the scale from dark violet (0) to yellow (1).</summary>
     public static Rgb At(double value)
     {
         if (!(value > 0)) return Scale[0];

@@ -1,13 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.Threading;
+using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Display;
 
-/// <summary>What colours mean in a picture.</summary>
-public enum ColourBy
+/// <summary>What colors mean in a picture.</summary>
+public enum ColorBy
 {
     Role,
     Height,
@@ -25,7 +26,7 @@ public sealed record PictureOptions
 
     public View View { get; init; } = View.Perspective;
 
-    public ColourBy ColourBy { get; init; } = ColourBy.Role;
+    public ColorBy ColorBy { get; init; } = ColorBy.Role;
 
     /// <summary>Draw travel moves as thin lines.</summary>
     public bool Travel { get; init; }
@@ -71,10 +72,10 @@ public static class Picture
             var length = move.Length;
             if (length == 0) continue;
             var width = print && toolpath.VolumeOf(move) is { } volume && volume > 0 ? Math.Sqrt(volume / length * 4 / Math.PI) : options.DefaultWidth;
-            var colour = print ? ColourOf(move, toolpath.Count, options.ColourBy, ranges) : Palette.Travel;
+            var color = print ? ColorOf(move, toolpath.Count, options.ColorBy, ranges) : Palette.Travel;
             chords.Clear();
             Chords(move, chords);
-            for (var i = 1; i < chords.Count; i++) canvas.Strand(chords[i - 1], chords[i], print ? width : 0, colour);
+            for (var i = 1; i < chords.Count; i++) canvas.Strand(chords[i - 1], chords[i], print ? width : 0, color);
         }
         return canvas.Finish();
     }
@@ -97,12 +98,12 @@ public static class Picture
         return (box, slow, fast, toolpath.Layers.Count - 1);
     }
 
-    private static Rgb ColourOf(Move move, int count, ColourBy by, (Bounds Box, double Slow, double Fast, int LastLayer) ranges) => by switch
+    private static Rgb ColorOf(Move move, int count, ColorBy by, (Bounds Box, double Slow, double Fast, int LastLayer) ranges) => by switch
     {
-        ColourBy.Role => Palette.Of(move.Role),
-        ColourBy.Height => Palette.At((move.End.Z - ranges.Box.Min.Z) / Math.Max(ranges.Box.Size.Z, 1e-9)),
-        ColourBy.Speed => Palette.At((move.Speed - ranges.Slow) / Math.Max(ranges.Fast - ranges.Slow, 1e-9)),
-        ColourBy.Layer => Palette.At(move.Layer / Math.Max(ranges.LastLayer, 1.0)),
+        ColorBy.Role => Palette.Of(move.Role),
+        ColorBy.Height => Palette.At((move.End.Z - ranges.Box.Min.Z) / Math.Max(ranges.Box.Size.Z, 1e-9)),
+        ColorBy.Speed => Palette.At((move.Speed - ranges.Slow) / Math.Max(ranges.Fast - ranges.Slow, 1e-9)),
+        ColorBy.Layer => Palette.At(move.Layer / Math.Max(ranges.LastLayer, 1.0)),
         _ => Palette.At(move.Index / Math.Max(count - 1.0, 1)),
     };
 

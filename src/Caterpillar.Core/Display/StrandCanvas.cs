@@ -1,4 +1,5 @@
 using System;
+using Caterpillar.Files;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Display;
@@ -39,7 +40,7 @@ internal sealed class StrandCanvas
     }
 
     /// <summary>A strand of a diameter in mm; 0 draws a thin flat line.</summary>
-    public void Strand(Vec3 from, Vec3 to, double diameter, Rgb colour)
+    public void Strand(Vec3 from, Vec3 to, double diameter, Rgb color)
     {
         var a = _view.Project(from);
         var b = _view.Project(to);
@@ -64,7 +65,7 @@ internal sealed class StrandCanvas
                 if (near <= _near[i]) continue;
                 _near[i] = near;
                 var light = diameter > 0 ? 0.45 + 0.6 * Math.Max(0, Light.X * ox / radius - Light.Y * oy / radius + Light.Z * bulge) : 1;
-                _image[x, y] = colour.Scale(light);
+                _image[x, y] = color.Scale(light);
             }
         }
     }

@@ -189,7 +189,7 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
         if (scope.IsArray(name.Text)) throw new FormulaException("formula.syntax", $"'{name.Text}' is an array; write {name.Text}[index].", name.Line, name.Column);
         var function = Next.Is("(") && !Next.BlankBefore;
         var known = function ? FormulaFunctions.Names : scope.Names.Concat(["pi", "tau"]).Concat(FormulaFunctions.Names);
-        throw new FormulaException("formula.unknown", $"There is no {(function ? "function" : "variable")} '{name.Text}'.{Spelling.Hint(name.Text, known)}", name.Line, name.Column);
+        throw new FormulaException("formula.unknown", $"There is no {(function ? "function" : "variable")} '{name.Text}'.{SpellingSuggestion.Hint(name.Text, known)}", name.Line, name.Column);
     }
 
     private FormulaNode Call(Token name)

@@ -17,10 +17,10 @@ public enum ArcPlane : byte
 }
 
 /// <summary>
-/// An arc or helix between two points that are known from elsewhere: centre, plane and sweep. The coordinate across the plane changes linearly. The radius is
+/// An arc or helix between two points that are known from elsewhere: center, plane and sweep. The coordinate across the plane changes linearly. The radius is
 /// taken at the start; an end slightly off the circle is met by a linear change of the radius.
 /// </summary>
-/// <param name="Center">Centre in mm; the coordinate across the plane has no meaning.</param>
+/// <param name="Center">Center in mm; the coordinate across the plane has no meaning.</param>
 /// <param name="Sweep">Degrees, positive counter-clockwise; ±360 is a full turn and more are allowed.</param>
 /// <param name="Plane">Plane in which it turns.</param>
 public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = ArcPlane.XY)

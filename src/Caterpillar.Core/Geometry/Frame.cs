@@ -5,7 +5,7 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// A place with three perpendicular unit axes, right-handed. For a turtle X is forward, Y left and Z up. Rotations act about the frame's own axes and
-/// re-orthonormalise, so that a million turns do not drift.
+/// re-orthonormalize, so that a million turns do not drift.
 /// </summary>
 public readonly struct Frame : IEquatable<Frame>
 {
@@ -89,10 +89,10 @@ public readonly struct Frame : IEquatable<Frame>
     // One Gram-Schmidt step; for axes that are unit to rounding it leaves exact right angles exact.
     private Frame Orthonormal(Vec3 x, Vec3 y)
     {
-        x = Normalised(x);
-        y = Normalised(y - x * Vec3.Dot(x, y));
+        x = Normalized(x);
+        y = Normalized(y - x * Vec3.Dot(x, y));
         return new Frame(Origin, x, y, Vec3.Cross(x, y));
     }
 
-    private static Vec3 Normalised(Vec3 v) => v * (1.5 - 0.5 * v.LengthSquared);
+    private static Vec3 Normalized(Vec3 v) => v * (1.5 - 0.5 * v.LengthSquared);
 }

@@ -28,7 +28,7 @@ public sealed record PrintSetup
     public PrintSettings Settings { get; init; }
 
     /// <summary>How amounts of E follow from strands.</summary>
-    public ExtrusionLaw Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowMultiplier);
+    public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowMultiplier);
 
     /// <summary>What machine and material can push, mm³/s; infinite where neither says.</summary>
     public double MaxFlow

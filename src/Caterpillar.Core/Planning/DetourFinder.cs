@@ -43,7 +43,7 @@ internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
             var at = Place(start, x, y);
             if ((x, y) != (0, 0) && !IsFree(Place(start, node.From.X, node.From.Y), at))
             {
-                // Another neighbour may still reach it.
+                // Another neighbor may still reach it.
                 node.Way = double.PositiveInfinity;
                 continue;
             }

@@ -16,7 +16,7 @@ public static class Planner
 {
     /// <summary>Plans steps. Without a value where a step wants a tool that the printer does not have.</summary>
     /// <exception cref="ArgumentException">A step is null.</exception>
-    /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">It was canceled.</exception>
     public static Result<Toolpath> Plan(
         IReadOnlyList<Step> steps, PrintSetup setup, PlanOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {

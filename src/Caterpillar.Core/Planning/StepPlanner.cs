@@ -18,7 +18,7 @@ internal sealed class StepPlanner
     private readonly OverrideState _overrides;
     private readonly PlanCounts _counts;
     private readonly Deposit? _deposit;
-    private readonly ReturnWay? _way;
+    private readonly ReturnPath? _way;
 
     // A drawn travel has been prepared for, until something is printed.
     private bool _prepared;
@@ -31,7 +31,7 @@ internal sealed class StepPlanner
         _counts = counts;
         _emitter = new MoveEmitter(rules, options.Start, counts);
         var returns = !rules.AddsNothing && Array.Exists(steps, s => s.Step is TravelStep { Intent: TravelIntent.Return });
-        if (returns) _way = new ReturnWay();
+        if (returns) _way = new ReturnPath();
         if (returns || (rules.Lift == LiftRule.Corridor && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);
         _travel = new TravelPlanner(rules, _emitter, counts, _deposit);
         _printer = new PathPrinter(rules, _emitter, counts, _deposit);
@@ -108,13 +108,13 @@ internal sealed class StepPlanner
         var from = _emitter.Position;
         var back = _way!.BackTo(goal);
         if (from.DistanceTo(goal) <= TravelPlanner.Touching) return;
-        if (back is not null && ReturnWay.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal) && ReturnWay.IsOpen(_deposit!, from, back))
+        if (back is not null && ReturnPath.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal) && ReturnPath.IsOpen(_deposit!, from, back))
         {
             _counts.ReturnsAlong++;
             foreach (var point in back) _emitter.Travel(point, _rules.TravelSpeed);
             return;
         }
-        if (ReturnWay.IsOpen(_deposit!, goal))
+        if (ReturnPath.IsOpen(_deposit!, goal))
         {
             _counts.ReturnsOver++;
         }
@@ -136,7 +136,7 @@ internal sealed class StepPlanner
             var from = path.Points[i];
             if (path.ArcOf(i) is { } arc)
             {
-                var chords = arc.ChordCount(from, WipeWay.Tolerance);
+                var chords = arc.ChordCount(from, WipePath.Tolerance);
                 for (var k = 1; k < chords; k++) _way.Visit(arc.PointAt(from, path.EndOf(i), (double)k / chords));
             }
             _way.Visit(path.EndOf(i));

@@ -10,7 +10,7 @@ namespace Caterpillar.Planning;
 /// </summary>
 internal sealed class TourImprover
 {
-    private const int Neighbours = 6;
+    private const int Neighbors = 6;
     private const double LeastGain = 1e-7;
     private readonly SortItem[] _items;
     private readonly PathPlacement[] _order;
@@ -72,9 +72,9 @@ internal sealed class TourImprover
             if ((path & 1023) == 0) cancel.ThrowIfCancellationRequested();
             if (!_fresh[path]) continue;
             _fresh[path] = false;
-            for (var k = 0; k < Neighbours; k++)
+            for (var k = 0; k < Neighbors; k++)
             {
-                var other = _near[path * Neighbours + k];
+                var other = _near[path * Neighbors + k];
                 if (other < 0) break;
                 var a = _place[path];
                 var b = _place[other];
@@ -184,8 +184,8 @@ internal sealed class TourImprover
             ends[place.Index * 2 + 1] = _items[place.Index].Exit(place);
         }
         var tree = new EntryTree(ends, ends.Length);
-        var near = new int[_order.Length * Neighbours];
-        var taken = new int[Neighbours];
+        var near = new int[_order.Length * Neighbors];
+        var taken = new int[Neighbors];
         for (var path = 0; path < _order.Length; path++)
         {
             var found = 0;
@@ -194,20 +194,20 @@ internal sealed class TourImprover
                 var removed = 0;
                 tree.Remove(path * 2);
                 tree.Remove(path * 2 + 1);
-                while (removed < Neighbours / 2)
+                while (removed < Neighbors / 2)
                 {
                     var nearest = tree.Nearest(ends[path * 2 + end]);
                     if (nearest < 0) break;
                     taken[removed++] = nearest;
                     tree.Remove(nearest);
                     var other = nearest / 2;
-                    if (Array.IndexOf(near, other, path * Neighbours, found) < 0) near[path * Neighbours + found++] = other;
+                    if (Array.IndexOf(near, other, path * Neighbors, found) < 0) near[path * Neighbors + found++] = other;
                 }
                 while (removed > 0) tree.Restore(taken[--removed]);
                 tree.Restore(path * 2);
                 tree.Restore(path * 2 + 1);
             }
-            for (; found < Neighbours; found++) near[path * Neighbours + found] = -1;
+            for (; found < Neighbors; found++) near[path * Neighbors + found] = -1;
         }
         return near;
     }

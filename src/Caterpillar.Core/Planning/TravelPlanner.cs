@@ -181,7 +181,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
     private bool TryWipe(double e, ToolRules tool)
     {
         if (rules.WipeDistance <= 0 || _last is not { } path || path.End.DistanceTo(emitter.Position) > Touching) return false;
-        var points = WipeWay.Along(path, rules.WipeDistance);
+        var points = WipePath.Along(path, rules.WipeDistance);
         var length = 0.0;
         for (var i = 1; i < points.Count; i++) length += points[i - 1].DistanceTo(points[i]);
         if (!(length > 0)) return false;

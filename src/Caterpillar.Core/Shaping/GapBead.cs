@@ -59,7 +59,7 @@ public sealed record GapBead
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
         var problems = new DiagnosticList();
-        var gauge = new GapGauge(this);
+        var gauge = new GapProbe(this);
         var shaped = new List<PrintPath>(paths.Count);
         for (var i = 0; i < paths.Count; i++)
         {
@@ -70,7 +70,7 @@ public sealed record GapBead
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : shaped, problems.ToList());
     }
 
-    private PrintPath? Fill(PrintPath path, int number, GapGauge gauge, DiagnosticList problems)
+    private PrintPath? Fill(PrintPath path, int number, GapProbe gauge, DiagnosticList problems)
     {
         var points = new List<Vec3> { path.Start };
         var beads = new List<Bead>();
@@ -116,7 +116,7 @@ public sealed record GapBead
         return path.WithGeometry(points, beads, path.IsClosed, arcs);
     }
 
-    private Bead Measure(Vec3 from, Vec3 middle, Vec3 to, Arc? arc, Bead bead, double width, GapGauge gauge, int number, DiagnosticList problems)
+    private Bead Measure(Vec3 from, Vec3 middle, Vec3 to, Arc? arc, Bead bead, double width, GapProbe gauge, int number, DiagnosticList problems)
     {
         var gap = (gauge.Gap(from, width) + 4 * gauge.Gap(middle, width) + gauge.Gap(to, width)) / 6;
         if (!(gap <= AirGap))

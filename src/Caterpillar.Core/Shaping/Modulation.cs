@@ -88,7 +88,7 @@ public sealed record Modulation
     private PrintPath? Scale(PrintPath path, int number, DiagnosticList problems, ref double least, ref double greatest, CancellationToken cancel)
     {
         var (points, beads, closed, arcs) = Parts(path, cancel);
-        var places = new Places(points, path, number, closed);
+        var places = new PathSamples(points, path, number, closed);
         for (var i = 0; i < beads.Length; i++)
         {
             var change = ValueAt(places.Middle(i), 1, number, problems);
@@ -119,7 +119,7 @@ public sealed record Modulation
     private PrintPath? Displace(PrintPath path, int number, DiagnosticList problems, CancellationToken cancel)
     {
         var (points, beads, closed) = PathDivision.Straight(path, Resolution, cancel);
-        var places = new Places(points, path, number, closed);
+        var places = new PathSamples(points, path, number, closed);
         var moved = new Vec3[points.Length];
         for (var i = 0; i < points.Length; i++)
         {

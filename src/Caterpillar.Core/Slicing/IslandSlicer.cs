@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 

@@ -10,7 +10,7 @@ internal readonly record struct PlannedLayer(double Top, double Thickness)
     public double Cut => Top - Thickness / 2;
 
     /// <summary>Layers from the bed up to a height: the first of its own thickness, the others alike, as many as have their middle below the height.</summary>
-    public static PlannedLayer[] Upto(double height, double first, double others)
+    public static PlannedLayer[] StackTo(double height, double first, double others)
     {
         var layers = new List<PlannedLayer>();
         // Multiples of the thickness, not sums, so that a hundred layers do not drift.

@@ -22,7 +22,7 @@ public static class PlanarSlicer
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
     /// <returns>The layers, and what was noticed: the problems of the meshes, <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.open_contours</c>.</returns>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<SliceResult> Slice(
         IReadOnlyList<NamedMesh> models, PrintSettings settings, int threads = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -65,7 +65,7 @@ public static class PlanarSlicer
             problems.Add(Severity.Warning, "slice.below_bed",
                 $"The model reaches {NumberFormatter.Format(-bounds.Min.Z, 3)} mm below the bed; that part is not printed.", source);
         }
-        var plan = PlannedLayer.Upto(bounds.Max.Z, settings.FirstLayerHeight, settings.LayerHeight);
+        var plan = PlannedLayer.StackTo(bounds.Max.Z, settings.FirstLayerHeight, settings.LayerHeight);
         var sections = MeshSections.At(model.Mesh, Array.ConvertAll(plan, l => l.Cut), new SectionOptions { Threads = threads }, progress, cancel);
         foreach (var problem in sections.Diagnostics) problems.Add(problem with { Source = source });
         var open = 0;

@@ -10,7 +10,7 @@ internal sealed record SliceRules(
     public static SliceRules Of(PrintSettings settings, double thickness)
     {
         var bead = Bead.FromWidth(settings.LineWidth, thickness, shape: settings.BeadShape);
-        // Neighbours lie so far apart that the strands fill the layer: area = pitch × thickness.
+        // Neighbors lie so far apart that the strands fill the layer: area = pitch × thickness.
         var pitch = bead.Area / thickness;
         return new SliceRules(
             settings.LineWidth,

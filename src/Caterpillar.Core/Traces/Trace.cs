@@ -74,7 +74,7 @@ public sealed class Trace
         return this;
     }
 
-    /// <summary>A closed polygon of equal strings on a circle about the vertical through the centre, counter-clockwise from <paramref name="from"/> degrees. It closes exactly.</summary>
+    /// <summary>A closed polygon of equal strings on a circle about the vertical through the center, counter-clockwise from <paramref name="from"/> degrees. It closes exactly.</summary>
     public Trace Circle(Vec3 center, double radius, int strings = DefaultStringsPerTurn, double from = 0)
     {
         CheckPositive(radius, nameof(radius));
@@ -85,7 +85,7 @@ public sealed class Trace
         return Draw(first);
     }
 
-    /// <summary>A flat spiral from the centre to the radius (or inwards), <paramref name="pitch"/> mm further out with each turn, counter-clockwise.</summary>
+    /// <summary>A flat spiral from the center to the radius (or inwards), <paramref name="pitch"/> mm further out with each turn, counter-clockwise.</summary>
     public Trace Spiral(Vec3 center, double radius, double pitch, int stringsPerTurn = DefaultStringsPerTurn, bool inwards = false)
     {
         CheckPositive(radius, nameof(radius));
@@ -118,7 +118,7 @@ public sealed class Trace
     }
 
     /// <summary>
-    /// A filled cylinder: flat spirals on top of each other, outwards and inwards in turn, the first one at the height of the centre; the number of spirals is the height divided by
+    /// A filled cylinder: flat spirals on top of each other, outwards and inwards in turn, the first one at the height of the center; the number of spirals is the height divided by
     /// the vertical pitch, rounded.
     /// </summary>
     public Trace Cylinder(Vec3 center, double radius, double height, double verticalPitch, double horizontalPitch, int stringsPerTurn = DefaultStringsPerTurn)
@@ -145,7 +145,7 @@ public sealed class Trace
     }
 
     /// <summary>
-    /// A part in which connected strings shorter than <paramref name="minimum"/> mm are joined with their neighbours (too many short strings make printers stutter). A joined string
+    /// A part in which connected strings shorter than <paramref name="minimum"/> mm are joined with their neighbors (too many short strings make printers stutter). A joined string
     /// has the mean area and speed of its parts, by length; strings that are long enough stay.
     /// </summary>
     public Trace Merged(double minimum)

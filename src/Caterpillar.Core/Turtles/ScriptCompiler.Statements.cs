@@ -143,7 +143,7 @@ internal sealed partial class ScriptCompiler
         _at++;
         if (_scope.IsArray(name.Text)) throw Error("turtle.name", $"'{name.Text}' is an array; write {name.Text}[index] = ….", name);
         if (_procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"'{name.Text}' is a procedure.", name);
-        var before = op.Text == "=" ? null : _scope.Variable(name.Text, name) ?? throw Error("turtle.unknown", $"There is no variable '{name.Text}'.{Spelling.Hint(name.Text, _scope.Names)}", name);
+        var before = op.Text == "=" ? null : _scope.Variable(name.Text, name) ?? throw Error("turtle.unknown", $"There is no variable '{name.Text}'.{SpellingSuggestion.Hint(name.Text, _scope.Names)}", name);
         var value = Formula(op.Text);
         if (before is not null)
         {

@@ -159,7 +159,7 @@ internal sealed partial class ScriptCompiler
     {
         if (_scope.Variable(token.Text, token) is not null) return Error("turtle.syntax", $"'{token.Text}' is a variable; a command or '{token.Text} = …' was expected.", token);
         var names = _procedures.Keys.Concat(TurtleCommands.Names).Concat(Keywords.Where(k => k is not ("to" or "step" or "else" or "keep" or "and" or "or" or "not")));
-        return Error("turtle.unknown", $"There is no command '{token.Text}'.{Spelling.Hint(token.Text, names)}", token);
+        return Error("turtle.unknown", $"There is no command '{token.Text}'.{SpellingSuggestion.Hint(token.Text, names)}", token);
     }
 
     private void Call(Token token, Procedure procedure)

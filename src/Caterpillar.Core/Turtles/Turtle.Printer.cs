@@ -157,11 +157,11 @@ public sealed partial class Turtle
     /// <summary>Strands from here on belong to the next layer.</summary>
     public Turtle NextLayer(double thickness = 0) => Layer(_state.Tags.Layer is { } layer ? layer.Index + 1 : 0, thickness, _state.Tags.Layer?.Object ?? "");
 
-    /// <summary>Strands from here on have a colour, 0xRRGGBB, or none.</summary>
+    /// <summary>Strands from here on have a color, 0xRRGGBB, or none.</summary>
     public Turtle Color(int? rgb)
-        => rgb is null or (>= 0 and <= 0xFFFFFF) ? Tag(_state.Tags with { Color = rgb }) : throw new ArgumentOutOfRangeException(nameof(rgb), "A colour is 0xRRGGBB.");
+        => rgb is null or (>= 0 and <= 0xFFFFFF) ? Tag(_state.Tags with { Color = rgb }) : throw new ArgumentOutOfRangeException(nameof(rgb), "A color is 0xRRGGBB.");
 
-    /// <summary>Strands from here on have a colour of three parts, 0 to 255.</summary>
+    /// <summary>Strands from here on have a color of three parts, 0 to 255.</summary>
     public Turtle Color(int red, int green, int blue) => Color(Part(red) << 16 | Part(green) << 8 | Part(blue));
 
     /// <summary>Strands from here on have a name.</summary>
@@ -176,7 +176,7 @@ public sealed partial class Turtle
         return this;
     }
 
-    private static int Part(int value) => value is >= 0 and <= 255 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A part of a colour is 0 to 255.");
+    private static int Part(int value) => value is >= 0 and <= 255 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A part of a color is 0 to 255.");
 
     private static double Temperature(double celsius)
         => celsius >= 0 && !double.IsInfinity(celsius) ? celsius : throw new ArgumentOutOfRangeException(nameof(celsius), "A temperature is 0 °C or more.");

@@ -1,5 +1,6 @@
 using System;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Turtles;
@@ -33,7 +34,7 @@ public sealed partial class Turtle
         return sweep % 360 == 0 ? Turn(start.WithOrigin(Position)) : Turn(start.WithOrigin(Position).Yaw(sweep));
     }
 
-    /// <summary>A circle with its centre on the left, walked once and closed exactly.</summary>
+    /// <summary>A circle with its center on the left, walked once and closed exactly.</summary>
     /// <param name="radius">mm.</param>
     /// <param name="segments">Number of chords; 0 for as many as the options' tolerance needs.</param>
     public Turtle Circle(double radius, int segments = 0) => Arc(radius, AngleUnit == AngleUnit.Radians ? 2 * Math.PI : 360, 0, segments);

@@ -157,19 +157,19 @@ public sealed class TurtleCommand
         {
             var hex = text.StartsWith("#", StringComparison.Ordinal) ? text.Substring(1) : text;
             if (hex.Length != 6 || !int.TryParse(hex, System.Globalization.NumberStyles.AllowHexSpecifier, System.Globalization.CultureInfo.InvariantCulture, out var rgb))
-                throw new ArgumentException("A colour is written \"#rrggbb\".", nameof(text));
+                throw new ArgumentException("A color is written \"#rrggbb\".", nameof(text));
             t.Color(rgb);
         }
         else if (count == 3) t.Color(Whole(a), Whole(b), Whole(c));
         else if (count == 0) t.Color(null);
-        else throw new ArgumentException("A colour has three numbers.", nameof(count));
+        else throw new ArgumentException("A color has three numbers.", nameof(count));
     }
 
     private static Role RoleOf(string text)
     {
         var names = Enum.GetNames(typeof(Role)).Select(Snake).ToArray();
         var index = Array.IndexOf(names, Snake(text));
-        if (index < 0) throw new ArgumentException($"There is no role '{text}'.{Spelling.Hint(text, names)}", nameof(text));
+        if (index < 0) throw new ArgumentException($"There is no role '{text}'.{SpellingSuggestion.Hint(text, names)}", nameof(text));
         return (Role)Enum.GetValues(typeof(Role)).GetValue(index)!;
     }
 

@@ -1,3 +1,4 @@
+using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -11,10 +12,10 @@ public sealed record TurtleOptions
     public Frame Start { get; init; } = Frame.World;
 
     /// <summary>The law by which mm of filament become strands; for a print that of its setup.</summary>
-    public ExtrusionLaw Extrusion { get; init; } = new(ExtrusionUnit.Mm, 1.75);
+    public ExtrusionModel Extrusion { get; init; } = new(ExtrusionUnit.Mm, 1.75);
 
     /// <summary>mm of filament per mm of path.</summary>
-    public double Density { get; init; } = ExtrusionLaw.DefaultFactor;
+    public double Density { get; init; } = ExtrusionModel.DefaultFactor;
 
     /// <summary>The strand at first, in place of the density; one without a speed goes at the rate. Null for the density.</summary>
     public Bead? Bead { get; init; }

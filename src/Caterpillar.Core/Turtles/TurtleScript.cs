@@ -80,7 +80,7 @@ public sealed class TurtleScript
         var given = variables ?? new Dictionary<string, double>();
         var diagnostics = new DiagnosticList();
         foreach (var name in given.Keys.Where(n => !Parameters.Contains(n)).OrderBy(n => n, StringComparer.Ordinal))
-            diagnostics.Add(Severity.Warning, "turtle.parameter", $"The program has no parameter '{name}'.{Spelling.Hint(name, Parameters)}", _file is null ? null : new SourceLocation(_file));
+            diagnostics.Add(Severity.Warning, "turtle.parameter", $"The program has no parameter '{name}'.{SpellingSuggestion.Hint(name, Parameters)}", _file is null ? null : new SourceLocation(_file));
         foreach (var name in given.Keys.Where(n => double.IsNaN(given[n]) || double.IsInfinity(given[n])).OrderBy(n => n, StringComparer.Ordinal))
             diagnostics.Add(Severity.Error, "turtle.not_finite", $"The value of '{name}' is not finite.", _file is null ? null : new SourceLocation(_file));
         if (diagnostics.HasErrors) return diagnostics.ToList();

@@ -19,7 +19,7 @@ public abstract class CaterpillarComponent : GH_Component
     private const string VersionKey = "CaterpillarVersion";
     private readonly SolveCache _cache = new();
     private Version? _newer;
-    private bool _cancelled;
+    private bool _canceled;
 
     protected CaterpillarComponent(string name, string nickname, string description, string panel, GH_Exposure exposure = GH_Exposure.primary)
         : base(name, nickname, description, PluginInfo.Tab, panel)
@@ -40,7 +40,7 @@ public abstract class CaterpillarComponent : GH_Component
 
     protected sealed override Bitmap? Icon => Icons.Load(Icons.NameOf(GetType()));
 
-    /// <summary>True for the components that draw colours of their own.</summary>
+    /// <summary>True for the components that draw colors of their own.</summary>
     private protected virtual bool DrawsItself => false;
 
     /// <summary>Does nothing where nothing can be baked; the menu item does not ask.</summary>
@@ -81,7 +81,7 @@ public abstract class CaterpillarComponent : GH_Component
 
     protected sealed override void BeforeSolveInstance()
     {
-        _cancelled = false;
+        _canceled = false;
         Message = "";
         _cache.Begin();
         if (_newer is not null)
@@ -95,7 +95,7 @@ public abstract class CaterpillarComponent : GH_Component
 
     protected sealed override void SolveInstance(IGH_DataAccess DA)
     {
-        if (_cancelled) return;
+        if (_canceled) return;
         var run = new Run(this, DA, _cache);
         try
         {
@@ -103,8 +103,8 @@ public abstract class CaterpillarComponent : GH_Component
         }
         catch (OperationCanceledException)
         {
-            _cancelled = true;
-            AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, "Cancelled.");
+            _canceled = true;
+            AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, "Canceled.");
             DA.AbortComponentSolution();
             OnPingDocument()?.RequestAbortSolution();
         }

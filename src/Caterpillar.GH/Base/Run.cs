@@ -29,7 +29,7 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
         {
             if (_units is { } known) return known;
             var units = DocumentUnits.Current;
-            if (!units.AreMillimetres)
+            if (!units.AreMillimeters)
                 component.AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, $"Geometry is scaled: the document is in {units.Name}, Caterpillar works in mm.");
             _units = units;
             return units;

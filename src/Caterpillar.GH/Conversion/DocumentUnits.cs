@@ -7,7 +7,7 @@ internal readonly struct DocumentUnits
 {
     private DocumentUnits(UnitSystem system)
     {
-        ToMillimetres = RhinoMath.UnitScale(system, UnitSystem.Millimeters);
+        ToMillimeters = RhinoMath.UnitScale(system, UnitSystem.Millimeters);
         Name = system.ToString().ToLowerInvariant();
     }
 
@@ -15,12 +15,12 @@ internal readonly struct DocumentUnits
     public static DocumentUnits Current => new(RhinoDoc.ActiveDoc is { } document ? document.ModelUnitSystem : UnitSystem.Millimeters);
 
     /// <summary>mm per document unit.</summary>
-    public double ToMillimetres { get; }
+    public double ToMillimeters { get; }
 
     /// <summary>Document units per mm.</summary>
-    public double FromMillimetres => 1 / ToMillimetres;
+    public double FromMillimeters => 1 / ToMillimeters;
 
     public string Name { get; }
 
-    public bool AreMillimetres => ToMillimetres == 1;
+    public bool AreMillimeters => ToMillimeters == 1;
 }

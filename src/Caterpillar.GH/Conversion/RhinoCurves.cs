@@ -36,7 +36,7 @@ internal static class RhinoCurves
         var start = RhinoGeometry.ToVec(arc.StartPoint, units) - center;
         var normal = arc.Plane.ZAxis;
         var ahead = Vec3.Cross(new Vec3(normal.X, normal.Y, normal.Z), start);
-        return new ArcCurve(Frame.FromAxes(center, start, ahead), arc.Radius * units.ToMillimetres, System.Math.Min(arc.AngleDegrees, 360));
+        return new ArcCurve(Frame.FromAxes(center, start, ahead), arc.Radius * units.ToMillimeters, System.Math.Min(arc.AngleDegrees, 360));
     }
 
     // Rhino leaves out the first and the last knot, which have no influence.

@@ -12,11 +12,11 @@ internal static class RhinoGeometry
     // Distance in mm that chords of arcs keep from them, on the screen and when baked.
     private const double ChordTolerance = 0.01;
 
-    public static Vec3 ToVec(Rg.Point3d point, DocumentUnits units) => new Vec3(point.X, point.Y, point.Z) * units.ToMillimetres;
+    public static Vec3 ToVec(Rg.Point3d point, DocumentUnits units) => new Vec3(point.X, point.Y, point.Z) * units.ToMillimeters;
 
     public static Rg.Point3d ToPoint(Vec3 point, DocumentUnits units)
     {
-        var scale = units.FromMillimetres;
+        var scale = units.FromMillimeters;
         return new Rg.Point3d(point.X * scale, point.Y * scale, point.Z * scale);
     }
 
@@ -35,7 +35,7 @@ internal static class RhinoGeometry
         if (t.M30 != 0 || t.M31 != 0 || t.M32 != 0 || !(t.M33 != 0)) return null;
         var s = 1 / t.M33;
         return new Affine(new Vec3(t.M00, t.M10, t.M20) * s, new Vec3(t.M01, t.M11, t.M21) * s, new Vec3(t.M02, t.M12, t.M22) * s,
-            new Vec3(t.M03, t.M13, t.M23) * (s * units.ToMillimetres));
+            new Vec3(t.M03, t.M13, t.M23) * (s * units.ToMillimeters));
     }
 
     /// <summary>A path as a polyline; a closed one ends where it begins.</summary>
@@ -76,7 +76,7 @@ internal static class RhinoGeometry
     {
         var box = printer.BuildBounds;
         if (printer.BedShape == BedShape.Round)
-            return new Rg.ArcCurve(new Rg.Circle(ToPoint(box.Center.WithZ(box.Min.Z), units), box.Size.X / 2 * units.FromMillimetres));
+            return new Rg.ArcCurve(new Rg.Circle(ToPoint(box.Center.WithZ(box.Min.Z), units), box.Size.X / 2 * units.FromMillimeters));
         var (a, c) = (box.Min, box.Max.WithZ(box.Min.Z));
         Vec3[] corners = [a, new(c.X, a.Y, a.Z), c, new(a.X, c.Y, a.Z), a];
         return new Rg.PolylineCurve(Array.ConvertAll(corners, p => ToPoint(p, units)));

@@ -14,8 +14,8 @@ internal static class RhinoMesh
     {
         var parameters = new Rg.MeshingParameters
         {
-            Tolerance = tolerance * units.FromMillimetres,
-            MinimumEdgeLength = tolerance * units.FromMillimetres / 10,
+            Tolerance = tolerance * units.FromMillimeters,
+            MinimumEdgeLength = tolerance * units.FromMillimeters / 10,
             RefineGrid = true,
             JaggedSeams = false,
             SimplePlanes = true,

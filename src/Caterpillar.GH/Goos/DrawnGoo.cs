@@ -6,7 +6,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>Goo of what is drawn as one thin wire in the colour given; nothing when it is very large. What it is worth in document units is worked out once for each unit.</summary>
+/// <summary>Goo of what is drawn as one thin wire in the color given; nothing when it is very large. What it is worth in document units is worked out once for each unit.</summary>
 public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData
     where T : class
 {
@@ -55,8 +55,8 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData
     private protected IReadOnlyList<Rg.PolylineCurve> Curves()
     {
         var units = DocumentUnits.Current;
-        if (_curves is null || _curveScale != units.ToMillimetres) _curves = CurvesIn(units);
-        _curveScale = units.ToMillimetres;
+        if (_curves is null || _curveScale != units.ToMillimeters) _curves = CurvesIn(units);
+        _curveScale = units.ToMillimeters;
         return _curves;
     }
 }

@@ -32,23 +32,23 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     }
 
     /// <summary>A toolpath that was decoded from a file.</summary>
-    public ToolpathGoo(Decoding decoding)
+    public ToolpathGoo(DecodedGCode decoding)
         : this(decoding?.Toolpath)
     {
-        Decoding = decoding;
+        DecodedGCode = decoding;
     }
 
     private ToolpathGoo(ToolpathGoo other, Toolpath? toolpath)
         : this(toolpath, other.Setup)
     {
-        Decoding = other.Decoding;
+        DecodedGCode = other.DecodedGCode;
     }
 
     /// <summary>What it was planned for, where that is known.</summary>
     public PrintSetup? Setup { get; }
 
     /// <summary>The file that it was decoded from, where it was: written again, lines that no edit touches stay as they are.</summary>
-    public Decoding? Decoding { get; }
+    public DecodedGCode? DecodedGCode { get; }
 
     public override string TypeName => "Toolpath";
 

@@ -5,6 +5,7 @@ using System.IO.Compression;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests.Basics;

@@ -81,7 +81,7 @@ public class SafeWriterTests
         => Assert.That(() => SafeWriter.WriteFile(Line(50), new PrintSetup(), Path.Combine(_folder, "no", "part.gcode")), Throws.InstanceOf<IOException>());
 
     [Test]
-    public void Cancelling_leaves_nothing_behind()
+    public void Canceling_leaves_nothing_behind()
     {
         using var cancel = new System.Threading.CancellationTokenSource();
         cancel.Cancel();

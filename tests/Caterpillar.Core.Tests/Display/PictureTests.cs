@@ -3,6 +3,7 @@ using System.IO;
 using System.IO.Compression;
 using System.Linq;
 using Caterpillar.Display;
+using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;

@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
-using Caterpillar.Curves;
+using Caterpillar.Drawings;
 using Caterpillar.Examples;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;

@@ -3,11 +3,11 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -39,7 +39,7 @@ public class BeadTests
     public void Widths_are_those_of_the_slicers_own_comments(string file)
     {
         var document = GCodeFiles.Document(file);
-        var toolpath = Decoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer }).Value!.Toolpath;
+        var toolpath = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer }).Value!.Toolpath;
         var widths = Comments(document, "WIDTH:");
         var heights = Comments(document, "HEIGHT:");
         var compared = 0;
@@ -83,5 +83,5 @@ public class BeadTests
     }
 
     private static Toolpath Decode(string text, double? diameter)
-        => Decoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Slicer, FilamentDiameter = diameter }).Value!.Toolpath;
+        => GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Slicer, FilamentDiameter = diameter }).Value!.Toolpath;
 }

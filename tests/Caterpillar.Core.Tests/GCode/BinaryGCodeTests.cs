@@ -6,7 +6,6 @@ using System.Text;
 using Caterpillar.Basics;
 using Caterpillar.GCode;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -29,7 +28,7 @@ public class BinaryGCodeTests
             + "\n;\n; thumbnail_QOI begin 1x1 4\n; AwQF\n; thumbnail_QOI end\n;\n"
             + "\n" + code + code + "\n; estimated = 1m\n\n; prusaslicer_config = begin\n; filament_diameter = 1.75\n; gcode_flavor = marlin2\n; prusaslicer_config = end\n\n";
         Assert.That(Encoding.UTF8.GetString(GCodeDocument.FromBytes(file).ToBytes()), Is.EqualTo(expected));
-        foreach (var decoding in new[] { Decoder.Decode(file).Value!, Decoder.DecodeStream(new MemoryStream(file)).Value! })
+        foreach (var decoding in new[] { GCodeDecoder.Decode(file).Value!, GCodeDecoder.DecodeStream(new MemoryStream(file)).Value! })
         {
             Assert.That(decoding.Report.EUsed, Is.EqualTo(2.5).Within(1e-12));
             Assert.That(decoding.Toolpath.Tools[0].VolumePerE, Is.EqualTo(Math.PI / 4 * 1.75 * 1.75).Within(1e-12));
@@ -44,7 +43,7 @@ public class BinaryGCodeTests
     public void Pictures_in_text_are_reported_too()
     {
         var text = "; thumbnail begin 48x32 8\n; AAAAAAAA\n; thumbnail end\n; thumbnail_QOI begin 16 24 4\n; AAAA\n; thumbnail_QOI end\n; thumbnails = 16x16/PNG\n; thumbnail begin wide\nG1 X1\n";
-        var decoding = Decoder.Decode(Encoding.ASCII.GetBytes(text)).Value!;
+        var decoding = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text)).Value!;
         Assert.That(decoding.Report.Thumbnails.Select(t => t.ToString()), Is.EqualTo(new[] { "48x32 PNG", "16x24 QOI" }));
         Assert.That(decoding.Settings["thumbnails"], Is.EqualTo("16x16/PNG"));
         Assert.That(decoding.Ignored, Is.Empty);
@@ -56,8 +55,8 @@ public class BinaryGCodeTests
         var picture = new byte[400_000];
         new Random(1).NextBytes(picture);
         var file = new BinaryFile().Table(BinaryFile.Printer, 0, "a=b\n").Picture(0, 800, 600, picture).Code(1, 0, "M862.3 P \"MK4\"\nG1 X1 E1\n").ToArray();
-        Assert.That(Decoder.Decode(file).Value!.Dialect.Name, Is.EqualTo("prusa"));
-        Assert.That(Decoder.DecodeStream(new MemoryStream(file)).Value!.Dialect.Name, Is.EqualTo("prusa"));
+        Assert.That(GCodeDecoder.Decode(file).Value!.Dialect.Name, Is.EqualTo("prusa"));
+        Assert.That(GCodeDecoder.DecodeStream(new MemoryStream(file)).Value!.Dialect.Name, Is.EqualTo("prusa"));
     }
 
     [Test]
@@ -207,8 +206,8 @@ public class BinaryGCodeTests
 
     private static Diagnostic? Problem(byte[] bytes)
     {
-        var result = Decoder.Decode(bytes);
-        var stream = Decoder.DecodeStream(new MemoryStream(bytes));
+        var result = GCodeDecoder.Decode(bytes);
+        var stream = GCodeDecoder.DecodeStream(new MemoryStream(bytes));
         Assert.That(stream.HasErrors, Is.EqualTo(result.HasErrors));
         Assert.That(result.Value is null, Is.EqualTo(result.HasErrors));
         var refused = false;

@@ -5,7 +5,6 @@ using System.Linq;
 using System.Text;
 using Caterpillar.GCode;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -76,8 +75,8 @@ public class BinaryWriterTests
         var document = GCodeFiles.Document(name);
         using var memory = new MemoryStream();
         BinaryGCode.Write(document, memory);
-        var before = Decoder.Decode(document).Value!;
-        var after = Decoder.Decode(memory.ToArray(), new DecodeOptions { Dialect = before.Dialect }).Value!;
+        var before = GCodeDecoder.Decode(document).Value!;
+        var after = GCodeDecoder.Decode(memory.ToArray(), new DecodeOptions { Dialect = before.Dialect }).Value!;
         var a = before.Toolpath.Moves().GetEnumerator();
         Assert.That(after.Toolpath.Count, Is.EqualTo(before.Toolpath.Count));
         foreach (var move in after.Toolpath.Moves())

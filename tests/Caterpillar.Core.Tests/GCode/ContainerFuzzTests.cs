@@ -4,9 +4,9 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 using Caterpillar.GCode;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -44,8 +44,8 @@ public class ContainerFuzzTests
     private static bool Once(byte[] bytes)
     {
         var options = new DecodeOptions { Threads = 1 };
-        var whole = Decoder.Decode(bytes, options);
-        var stream = Decoder.DecodeStream(new MemoryStream(bytes), options);
+        var whole = GCodeDecoder.Decode(bytes, options);
+        var stream = GCodeDecoder.DecodeStream(new MemoryStream(bytes), options);
         if (whole.Value is null != whole.HasErrors || stream.Value is null != stream.HasErrors || whole.HasErrors != stream.HasErrors) throw new InvalidOperationException("the ways in differ");
         if (whole.Value is null) return false;
         if (whole.Value.Toolpath.Count != stream.Value!.Toolpath.Count || whole.Value.Report.Bytes != stream.Value.Report.Bytes) throw new InvalidOperationException("the ways in differ");

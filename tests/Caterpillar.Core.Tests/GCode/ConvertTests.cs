@@ -1,8 +1,8 @@
 using System.Text;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -63,7 +63,7 @@ public class ConvertTests
         Assert.That(Decode(GCodeDocument.FromText(text), DialectTable.Sailfish).Report.EUsed, Is.EqualTo(2).Within(1e-6));
     }
 
-    private static GCodeDocument Convert(Decoding decoding, ConvertOptions options)
+    private static GCodeDocument Convert(DecodedGCode decoding, ConvertOptions options)
     {
         var result = GCodeConverter.ToDocument(decoding, options);
         Assert.That(result.Value, Is.Not.Null, string.Join("\n", result.Diagnostics));
@@ -73,5 +73,5 @@ public class ConvertTests
     private static string ConvertText(string text, ConvertOptions options, string dialect)
         => Encoding.ASCII.GetString(Convert(Decode(GCodeDocument.FromText(text), DialectTable.Find(dialect)!), options).ToBytes());
 
-    private static Decoding Decode(GCodeDocument document, DialectRules dialect) => Decoder.Decode(document, new DecodeOptions { Dialect = dialect }).Value!;
+    private static DecodedGCode Decode(GCodeDocument document, DialectRules dialect) => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = dialect }).Value!;
 }

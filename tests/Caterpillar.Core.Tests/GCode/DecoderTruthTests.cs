@@ -2,10 +2,11 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
-using Newtonsoft.Json.Linq;
 using NUnit.Framework;
+using Newtonsoft.Json.Linq;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -19,7 +20,7 @@ public class DecoderTruthTests
         var document = GCodeFiles.Document(file);
         foreach (var threads in new[] { 1, 3 })
         {
-            var decoding = Decoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer, Rule = ExtrusionRule.Rising, Threads = threads }).Value!;
+            var decoding = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer, Rule = ExtrusionRule.Rising, Threads = threads }).Value!;
             var differences = Differences(truth, JObject.Parse(decoding.Report.ToJson()));
             Assert.That(differences, Is.Empty, string.Join("\n", differences));
         }
@@ -29,7 +30,7 @@ public class DecoderTruthTests
     public void With_the_balance_the_filament_used_equals_the_truth(string file)
     {
         var truth = Truth(file);
-        var decoding = Decoder.Decode(
+        var decoding = GCodeDecoder.Decode(
             GCodeFiles.Document(file), new DecodeOptions { Dialect = DialectTable.Slicer, Rule = ExtrusionRule.Balance }).Value!;
         if (truth["e_used"]!.Type == JTokenType.Null) return;
         var used = (double)truth["e_used"]!;

@@ -3,10 +3,10 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -59,7 +59,7 @@ public class DocumentTests
         Assert.That(document.HasByteOrderMark, Is.True);
         Assert.That(document.Line(1).Text, Is.EqualTo("G1 X5 E1"));
         Assert.That(document.ToBytes(), Is.EqualTo(bytes));
-        var decoding = Decoder.Decode(document).Value!;
+        var decoding = GCodeDecoder.Decode(document).Value!;
         Assert.That(decoding.Report.ByteOrderMark, Is.True);
         Assert.That(decoding.Toolpath[0].End.X, Is.EqualTo(5));
         // Only at the beginning.
@@ -76,13 +76,13 @@ public class DocumentTests
         var bytes = encoding.GetPreamble().Concat(encoding.GetBytes(Text)).ToArray();
         var document = GCodeDocument.FromBytes(bytes);
         Assert.That(Latin1.GetString(document.ToBytes()), Is.EqualTo("; caf\u00e9 ?\r\nG1 X5 E1\n"));
-        foreach (var result in new[] { Decoder.Decode(bytes), Decoder.Decode(document), Decoder.DecodeStream(new MemoryStream(Gzip.Packed(bytes))) })
+        foreach (var result in new[] { GCodeDecoder.Decode(bytes), GCodeDecoder.Decode(document), GCodeDecoder.DecodeStream(new MemoryStream(Gzip.Packed(bytes))) })
         {
             Assert.That(result.Value!.Toolpath[0].End.X, Is.EqualTo(5));
             Assert.That(result.Diagnostics.Select(d => d.Code), Does.Contain("gcode.utf16"));
         }
         // Half a character at the end is no reason to fail.
-        Assert.That(Decoder.Decode(bytes.Take(bytes.Length - 1).ToArray()).Value, Is.Not.Null);
+        Assert.That(GCodeDecoder.Decode(bytes.Take(bytes.Length - 1).ToArray()).Value, Is.Not.Null);
     }
 
     [Test]
@@ -92,7 +92,7 @@ public class DocumentTests
         var document = GCodeDocument.FromText(text);
         Assert.That(document.LineCount, Is.EqualTo(5));
         Assert.That(Latin1.GetString(document.ToBytes()), Is.EqualTo(text));
-        Assert.That(Decoder.Decode(document).Value!.Toolpath[Decoder.Decode(document).Value!.Toolpath.Count - 1].End.X, Is.EqualTo(4));
+        Assert.That(GCodeDecoder.Decode(document).Value!.Toolpath[GCodeDecoder.Decode(document).Value!.Toolpath.Count - 1].End.X, Is.EqualTo(4));
     }
 
     [Test]
@@ -126,7 +126,7 @@ public class DocumentTests
     {
         foreach (var end in new[] { "\n", "\r", "\r\n", "" })
         {
-            var moves = Decoder.Decode(Encoding.ASCII.GetBytes("M83\n" + line + end)).Value!.Toolpath;
+            var moves = GCodeDecoder.Decode(Encoding.ASCII.GetBytes("M83\n" + line + end)).Value!.Toolpath;
             Assert.That(moves.Count, Is.EqualTo(1));
             Assert.That((moves[0].End.X, moves[0].End.Y, moves[0].E), Is.EqualTo((x, y, e)));
         }
@@ -137,7 +137,7 @@ public class DocumentTests
     {
         var text = Encoding.ASCII.GetBytes("\u00ef\u00bb\u00bfG1 X1 E1\r\nG1 X2 E2\r\n".Substring(3));
         foreach (var bytes in new[] { text, Gzip.Packed(text), new BinaryFile().Code(2, 2, "G1 X1 E1\nG1 X2 E2\n").ToArray() })
-            Assert.That(Decoder.DecodeStream(new Trickle(bytes)).Value!.Report.EUsed, Is.EqualTo(2));
+            Assert.That(GCodeDecoder.DecodeStream(new Trickle(bytes)).Value!.Report.EUsed, Is.EqualTo(2));
     }
 
     [Test]
@@ -155,7 +155,7 @@ public class DocumentTests
     public void More_lines_than_a_number_can_count_are_an_error()
         => Assert.That(() => GCodeDocument.AddLines(int.MaxValue - 5, 6), Throws.InstanceOf<InvalidDataException>());
 
-    private static Vec3[] Ends(string text) => Decoder.Decode(Encoding.ASCII.GetBytes(text)).Value!.Toolpath.Moves().Select(m => m.End).ToArray();
+    private static Vec3[] Ends(string text) => GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text)).Value!.Toolpath.Moves().Select(m => m.End).ToArray();
 
     private sealed class Trickle(byte[] bytes) : ReadStream
     {

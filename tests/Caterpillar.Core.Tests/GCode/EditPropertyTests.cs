@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -65,7 +66,7 @@ public class EditPropertyTests
                 FilamentDiameter = 1.75,
                 RetractionLength = random.Next(2) * 1.5,
                 ExpandArcs = random.Next(3) == 0,
-                Millimetres = random.Next(2) == 0,
+                Millimeters = random.Next(2) == 0,
             };
             return RoundTrips.Converted(decoding, options) is { } difference ? "to " + options + ": " + difference : null;
         });
@@ -123,7 +124,7 @@ public class EditPropertyTests
         return builder.Build(toolpath.Tools);
     }
 
-    private void ForAll(int seed, Func<Decoding, Random, string?> difference)
+    private void ForAll(int seed, Func<DecodedGCode, Random, string?> difference)
     {
         for (var run = _first; run < _first + _runs; run++)
         {
@@ -136,7 +137,7 @@ public class EditPropertyTests
     }
 
     // Both ways of writing.
-    private static string? Check(Decoding decoding, Toolpath edited)
+    private static string? Check(DecodedGCode decoding, Toolpath edited)
     {
         // A and B extrude where they do so along X or Y; without any strand nothing says so.
         if (decoding.Axis != ExtrusionAxis.E && !edited.Moves().Any(m => m.E != 0 && (m.End - m.Start).LengthXY > 2e-3)) return null;
@@ -145,7 +146,7 @@ public class EditPropertyTests
         return RoundTrips.Written(decoding, edited, true) is { } written ? "written anew: " + written : null;
     }
 
-    private static string Text(Decoding decoding, Toolpath edited)
+    private static string Text(DecodedGCode decoding, Toolpath edited)
         => string.Concat(GCodeEditor.ToDocument(decoding, edited).Value!.ToBytes().Select(b => (char)b)) + "\n-----";
 
     // What is kept is the same moves, each of which finds its tool as much pulled back as before.
@@ -185,7 +186,7 @@ public class EditPropertyTests
             if (random.Next(4) == 0) on = random.Next(3) == 0;
             cut[i] = on;
         }
-        return new Remover(toolpath, m => cut[m.Index]).Run();
+        return new MoveRemover(toolpath, m => cut[m.Index]).Run();
     }
 
     private static MoveFilter Filter(Random random) => random.Next(5) switch

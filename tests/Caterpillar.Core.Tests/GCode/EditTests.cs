@@ -2,12 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -159,5 +159,5 @@ public class EditTests
 
     private static GCodeDocument Doc(string text) => GCodeDocument.FromText(text);
 
-    private static Decoding Decode(GCodeDocument document) => Decoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer }).Value!;
+    private static DecodedGCode Decode(GCodeDocument document) => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer }).Value!;
 }

@@ -1,12 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.Text;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -37,7 +37,7 @@ public class FuzzTests
     [Test]
     public void Broken_gzip_is_an_error_and_no_exception()
     {
-        var result = Decoder.Decode([0x1F, 0x8B, 8, 1, 2, 3, 4]);
+        var result = GCodeDecoder.Decode([0x1F, 0x8B, 8, 1, 2, 3, 4]);
         Assert.That(result.Value, Is.Null);
         Assert.That(result.HasErrors, Is.True);
     }
@@ -52,10 +52,10 @@ public class FuzzTests
             for (var i = 0; i < 50_000; i++) packed.WriteByte((byte)random.Next(32, 127));
         }
         var bytes = memory.ToArray();
-        Assert.That(Decoder.Decode(bytes).Value, Is.Not.Null);
+        Assert.That(GCodeDecoder.Decode(bytes).Value, Is.Not.Null);
         var cut = new byte[bytes.Length - 100];
         Array.Copy(bytes, cut, cut.Length);
-        Assert.That(Decoder.Decode(cut).HasErrors, Is.True);
+        Assert.That(GCodeDecoder.Decode(cut).HasErrors, Is.True);
     }
 
     [Test]
@@ -65,8 +65,8 @@ public class FuzzTests
         {
             var text = new StringBuilder();
             while (text.Length < 300_000) text.Append(piece);
-            Assert.That(Decoder.Decode(Encoding.ASCII.GetBytes(text.ToString())).Value, Is.Not.Null);
-            Assert.That(Decoder.Decode(Encoding.ASCII.GetBytes("G1 X" + text)).Value, Is.Not.Null);
+            Assert.That(GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text.ToString())).Value, Is.Not.Null);
+            Assert.That(GCodeDecoder.Decode(Encoding.ASCII.GetBytes("G1 X" + text)).Value, Is.Not.Null);
         }
     }
 
@@ -94,7 +94,7 @@ public class FuzzTests
         if (!SameBytes(document.ToBytes(), bytes)) throw new InvalidOperationException("bytes lost");
         var dialect = random.Next(3) == 0 ? null : DialectTable.All[random.Next(DialectTable.All.Count)];
         var rule = (ExtrusionRule)random.Next(2);
-        var decoding = Decoder.Decode(document, new DecodeOptions { Dialect = dialect, Rule = rule, Threads = 1 }).Value!;
+        var decoding = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = dialect, Rule = rule, Threads = 1 }).Value!;
         foreach (var move in decoding.Toolpath.Moves())
         {
             if (!move.End.IsFinite || double.IsNaN(move.E) || double.IsInfinity(move.E) || move.Layer >= decoding.Toolpath.Layers.Count) throw new InvalidOperationException("bad move " + move);
@@ -110,7 +110,7 @@ public class FuzzTests
         GCodeConverter.ToDocument(decoding, new ConvertOptions { Dialect = DialectTable.All[random.Next(DialectTable.All.Count)], RelativeE = random.Next(2) == 0, ExpandArcs = random.Next(4) == 0 });
     }
 
-    private static void Reshape(Decoding decoding, Random random)
+    private static void Reshape(DecodedGCode decoding, Random random)
     {
         var filter = new MoveFilter { FirstLayer = random.Next(2) == 0 ? null : random.Next(3), Kinds = random.Next(2) == 0 ? null : [MoveKind.Print] };
         var turned = decoding.Toolpath.Transformed(filter, Affine.Rotate(Vec3.UnitZ, random.Next(360)).Then(Affine.Scale(random.Next(1, 3), 1, 1)));

@@ -1,12 +1,12 @@
 using System;
 using System.Linq;
 using System.Text;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -77,7 +77,7 @@ public class RotaryTests
     {
         const string Text = "M83\nG90\nG1 X1 Y1 E1 F600\nG1 X5 E1 A30\nG91\nG1 X2 E1 A5\nG1 X2 E1 A5\nG90\nG1 X11 E1\nG1 X15 E1 A50\n";
         var decoding = Decode(Text, "marlin2");
-        var cut = new Remover(decoding.Toolpath, m => m.Source == 6).Run();
+        var cut = new MoveRemover(decoding.Toolpath, m => m.Source == 6).Run();
         var written = GCodeEditor.ToDocument(decoding, cut).Value!;
         var back = Decode(written.ToBytes(), "marlin2").Toolpath;
         var kept = cut.Moves().Where(m => m.Source >= 0).Select(m => Turns(cut)[m.Index].A);
@@ -90,7 +90,7 @@ public class RotaryTests
     private static (double A, double B, double C)[] Turns(Toolpath toolpath)
         => toolpath.Blocks.SelectMany(b => Enumerable.Range(0, b.Count).Select(i => b.Columns.A is null ? default : (b.Columns.A[i], b.Columns.B![i], b.Columns.C![i]))).ToArray();
 
-    private static Decoding Decode(string text, string dialect) => Decode(Encoding.ASCII.GetBytes(text), dialect);
+    private static DecodedGCode Decode(string text, string dialect) => Decode(Encoding.ASCII.GetBytes(text), dialect);
 
-    private static Decoding Decode(byte[] bytes, string dialect) => Decoder.Decode(GCodeDocument.FromBytes(bytes), new DecodeOptions { Dialect = DialectTable.Find(dialect) }).Value!;
+    private static DecodedGCode Decode(byte[] bytes, string dialect) => GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes), new DecodeOptions { Dialect = DialectTable.Find(dialect) }).Value!;
 }

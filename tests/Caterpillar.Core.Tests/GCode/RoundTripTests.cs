@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Linq;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using NUnit.Framework;
@@ -57,7 +58,7 @@ public class RoundTripTests
     }
 
     // Of two ways, large files go one.
-    private static bool InTurn(Decoding decoding, bool first) => decoding.Toolpath.Count < 15000 || decoding.Toolpath.Count % 2 == (first ? 0 : 1);
+    private static bool InTurn(DecodedGCode decoding, bool first) => decoding.Toolpath.Count < 15000 || decoding.Toolpath.Count % 2 == (first ? 0 : 1);
 
     [Test]
     [Explicit("Every file in every way; some minutes.")]
@@ -85,7 +86,7 @@ public class RoundTripTests
         Assert.That(failures, Is.Empty, said + "\n" + string.Join("\n", failures));
     }
 
-    private static IEnumerable<(string Name, Func<Decoding, string?> Trip)> Trips()
+    private static IEnumerable<(string Name, Func<DecodedGCode, string?> Trip)> Trips()
     {
         yield return ("anew", RoundTrips.Anew);
         yield return ("shifted", RoundTrips.Shifted);
@@ -99,7 +100,7 @@ public class RoundTripTests
     {
         yield return ("relative E", new ConvertOptions { RelativeE = true });
         yield return ("absolute E", new ConvertOptions { RelativeE = false });
-        yield return ("mm", new ConvertOptions { Millimetres = true });
+        yield return ("mm", new ConvertOptions { Millimeters = true });
         yield return ("arcs expanded", new ConvertOptions { ExpandArcs = true, ChordTolerance = 0.02 });
         yield return ("volumes", new ConvertOptions { Volumetric = true, FilamentDiameter = 1.75 });
         yield return ("lengths", new ConvertOptions { Volumetric = false, FilamentDiameter = 1.75 });

@@ -2,11 +2,11 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -16,17 +16,17 @@ internal static class RoundTrips
     private static readonly Vec3 Shift = new(3, -2, 1);
 
     /// <summary>Every move marked as changed and written in its line.</summary>
-    public static string? Anew(Decoding decoding)
+    public static string? Anew(DecodedGCode decoding)
         => Edited(decoding, decoding.Toolpath, new MoveTolerance { Xyz = 1e-6, E = EDecimal(decoding), Speed = 1e-6 }, new EditOptions { Anew = true });
 
     /// <summary>Every move shifted and faster.</summary>
-    public static string? Shifted(Decoding decoding)
+    public static string? Shifted(DecodedGCode decoding)
     {
         var edited = decoding.Toolpath.Transformed(Affine.Move(Shift)).ScaleSpeed(new MoveFilter(), 1.25);
         return Edited(decoding, edited, new MoveTolerance());
     }
 
-    public static string? Edited(Decoding decoding, Toolpath edited, MoveTolerance tolerance, EditOptions? options = null)
+    public static string? Edited(DecodedGCode decoding, Toolpath edited, MoveTolerance tolerance, EditOptions? options = null)
     {
         var result = GCodeEditor.ToDocument(decoding, edited, options ?? new EditOptions());
         if (result.Value is null) return Said(result.Diagnostics);
@@ -34,10 +34,10 @@ internal static class RoundTrips
     }
 
     /// <summary>The whole toolpath written by the writer that knows no document.</summary>
-    public static string? Written(Decoding decoding, bool relative) => Written(decoding, decoding.Toolpath, relative);
+    public static string? Written(DecodedGCode decoding, bool relative) => Written(decoding, decoding.Toolpath, relative);
 
     /// <summary>An edited toolpath of a file, in its dialect.</summary>
-    public static string? Written(Decoding decoding, Toolpath toolpath, bool relative)
+    public static string? Written(DecodedGCode decoding, Toolpath toolpath, bool relative)
     {
         var format = new GCodeFormat { Dialect = decoding.Dialect, RelativeE = relative, HasE = decoding.Axis != ExtrusionAxis.None };
         if (format.LacksAmounts(toolpath)) return decoding.Axis == ExtrusionAxis.Switched ? null : "lacks amounts";
@@ -46,7 +46,7 @@ internal static class RoundTrips
     }
 
     /// <summary>Converted to another dialect or notation; null also where it cannot be, and says so.</summary>
-    public static string? Converted(Decoding decoding, ConvertOptions options, double chords = 0)
+    public static string? Converted(DecodedGCode decoding, ConvertOptions options, double chords = 0)
     {
         var dialect = options.Dialect ?? decoding.Dialect;
         var result = GCodeConverter.ToDocument(decoding, options);
@@ -56,7 +56,7 @@ internal static class RoundTrips
             var must = decoding.Axis == ExtrusionAxis.Switched && !dialect.SwitchedExtruder ? "gcode.no_amounts" : options.Volumetric == false && dialect.StartsVolumetric ? "gcode.volumes_only" : "";
             return result.Diagnostics.Any(d => d.Code == must) ? null : Said(result.Diagnostics);
         }
-        var back = Decoder.Decode(result.Value, new DecodeOptions { Dialect = dialect, FilamentDiameter = options.FilamentDiameter }).Value!;
+        var back = GCodeDecoder.Decode(result.Value, new DecodeOptions { Dialect = dialect, FilamentDiameter = options.FilamentDiameter }).Value!;
         var tolerance = new MoveTolerance
         {
             Xyz = NumberFormatter.FromUnits(1, options.DecimalsXyz ?? 3),
@@ -73,14 +73,14 @@ internal static class RoundTrips
     }
 
     /// <summary>Strands fitted by arcs.</summary>
-    public static string? Fitted(Decoding decoding)
+    public static string? Fitted(DecodedGCode decoding)
     {
         if (!decoding.Dialect.Arcs) return null;
         return Edited(decoding, decoding.Toolpath.FitArcs(new ArcFitOptions { Tolerance = 0.02 }), new MoveTolerance { Chords = 0.01 });
     }
 
     // E stays, or becomes mm³ of mm, or the other way round.
-    private static double[] Factors(Decoding before, Decoding after, ConvertOptions options)
+    private static double[] Factors(DecodedGCode before, DecodedGCode after, ConvertOptions options)
     {
         var isVolume = before.Toolpath.Tools[0].VolumePerE == 1;
         var becomes = options.Volumetric ?? after.Toolpath.Tools[0].VolumePerE == 1;
@@ -88,9 +88,9 @@ internal static class RoundTrips
         return [isVolume == becomes ? 1 : becomes ? area : 1 / area];
     }
 
-    public static Decoding Decode(GCodeDocument document, DialectRules? dialect) => Decoder.Decode(document, new DecodeOptions { Dialect = dialect }).Value!;
+    public static DecodedGCode Decode(GCodeDocument document, DialectRules? dialect) => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = dialect }).Value!;
 
-    private static double EDecimal(Decoding decoding) => NumberFormatter.FromUnits(1, LineStyle.Of(decoding.Document!).DecimalsE);
+    private static double EDecimal(DecodedGCode decoding) => NumberFormatter.FromUnits(1, LineStyle.Of(decoding.Document!).DecimalsE);
 
     private static string Said(IEnumerable<Diagnostic> diagnostics) => "refused: " + string.Join(" ", diagnostics.Select(d => d.Message));
 }

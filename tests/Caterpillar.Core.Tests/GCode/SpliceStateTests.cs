@@ -2,12 +2,12 @@ using System;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -69,7 +69,7 @@ public class SpliceStateTests
     public void Roles_and_layers_that_began_in_cut_lines_hold_behind_them()
     {
         const string Text = "M83\nG1 X1 Y1 Z1 F600\n;LAYER:3\n;TYPE:FILL\nG1 X5 E1\nG1 X9 E1\n";
-        var edited = Edit(Text, t => new Remover(t, m => m.Index == 1).Run());
+        var edited = Edit(Text, t => new MoveRemover(t, m => m.Index == 1).Run());
         Assert.That(edited, Is.EqualTo("M83\nG1 X1 Y1 Z1 F600\n;LAYER:3\n;TYPE:FILL\nG1 X5\nG1 X9 E1\n"));
     }
 
@@ -180,5 +180,5 @@ public class SpliceStateTests
 
     private static string Said(byte[] bytes) => Encoding.ASCII.GetString(bytes);
 
-    private static Decoding Decode(string text, string dialect = "marlin2") => Decoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Find(dialect) }).Value!;
+    private static DecodedGCode Decode(string text, string dialect = "marlin2") => GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Find(dialect) }).Value!;
 }

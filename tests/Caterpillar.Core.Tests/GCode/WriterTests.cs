@@ -1,12 +1,12 @@
 using System;
 using System.Linq;
 using System.Text;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode;
 
@@ -91,7 +91,7 @@ public class WriterTests
         builder.Add(new Vec3(10, 0, dialect == "klipper" ? 1 : 0), 1, 1, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 720));
         var format = new GCodeFormat { Dialect = DialectTable.Find(dialect)! };
         Assert.That(Text(builder.Build(Filament), format), Does.Contain(expected));
-        var back = Decoder.Decode(GCodeWriter.ToBytes(builder.Build(Filament), format), new DecodeOptions { Dialect = format.Dialect }).Value!;
+        var back = GCodeDecoder.Decode(GCodeWriter.ToBytes(builder.Build(Filament), format), new DecodeOptions { Dialect = format.Dialect }).Value!;
         Assert.That(back.Report.PrintLengthXY, Is.EqualTo(40 * Math.PI).Within(1e-6));
     }
 
@@ -111,5 +111,5 @@ public class WriterTests
 
     private static string Text(Toolpath toolpath, GCodeFormat format) => Encoding.ASCII.GetString(GCodeWriter.ToBytes(toolpath, format));
 
-    private static Decoding Decode(byte[] bytes) => Decoder.Decode(bytes, new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!;
+    private static DecodedGCode Decode(byte[] bytes) => GCodeDecoder.Decode(bytes, new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!;
 }

@@ -40,7 +40,7 @@ public class RegionOffsetTests
     }
 
     [Test]
-    public void Neighbours_join_and_a_dumbbell_parts()
+    public void Neighbors_join_and_a_dumbbell_parts()
     {
         var two = Region.Rectangle(0, 0, 10, 10).Union(Region.Rectangle(11, 0, 21, 10));
         Assert.That(two.Offset(0.4).Islands, Has.Count.EqualTo(2));
@@ -174,7 +174,7 @@ public class RegionOffsetTests
         Assert.That(dumbbell.Inset(0.2, 0.7).Area, Is.EqualTo(2 * 9.6 * 9.6).Within(1e-3));
         Assert.That(dumbbell.Inset(0.2, 0).Area, Is.EqualTo(dumbbell.Offset(-0.2).Area));
         Assert.That(dumbbell.NarrowerThan(0.9).IsEmpty);
-        var neck = dumbbell.NarrowerThan(1.1).WithoutSpecks(0.01);
+        var neck = dumbbell.NarrowerThan(1.1).WithoutSmallContours(0.01);
         Assert.That(neck.Area, Is.EqualTo(4).Within(1e-3));
         Assert.That(neck.Bounds.Min.X, Is.EqualTo(10).Within(1e-3));
         Assert.That(() => dumbbell.Inset(-1, 0), Throws.ArgumentException.With.Property("ParamName").EqualTo("distance"));

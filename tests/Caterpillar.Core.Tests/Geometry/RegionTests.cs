@@ -105,13 +105,13 @@ public class RegionTests
     {
         var region = Square(0, 0, 30).Subtract(Square(5, 5, 20)).Union(Square(10, 10, 1)).Subtract(Square(1, 1, 0.5));
         Assert.That(region.Contours, Has.Count.EqualTo(4));
-        Assert.That(region.WithoutSpecks(0).Contours, Has.Count.EqualTo(4));
-        Assert.That(region.WithoutSpecks(0.5).Area, Is.EqualTo(900 - 400 + 1));
-        Assert.That(region.WithoutSpecks(500).Area, Is.EqualTo(900));
+        Assert.That(region.WithoutSmallContours(0).Contours, Has.Count.EqualTo(4));
+        Assert.That(region.WithoutSmallContours(0.5).Area, Is.EqualTo(900 - 400 + 1));
+        Assert.That(region.WithoutSmallContours(500).Area, Is.EqualTo(900));
         Assert.That(region.Moved(100, -7).Bounds.Min, Is.EqualTo(new Vec3(100, -7)));
         Assert.That(region.Moved(100, -7).Area, Is.EqualTo(region.Area));
         Assert.That(() => region.Moved(5350, 0), Throws.ArgumentException.With.Property("ParamName").EqualTo("x"));
-        Assert.That(() => region.WithoutSpecks(-1), Throws.ArgumentException.With.Property("ParamName").EqualTo("area"));
+        Assert.That(() => region.WithoutSmallContours(-1), Throws.ArgumentException.With.Property("ParamName").EqualTo("area"));
     }
 
     [Test]

@@ -197,7 +197,7 @@ public class HeaderImportTests
         var path = new PrintPath([new Vec3(90, 90, 0.2), new Vec3(110, 90, 0.2)], Bead.FromWidth(0.45, 0.2));
         var written = SafeWriter.ToDocument(Planner.Plan([path], setup).Value!, setup);
         Assert.That(written.Diagnostics.Where(d => d.Severity == Severity.Error), Is.Empty);
-        var decoded = Decoder.Decode(written.Value!).Value!.Toolpath;
+        var decoded = GCodeDecoder.Decode(written.Value!).Value!.Toolpath;
         Assert.That(decoded.Moves().Last(m => m.Kind == MoveKind.Print).End, Is.EqualTo(new Vec3(110, 90, 0.2)));
         Assert.That(decoded.Moves().Last().End.Z, Is.GreaterThan(100), "the footer went up from where the print ended");
     }

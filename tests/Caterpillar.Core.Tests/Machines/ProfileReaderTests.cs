@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using NUnit.Framework;

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;

@@ -117,7 +117,7 @@ public class PlanPropertyTests
         {
             var oneTool = steps.Where(s => s is not PathStep { Path.Tool: 1 }).ToList();
             var planned = PlanningTests.Plan(oneTool, rules with { Tools = [rules.Tools[0]] }).Toolpath;
-            var decoded = Decoder.Decode(GCodeWriter.ToBytes(planned)).Value!.Toolpath;
+            var decoded = GCodeDecoder.Decode(GCodeWriter.ToBytes(planned)).Value!.Toolpath;
             // The first way leads from an unknown place.
             var before = planned.Moves().SkipWhile(m => m.Kind == MoveKind.Travel).ToArray();
             var after = decoded.Moves().SkipWhile(m => m.Kind == MoveKind.Travel).ToArray();
@@ -128,7 +128,7 @@ public class PlanPropertyTests
     }
 
     [Test]
-    public void Planning_can_be_cancelled()
+    public void Planning_can_be_canceled()
     {
         using var cancel = new System.Threading.CancellationTokenSource();
         cancel.Cancel();

@@ -54,7 +54,7 @@ public class ReturnTests
     [Test]
     public void The_way_back_is_the_way_that_the_head_came()
     {
-        var way = new ReturnWay();
+        var way = new ReturnPath();
         foreach (var x in new[] { 0, 1, 2, 3, 4 }) way.Visit(new Vec3(x, 0));
         Assert.That(way.BackTo(new Vec3(2, 0)), Is.EqualTo(new[] { new Vec3(3, 0), new Vec3(2, 0) }));
         way.Visit(new Vec3(2, 5));

@@ -81,7 +81,7 @@ public class SortingTests
     [Test]
     public void A_tour_undoes_what_nearest_gets_wrong()
     {
-        // From 0 the nearest neighbour runs 1, -1.5, 4, -8 to and fro.
+        // From 0 the nearest neighbor runs 1, -1.5, 4, -8 to and fro.
         PrintPath[] paths = [Dot(0), Dot(4), Dot(-8), Dot(1), Dot(-1.5)];
         var nearest = PathSorter.WayBetween(PathSorter.Sort(paths));
         var tour = PathSorter.WayBetween(PathSorter.Sort(paths, new SortOptions(SortRule.Tour)));

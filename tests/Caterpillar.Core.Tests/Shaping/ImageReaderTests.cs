@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using System.Text;
 using Caterpillar.Display;
+using Caterpillar.Files;
 using Caterpillar.Shaping;
 using NUnit.Framework;
 

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Shaping;
 using Caterpillar.Toolpaths;

@@ -151,7 +151,7 @@ public class PlanarSlicerTests
     }
 
     [Test]
-    public void Slicing_can_be_cancelled()
+    public void Slicing_can_be_canceled()
     {
         using var source = new System.Threading.CancellationTokenSource();
         source.Cancel();

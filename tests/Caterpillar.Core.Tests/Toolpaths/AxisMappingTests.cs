@@ -13,7 +13,7 @@ public class AxisMappingTests
     [Test]
     public void A_coordinate_turns_the_platform_and_the_time_stays()
     {
-        var mapping = AxisMapping.Drum(PathAxis.X, DrivenWord.A, 40, hold: 5);
+        var mapping = AxisMapping.Drum(PathAxis.X, OutputAxis.A, 40, hold: 5);
         var drawn = Toolpath();
         var mapped = mapping.Apply(drawn);
         var around = 20 / (40 * Math.PI) * 360;
@@ -32,7 +32,7 @@ public class AxisMappingTests
     [Test]
     public void Rotary_words_are_written_where_they_change()
     {
-        var text = Encoding.ASCII.GetString(GCodeWriter.ToBytes(new AxisMapping(PathAxis.X, DrivenWord.B, 2).Apply(Toolpath()), new GCodeFormat { Comments = false }));
+        var text = Encoding.ASCII.GetString(GCodeWriter.ToBytes(new AxisMapping(PathAxis.X, OutputAxis.B, 2).Apply(Toolpath()), new GCodeFormat { Comments = false }));
         var lines = text.Split('\n').Where(l => l.StartsWith("G0", StringComparison.Ordinal) || l.StartsWith("G1", StringComparison.Ordinal)).ToArray();
         Assert.That(lines, Is.EqualTo(new[] { "G0 X0 Y0 Z1 F1800", "G1 B40 E1 F1200", "G1 Y4 B46 E.25 F480".Replace(" E.", " E0.") }));
     }
@@ -42,7 +42,7 @@ public class AxisMappingTests
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(5, 0));
         builder.Add(new Vec3(-5, 0), 2, 2, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 180));
-        var mapped = new AxisMapping(PathAxis.Y, DrivenWord.Y, 0.5).Apply(builder.Build([new ToolpathTool(1)]));
+        var mapped = new AxisMapping(PathAxis.Y, OutputAxis.Y, 0.5).Apply(builder.Build([new ToolpathTool(1)]));
         Assert.That(mapped.Count, Is.GreaterThan(10));
         Assert.That(mapped.Moves().Max(m => m.End.Y), Is.EqualTo(2.5).Within(0.01));
         Assert.That(mapped.Moves().Sum(m => m.E), Is.EqualTo(2).Within(1e-12));
@@ -52,9 +52,9 @@ public class AxisMappingTests
     [Test]
     public void Mappings_that_make_no_sense_are_refused()
     {
-        Assert.That(() => new AxisMapping(PathAxis.X, DrivenWord.A, 0).Apply(Toolpath()), Throws.InvalidOperationException);
-        Assert.That(() => new AxisMapping(PathAxis.X, DrivenWord.Y, 1).Apply(Toolpath()), Throws.InvalidOperationException);
-        Assert.That(() => AxisMapping.Drum(PathAxis.X, DrivenWord.A, 0), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => new AxisMapping(PathAxis.X, OutputAxis.A, 0).Apply(Toolpath()), Throws.InvalidOperationException);
+        Assert.That(() => new AxisMapping(PathAxis.X, OutputAxis.Y, 1).Apply(Toolpath()), Throws.InvalidOperationException);
+        Assert.That(() => AxisMapping.Drum(PathAxis.X, OutputAxis.A, 0), Throws.InstanceOf<ArgumentOutOfRangeException>());
     }
 
     private static Toolpath Toolpath()

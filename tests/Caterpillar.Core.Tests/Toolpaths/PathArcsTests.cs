@@ -90,7 +90,7 @@ public class PathArcsTests
                 {
                     Assert.That(path.BeadOf(k), Is.EqualTo(fitted.BeadOf(i)));
                     var (p, q) = (path.Points[k] - arc.Center, path.EndOf(k) - arc.Center);
-                    // At the vertices and the middles, where it is tested, the tolerance holds; between them the flat of a chord may lie a little nearer to the centre.
+                    // At the vertices and the middles, where it is tested, the tolerance holds; between them the flat of a chord may lie a little nearer to the center.
                     Assert.That(Math.Abs(q.LengthXY - radius), Is.LessThan(tolerance + 1e-9));
                     Assert.That(Math.Abs((0.5 * (p + q)).LengthXY - radius), Is.LessThan(tolerance + 1e-9));
                     for (var share = 0.125; share < 1; share += 0.125) Assert.That(Math.Abs((p + (q - p) * share).LengthXY - radius), Is.LessThan(tolerance * 1.2));

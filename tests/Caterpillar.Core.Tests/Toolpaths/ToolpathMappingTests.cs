@@ -1,12 +1,12 @@
 using System;
 using System.Linq;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Shaping;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.Toolpaths;
 
@@ -155,6 +155,6 @@ public class ToolpathMappingTests
 
     private static Toolpath Decode(string text) => DecodeAll(text).Toolpath;
 
-    private static Decoding DecodeAll(string text)
-        => Decoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Slicer, FilamentDiameter = 1.75 }).Value!;
+    private static DecodedGCode DecodeAll(string text)
+        => GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Slicer, FilamentDiameter = 1.75 }).Value!;
 }

@@ -113,7 +113,7 @@ public class TraceTests
     }
 
     [Test]
-    public void Merging_a_fine_spiral_thins_its_centre_only()
+    public void Merging_a_fine_spiral_thins_its_center_only()
     {
         var fine = new Trace(0.2).Spiral(Vec3.Zero, 20, 0.5, 300);
         var merged = fine.Merged(0.2);

@@ -284,7 +284,7 @@ internal sealed class TurtleScriptTests
     }
 
     [Test]
-    public void Running_can_be_cancelled()
+    public void Running_can_be_canceled()
     {
         using var source = new CancellationTokenSource();
         source.CancelAfter(50);

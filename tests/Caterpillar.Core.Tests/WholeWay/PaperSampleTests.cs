@@ -1,5 +1,6 @@
 using System.Linq;
 using System.Text;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -35,5 +36,5 @@ public class PaperSampleTests
     private static MoveKind[] Kinds(string text, ExtrusionRule rule) => Decode(text, rule).Select(m => m.Kind).ToArray();
 
     private static Move[] Decode(string text, ExtrusionRule rule)
-        => Caterpillar.GCode.Decoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2, Rule = rule }).Value!.Toolpath.Moves().ToArray();
+        => Caterpillar.GCode.GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2, Rule = rule }).Value!.Toolpath.Moves().ToArray();
 }

@@ -39,7 +39,7 @@ public class RoundTripTests
         var planned = Plan(mesh, setup);
         var written = SafeWriter.ToDocument(planned, setup);
         Assert.That(written.Diagnostics.Where(d => d.Severity == Severity.Error), Is.Empty);
-        var decoded = Decoder.Decode(written.Value!, new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter }).Value!.Toolpath;
+        var decoded = GCodeDecoder.Decode(written.Value!, new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter }).Value!.Toolpath;
 
         var decimals = setup.Printer.DecimalsXyz;
         var before = Sums.Of(planned);
@@ -93,7 +93,7 @@ public class RoundTripTests
         Assert.That(sliced.Diagnostics, Is.Not.Empty);
         if (sliced.Value is null) return;
         var planned = Planner.Plan(sliced.Value.ToSteps(), setup).Value!;
-        var decoded = Decoder.Decode(SafeWriter.ToDocument(planned, setup).Value!).Value!.Toolpath;
+        var decoded = GCodeDecoder.Decode(SafeWriter.ToDocument(planned, setup).Value!).Value!.Toolpath;
         Assert.That(Sums.Of(decoded, onlyLayers: true).Deposited, Is.EqualTo(Sums.Of(planned).Deposited).Within(1e-4));
     }
 

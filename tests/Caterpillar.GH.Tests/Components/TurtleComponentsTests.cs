@@ -68,7 +68,7 @@ public sealed class TurtleComponentsTests
         Assert.That(Line(new Canvas<TurtleExtrusionComponent>()), Is.EqualTo("density 0.05"));
         Assert.That(Line(new Canvas<TurtleExtrusionComponent>().Feed("Kind", "Width And Height").Feed("Value", 0.5).Feed("Height", 0.2).Feed("Speed", 20.0)), Is.EqualTo("repeat 1 [ bead 0.5 0.2; speed 20 ]"));
         Assert.That(Line(new Canvas<TurtleEventComponent>().Feed("Value", 250.0)), Is.EqualTo("dwell 250"));
-        Assert.That(Line(new Canvas<TurtleEventComponent>().Feed("Kind", "Colour").Feed("Text", "#ff8800")), Is.EqualTo("color \"#ff8800\""));
+        Assert.That(Line(new Canvas<TurtleEventComponent>().Feed("Kind", "Color").Feed("Text", "#ff8800")), Is.EqualTo("color \"#ff8800\""));
         Assert.That(Line(new Canvas<TurtleRepeatComponent>().Feed("Commands", TurtleCommand.Of(TurtleAction.Forward, 1), TurtleCommand.Of(TurtleAction.Yaw, 90))), Is.EqualTo("repeat 4 [ forward 1; yaw 90 ]"));
     }
 

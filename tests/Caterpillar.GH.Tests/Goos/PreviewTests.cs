@@ -35,7 +35,7 @@ public sealed class PreviewTests
     }
 
     [Test]
-    public void Paths_are_one_thin_wire_each_in_the_colour_of_their_state()
+    public void Paths_are_one_thin_wire_each_in_the_color_of_their_state()
     {
         var canvas = Sliced();
         var paths = canvas.All("Print Paths").Count + canvas.All("Walls").Count + canvas.All("Infill").Count + canvas.All("Regions").Count;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 
 namespace Caterpillar.GCode;
 
@@ -24,7 +25,7 @@ public static class BinaryGCode
 
     /// <summary>Writes a document.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled; a part is written.</exception>
+    /// <exception cref="OperationCanceledException">Canceled; a part is written.</exception>
     public static void Write(GCodeDocument document, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (document is null) throw new ArgumentNullException(nameof(document));

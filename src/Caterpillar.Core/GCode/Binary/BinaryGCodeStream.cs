@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 
 namespace Caterpillar.GCode;
 

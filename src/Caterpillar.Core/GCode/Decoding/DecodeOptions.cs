@@ -1,4 +1,5 @@
 using System;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;

@@ -1,5 +1,6 @@
 using System;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -53,14 +54,14 @@ internal sealed partial class DecoderCore
         if (line.Find('P') >= 0 && _rules.ArcTurns == ArcTurnsRule.Refused) return _rules.Title + " refuses arcs with P.";
         bool hasI = line.TryGet('I', out var i), hasJ = line.TryGet('J', out var j), hasK = line.TryGet('K', out var k), hasR = line.TryGet('R', out var r);
         var centered = hasI || hasJ || hasK;
-        if (hasR && centered && _rules.RadiusAndCenter == RadiusAndCenterRule.Refused) return _rules.Title + " refuses arcs with both R and a centre.";
+        if (hasR && centered && _rules.RadiusAndCenter == RadiusAndCenterRule.Refused) return _rules.Title + " refuses arcs with both R and a center.";
         if (hasR && _rules.RadiusArcs && (!centered || _rules.RadiusAndCenter == RadiusAndCenterRule.RadiusWins))
         {
             if (_rules.RadiusInXyOnly && _plane != ArcPlane.XY) return _rules.Title + " takes R in the plane XY only.";
             return ByRadius(start, end, r * Unit, out arc) ? null : "An arc by R needs two different points that R reaches; " + _rules.Title + " refuses others.";
         }
         if (centered) return Centered(line, start, end, new Vec3(Center(_x, i, hasI), Center(_y, j, hasJ), Center(_z, k, hasK)), out arc);
-        return hasR ? _rules.Title + " knows no arcs by R." : "An arc without centre is refused by " + _rules.Title + ".";
+        return hasR ? _rules.Title + " knows no arcs by R." : "An arc without center is refused by " + _rules.Title + ".";
     }
 
     private bool IsClockwise => (_motion == 2) != (_rules.MirroredZx && _plane == ArcPlane.ZX);
@@ -74,7 +75,7 @@ internal sealed partial class DecoderCore
         var (su, sv) = InPlane(start - center);
         var (eu, ev) = InPlane(end - center);
         var radius = Math.Sqrt(su * su + sv * sv);
-        if (radius <= NoChange) return "An arc whose centre is its start is refused by " + _rules.Title + ".";
+        if (radius <= NoChange) return "An arc whose center is its start is refused by " + _rules.Title + ".";
         if (_rules.ArcTolerance is { } tolerance && tolerance.Refuses(radius, Math.Sqrt(eu * eu + ev * ev))) return _rules.Title + " refuses an arc whose end is not on its circle.";
         var closed = Math.Abs(su - eu) <= NoChange && Math.Abs(sv - ev) <= NoChange;
         if (line.Find('P') >= 0 && _rules.ArcTurns == ArcTurnsRule.OneCircle && (!closed || Rounds(line) != 1)) return _rules.Title + " takes P1 of a full circle only.";
@@ -107,7 +108,7 @@ internal sealed partial class DecoderCore
         if (chord / 2 > size * (1 + _rules.ShortRadius) + _rules.ShortRadiusMm + NoChange) return false;
         var height2 = size * size - chord * chord / 4;
         var height = height2 > 0 ? Math.Sqrt(height2) : 0;
-        // Counter-clockwise and short: the centre lies to the left of the chord.
+        // Counter-clockwise and short: the center lies to the left of the chord.
         var side = clockwise != radius < 0 ? -1 : 1;
         var cu = u / 2 - side * height * v / chord;
         var cv = v / 2 + side * height * u / chord;
@@ -145,12 +146,12 @@ internal sealed partial class DecoderCore
         var length = arc.Length(start, end);
         if (!(length * length < LargestSquare) || IsTooFar(end.X, end.Y, end.Z) || IsTooFar(arc.Center.X, arc.Center.Y, arc.Center.Z) || !(Math.Abs(e) < LargestE))
         {
-            Tally.Feeds++;
+            DecodeCounters.Feeds++;
             OutOfRange();
             return;
         }
         if (Math.Abs(e) < NoChange) e = 0;
-        Tally.Feeds++;
+        DecodeCounters.Feeds++;
         if (length <= NoChange)
         {
             InPlace(end.X, end.Y, end.Z, e);
@@ -158,16 +159,16 @@ internal sealed partial class DecoderCore
         }
         var rise = end.Z - start.Z;
         var xy = Math.Sqrt(Math.Max(length * length - rise * rise, 0));
-        var count = Tally.Prints;
+        var count = DecodeCounters.Prints;
         Moved(end.X, end.Y, end.Z, e, _motion, length, xy, _plane == ArcPlane.XY && rise == 0);
         _out.AddArc(arc with { Center = arc.Center + new Vec3(_shiftX, _shiftY, _shiftZ) });
-        var printed = Tally.Prints > count;
-        if (printed) Tally.PrintArcs++;
-        else Tally.TravelArcs++;
-        Extremes(start, arc, printed ? Tally.PrintEnds : Tally.TravelEnds);
+        var printed = DecodeCounters.Prints > count;
+        if (printed) DecodeCounters.PrintArcs++;
+        else DecodeCounters.TravelArcs++;
+        Extremes(start, arc, printed ? DecodeCounters.PrintEnds : DecodeCounters.TravelEnds);
     }
 
-    // The outermost points of the circle about the centre through the start, as far as the arc passes them.
+    // The outermost points of the circle about the center through the start, as far as the arc passes them.
     private void Extremes(Vec3 start, Arc arc, Box box)
     {
         var (u, v) = InPlane(start - arc.Center);

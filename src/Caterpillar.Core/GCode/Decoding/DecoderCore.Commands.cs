@@ -1,5 +1,6 @@
 using System;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
@@ -210,7 +211,7 @@ internal sealed partial class DecoderCore
         {
             _shadow = true;
             _shadowE = _e;
-            Tally.EMarlin2 = Tally.ENet;
+            DecodeCounters.EMarlin2 = DecodeCounters.ENet;
         }
         _plain = !_relative && !_inches && !_shadow && !_modesDiffer;
     }
@@ -295,15 +296,15 @@ internal sealed partial class DecoderCore
 
     private bool IsHomer(int code)
     {
-        if (code == 280 && _rules.Homers.Count == 1) return true;
-        return code is 280 or 300 or 1610 or 1620 && DialectRules.Names(_rules.Homers, 'G', code / 10.0);
+        if (code == 280 && _rules.HomingCommands.Count == 1) return true;
+        return code is 280 or 300 or 1610 or 1620 && DialectRules.Names(_rules.HomingCommands, 'G', code / 10.0);
     }
 
     private void FirmwareRetraction(bool retract)
     {
         Features.FirmwareRetraction++;
-        if (retract) Tally.FirmwareRetracts++;
-        else Tally.FirmwareUnretracts++;
+        if (retract) DecodeCounters.FirmwareRetracts++;
+        else DecodeCounters.FirmwareUnretracts++;
         Emit(_x, _y, _z, 0, 0, retract ? MoveKind.Retract : MoveKind.Restore);
     }
 

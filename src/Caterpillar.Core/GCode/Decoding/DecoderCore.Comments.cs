@@ -34,11 +34,11 @@ internal sealed partial class DecoderCore
         switch (meaning.Kind)
         {
             case CommentKind.LayerNumber:
-                Tally.LayerMarks++;
+                DecodeCounters.LayerMarks++;
                 Mark(meaning.Number, meaning.Z, 0);
                 break;
             case CommentKind.LayerChange:
-                Tally.LayerMarks++;
+                DecodeCounters.LayerMarks++;
                 Mark(null, meaning.Number == 1 ? meaning.Z : double.NaN, meaning.Height);
                 break;
             case CommentKind.Z:

@@ -1,4 +1,5 @@
 using System;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
@@ -49,7 +50,7 @@ internal sealed partial class DecoderCore
         {
             var other = _lastRelative ? word : word - _shadowE;
             _shadowE += other;
-            if (Math.Abs(other) >= NoChange) Tally.EMarlin2 += other;
+            if (Math.Abs(other) >= NoChange) DecodeCounters.EMarlin2 += other;
         }
         return change;
     }

@@ -1,3 +1,4 @@
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;

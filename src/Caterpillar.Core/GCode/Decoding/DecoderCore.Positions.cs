@@ -1,3 +1,4 @@
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
@@ -41,9 +42,9 @@ internal sealed partial class DecoderCore
     {
         _out.Clear();
         _events.Clear();
-        var before = Tally.Rapids + Tally.Feeds;
+        var before = DecodeCounters.Rapids + DecodeCounters.Feeds;
         Execute(line, text, end);
-        commands = Tally.Rapids + Tally.Feeds - before;
+        commands = DecodeCounters.Rapids + DecodeCounters.Feeds - before;
         return _out.Columns.Count;
     }
 

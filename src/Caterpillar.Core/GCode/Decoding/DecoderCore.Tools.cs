@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
@@ -33,7 +34,7 @@ internal sealed partial class DecoderCore
     // dE > 0: what exceeds the retraction is deposited.
     private double Push(double e)
     {
-        var tally = Tally;
+        var tally = DecodeCounters;
         tally.EPositive += e;
         tally.ENet += e;
         _run += e;
@@ -52,8 +53,8 @@ internal sealed partial class DecoderCore
 
     private void Pull(double e)
     {
-        Tally.ENegative -= e;
-        Tally.ENet -= e;
+        DecodeCounters.ENegative -= e;
+        DecodeCounters.ENet -= e;
         _run -= e;
         _retracted += e;
     }
@@ -67,7 +68,7 @@ internal sealed partial class DecoderCore
         }
         var tool = (int)number;
         if (tool == _tool) return;
-        Tally.ToolChanges++;
+        DecodeCounters.ToolChanges++;
         StoreTool();
         SelectTool(tool);
         if (_rules.PositionOfE == PositionOfERule.ZeroAtChange) _e = _shadowE = 0;

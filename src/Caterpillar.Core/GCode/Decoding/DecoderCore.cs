@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Runtime.CompilerServices;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -55,11 +56,11 @@ internal sealed partial class DecoderCore
         SelectTool(0);
     }
 
-    public Tally Tally { get; } = new();
+    public DecodeCounters DecodeCounters { get; } = new();
 
     public Features Features { get; } = new();
 
-    public LayerBook Layers { get; } = new();
+    public LayerCollector Layers { get; } = new();
 
     public DiagnosticList Diagnostics { get; } = new();
 
@@ -67,7 +68,7 @@ internal sealed partial class DecoderCore
     public Vec3 Position => new(_x, _y, _z);
 
     /// <summary>The sum of E by Marlin 2's rule, or null where the rules never parted.</summary>
-    public double? EByMarlin2Rule => _shadow ? Tally.EMarlin2 : null;
+    public double? EByMarlin2Rule => _shadow ? DecodeCounters.EMarlin2 : null;
 
     /// <summary>Decodes the lines of a chunk; <paramref name="firstLine"/> lines are before it.</summary>
     [MethodImpl((MethodImplOptions)512)]
@@ -131,8 +132,8 @@ internal sealed partial class DecoderCore
         var dz = z - _z;
         var square = dx * dx + dy * dy;
         var length2 = square + dz * dz;
-        if (code == 0) Tally.Rapids++;
-        else Tally.Feeds++;
+        if (code == 0) DecodeCounters.Rapids++;
+        else DecodeCounters.Feeds++;
         if (!(length2 < LargestSquare) || !(e < LargestE && e > -LargestE) || (length2 > 1e6 && IsTooFar(x, y, z)))
         {
             OutOfRange();
@@ -151,7 +152,7 @@ internal sealed partial class DecoderCore
 
     private void Moved(double x, double y, double z, double e, int code, double length, double lengthXY, bool flat)
     {
-        var tally = Tally;
+        var tally = DecodeCounters;
         MoveKind kind;
         var deposited = 0.0;
         if (e > 0)
@@ -203,20 +204,20 @@ internal sealed partial class DecoderCore
     {
         if (e > 0)
         {
-            Tally.Unretracts++;
+            DecodeCounters.Unretracts++;
             var hadRetracted = _retracted > 0;
             var deposited = Push(e);
             Emit(x, y, z, e, _balance ? deposited : 0, hadRetracted || !_balance ? MoveKind.Restore : MoveKind.Prime);
         }
         else if (e < 0)
         {
-            Tally.Retracts++;
+            DecodeCounters.Retracts++;
             Pull(-e);
             Emit(x, y, z, e, 0, MoveKind.Retract);
         }
         else
         {
-            Tally.NoOps++;
+            DecodeCounters.NoOps++;
             _x = x;
             _y = y;
             _z = z;
@@ -226,7 +227,7 @@ internal sealed partial class DecoderCore
     private void FlatHeight(double z)
     {
         _lastFlatZ = z;
-        Tally.FlatAt(z);
+        DecodeCounters.FlatAt(z);
         if (!Layers.Marked) Layers.FlatAt(z + _shiftZ);
     }
 

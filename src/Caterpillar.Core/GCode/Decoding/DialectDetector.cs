@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;

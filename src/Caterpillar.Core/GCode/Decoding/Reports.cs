@@ -8,7 +8,7 @@ internal static class Reports
 {
     public static DecodeReport Of(DecoderCore core, ExtrusionAxis axis, string name, long bytes, bool mark)
     {
-        var tally = core.Tally;
+        var tally = core.DecodeCounters;
         var used = core.UsedByTool();
         var sum = 0.0;
         foreach (var tool in used) sum += tool.Value;

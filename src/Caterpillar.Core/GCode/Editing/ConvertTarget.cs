@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
@@ -20,7 +21,7 @@ internal sealed record ConvertTarget
 
     public double ChordTolerance { get; private init; }
 
-    public bool Millimetres { get; private init; }
+    public bool Millimeters { get; private init; }
 
     public double RetractionLength { get; private init; }
 
@@ -48,7 +49,7 @@ internal sealed record ConvertTarget
     public double Factor(int tool) => Factors[Math.Min(Math.Max(tool, 0), Factors.Length - 1)];
 
     /// <summary>The target, or null where the conversion is refused.</summary>
-    public static ConvertTarget? Of(Decoding decoding, ConvertOptions options, DiagnosticList problems)
+    public static ConvertTarget? Of(DecodedGCode decoding, ConvertOptions options, DiagnosticList problems)
     {
         var dialect = options.Dialect ?? decoding.Dialect;
         if (AxisOf(decoding, dialect, problems) is not { } axis) return null;
@@ -59,7 +60,7 @@ internal sealed record ConvertTarget
             RelativeE = options.RelativeE,
             ExpandArcs = options.ExpandArcs,
             ChordTolerance = options.ChordTolerance,
-            Millimetres = options.Millimetres || !dialect.Inches,
+            Millimeters = options.Millimeters || !dialect.Inches,
             RetractionLength = options.RetractionLength,
             RetractionSpeed = options.RetractionSpeed,
             DecimalsXyz = options.DecimalsXyz,
@@ -70,7 +71,7 @@ internal sealed record ConvertTarget
     }
 
     // The words of extrusion in the target: those of the file in its own dialect, the usual ones in another.
-    private static ExtrusionAxis? AxisOf(Decoding decoding, DialectRules dialect, DiagnosticList problems)
+    private static ExtrusionAxis? AxisOf(DecodedGCode decoding, DialectRules dialect, DiagnosticList problems)
     {
         var axis = decoding.Axis;
         if (dialect.Name == decoding.Dialect.Name || axis == ExtrusionAxis.None) return axis;
@@ -94,11 +95,11 @@ internal sealed record ConvertTarget
         }
         problems.Add(
             Severity.Warning, "gcode.no_extruder",
-            dialect.Title + " has no word for extrusion: E, retractions and primes are lost. What printed is G1 to G3, what travelled is G0.");
+            dialect.Title + " has no word for extrusion: E, retractions and primes are lost. What printed is G1 to G3, what traveled is G0.");
         return ExtrusionAxis.None;
     }
 
-    private static ConvertTarget? Volumes(ConvertTarget target, Decoding decoding, ConvertOptions options, DiagnosticList problems)
+    private static ConvertTarget? Volumes(ConvertTarget target, DecodedGCode decoding, ConvertOptions options, DiagnosticList problems)
     {
         var dialect = target.Dialect;
         var tools = decoding.Toolpath.Tools;
@@ -120,7 +121,7 @@ internal sealed record ConvertTarget
         var factors = new double[tools.Count];
         for (var i = 0; i < factors.Length; i++)
         {
-            var area = options.FilamentDiameter is { } given ? ExtrusionLaw.FilamentAreaOf(given)
+            var area = options.FilamentDiameter is { } given ? ExtrusionModel.FilamentAreaOf(given)
                 : tools[i].VolumePerE is { } known && known != 1 ? known
                 : areas.Length == 0 ? null : areas[Math.Min(i, areas.Length - 1)];
             if (!(area > 0))

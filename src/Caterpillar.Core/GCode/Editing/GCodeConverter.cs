@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
@@ -27,8 +28,8 @@ public sealed record ConvertOptions
     /// <summary>Largest distance of a chord from its arc, mm.</summary>
     public double ChordTolerance { get; init; } = 0.01;
 
-    /// <summary>Inches become millimetres. They also do where the target has no inches.</summary>
-    public bool Millimetres { get; init; }
+    /// <summary>Inches become millimeters. They also do where the target has no inches.</summary>
+    public bool Millimeters { get; init; }
 
     /// <summary>Retraction in the unit of E that stands for G10 and G11 where the target has none, and its speed in mm/s; 0 leaves them out.</summary>
     public double RetractionLength { get; init; }
@@ -50,8 +51,8 @@ public static class GCodeConverter
     /// <returns>What was noticed; with errors nothing was written.</returns>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
-    public static IReadOnlyList<Diagnostic> Convert(Decoding decoding, ConvertOptions options, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public static IReadOnlyList<Diagnostic> Convert(DecodedGCode decoding, ConvertOptions options, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (options is null) throw new ArgumentNullException(nameof(options));
@@ -66,7 +67,7 @@ public static class GCodeConverter
     }
 
     /// <inheritdoc cref="Convert" path="/summary"/>
-    public static Result<GCodeDocument> ToDocument(Decoding decoding, ConvertOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
+    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, ConvertOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         using var memory = new MemoryStream();
         var problems = Convert(decoding, options, memory, progress, cancel);

@@ -30,13 +30,13 @@ public static class GCodeEditor
     /// <returns>What was noticed; with errors nothing was written.</returns>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
-    public static IReadOnlyList<Diagnostic> Write(Decoding decoding, Toolpath edited, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public static IReadOnlyList<Diagnostic> Write(DecodedGCode decoding, Toolpath edited, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
         => Write(decoding, edited, new EditOptions(), stream, progress, cancel);
 
-    /// <inheritdoc cref="Write(Decoding, Toolpath, Stream, IProgress{double}?, CancellationToken)"/>
+    /// <inheritdoc cref="Write(DecodedGCode, Toolpath, Stream, IProgress{double}?, CancellationToken)"/>
     public static IReadOnlyList<Diagnostic> Write(
-        Decoding decoding, Toolpath edited, EditOptions options, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+        DecodedGCode decoding, Toolpath edited, EditOptions options, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (edited is null) throw new ArgumentNullException(nameof(edited));
@@ -52,12 +52,12 @@ public static class GCodeEditor
         return splicer.Diagnostics.ToList();
     }
 
-    /// <inheritdoc cref="Write(Decoding, Toolpath, Stream, IProgress{double}?, CancellationToken)" path="/summary"/>
-    public static Result<GCodeDocument> ToDocument(Decoding decoding, Toolpath edited, IProgress<double>? progress = null, CancellationToken cancel = default)
+    /// <inheritdoc cref="Write(DecodedGCode, Toolpath, Stream, IProgress{double}?, CancellationToken)" path="/summary"/>
+    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, Toolpath edited, IProgress<double>? progress = null, CancellationToken cancel = default)
         => ToDocument(decoding, edited, new EditOptions(), progress, cancel);
 
-    /// <inheritdoc cref="ToDocument(Decoding, Toolpath, IProgress{double}?, CancellationToken)"/>
-    public static Result<GCodeDocument> ToDocument(Decoding decoding, Toolpath edited, EditOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
+    /// <inheritdoc cref="ToDocument(DecodedGCode, Toolpath, IProgress{double}?, CancellationToken)"/>
+    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, Toolpath edited, EditOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         using var memory = new MemoryStream();
         var problems = Write(decoding, edited, options, memory, progress, cancel);

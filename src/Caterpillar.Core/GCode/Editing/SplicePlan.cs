@@ -40,7 +40,7 @@ internal sealed class SplicePlan
         }
     }
 
-    public static SplicePlan Of(Decoding decoding, Toolpath edited)
+    public static SplicePlan Of(DecodedGCode decoding, Toolpath edited)
     {
         var plan = new SplicePlan(decoding.Checkpoints);
         var known = new HashSet<PrinterEvent>(ReferenceComparer.Instance);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
@@ -34,7 +35,7 @@ internal sealed partial class Splicer
     {
         if (_target is null) return false;
         if (ExpandArcs && _in.LastArc is not null) return true;
-        if (_target.Millimetres && _in.Save().Inches) return true;
+        if (_target.Millimeters && _in.Save().Inches) return true;
         if (_target.LimitsDecimals && _rewriter.IsTooFine(_line, text)) return true;
         var from = _decoding.Axis;
         if (from == ExtrusionAxis.Both) return _axis != from && (_line.Find('A') >= 0 || _line.Find('B') >= 0);
@@ -73,7 +74,7 @@ internal sealed partial class Splicer
             return null;
         }
         if (letter != 'G') return null;
-        if (target.Millimetres && _line.HasCode(20)) return OtherModes();
+        if (target.Millimeters && _line.HasCode(20)) return OtherModes();
         return code switch
         {
             92 => Rename(Comment(text, end)),
@@ -101,7 +102,7 @@ internal sealed partial class Splicer
     {
         var target = _target!;
         var from = _decoding.Axis;
-        var inches = target.Millimetres && _in.Save().Inches;
+        var inches = target.Millimeters && _in.Save().Inches;
         if (_line.Count == 1)
         {
             if (_rules.BareG92 == _decoding.Dialect.BareG92 && !target.ChangesUnit) return null;

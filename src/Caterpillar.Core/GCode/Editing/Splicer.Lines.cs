@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Text;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 

@@ -144,7 +144,7 @@ internal sealed partial class Splicer
         for (var i = 0; i < _line.Count; i++)
         {
             if (_line.Letters[i] != 'G' || !_line.HasValue[i] || !IsMode(_line.Values[i])) continue;
-            if (_line.Values[i] == 20 && _target is { Millimetres: true }) continue;
+            if (_line.Values[i] == 20 && _target is { Millimeters: true }) continue;
             Command("G" + NumberFormatter.Format(_line.Values[i], 1));
             any = true;
         }
@@ -189,7 +189,7 @@ internal sealed partial class Splicer
     }
 
     // The line scanned last brings inches that are to go.
-    private bool SaysInches => _target is { Millimetres: true } && _line.HasCode(20);
+    private bool SaysInches => _target is { Millimeters: true } && _line.HasCode(20);
 
     // Modes that stand in a line whose move is cut out stay.
     private void Removed()

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
@@ -16,7 +17,7 @@ internal sealed partial class Splicer
 {
     private const double NoChange = 1e-9;
 
-    private readonly Decoding _decoding;
+    private readonly DecodedGCode _decoding;
     private readonly GCodeDocument _document;
     private readonly LineStyle _style;
     private readonly DecoderCore _in;
@@ -35,7 +36,7 @@ internal sealed partial class Splicer
     private readonly double _toleranceE;
     private int _number;
 
-    public Splicer(Decoding decoding, ConvertTarget? target, Stream stream)
+    public Splicer(DecodedGCode decoding, ConvertTarget? target, Stream stream)
     {
         _decoding = decoding;
         _document = decoding.Document!;

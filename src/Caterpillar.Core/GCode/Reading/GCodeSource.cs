@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 
 namespace Caterpillar.GCode;
 

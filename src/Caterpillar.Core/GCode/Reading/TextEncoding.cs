@@ -1,4 +1,5 @@
 using System.Text;
+using Caterpillar.Files;
 
 namespace Caterpillar.GCode;
 
@@ -9,8 +10,7 @@ internal static class TextEncoding
     private static readonly Encoding Utf8 = new UTF8Encoding(false);
 
     /// <summary>3 when the chunk begins with a byte order mark, else 0.</summary>
-    public static int MarkLength(GCodeChunk first)
-        => first.Length >= 3 && first.Text[first.Start] == 0xEF && first.Text[first.Start + 1] == 0xBB && first.Text[first.Start + 2] == 0xBF ? 3 : 0;
+    public static int MarkLength(GCodeChunk first) => ByteOrderMark.LengthAt(first.Text, first.Start, first.Start + first.Length);
 
     public static byte[] Encode(string text)
     {

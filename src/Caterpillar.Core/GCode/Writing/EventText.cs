@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -67,7 +68,7 @@ public sealed partial class GCodeWriter
     /// <summary>Writes all of a toolpath.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A coordinate is not finite or too large to print.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static void Write(Toolpath toolpath, GCodeFormat format, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         var writer = new GCodeWriter(toolpath, format);

@@ -9,7 +9,7 @@ namespace Caterpillar.Geometry;
 /// </summary>
 public sealed class ArcCurve : Curve
 {
-    /// <param name="frame">Centre and plane; the arc starts in the direction of X.</param>
+    /// <param name="frame">Center and plane; the arc starts in the direction of X.</param>
     /// <param name="radius">mm.</param>
     /// <param name="sweep">Degrees, positive from X towards Y; at most a full turn.</param>
     /// <exception cref="ArgumentException">The radius is not positive, or the sweep is zero, not finite or more than 360°.</exception>

@@ -5,7 +5,7 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Finds arcs in the XY plane, flat or helical, that replace runs of straight segments. An arc begins and ends at vertices; its centre is the least-squares one on the
+/// Finds arcs in the XY plane, flat or helical, that replace runs of straight segments. An arc begins and ends at vertices; its center is the least-squares one on the
 /// perpendicular bisector of the two; the deviation is tested at all vertices and at the middles of all chords, so that a corner is never rounded beyond the tolerance. Runs grow greedily.
 /// </summary>
 public sealed class ArcFitter
@@ -62,7 +62,7 @@ public sealed class ArcFitter
         if (!(chord > _options.Tolerance)) return null;
         var (nx, ny) = (-dy / chord, dx / chord);
         var quarter = chord * chord / 4;
-        // A point at offset d from the chord is on the circle with centre middle + h·n when |p − middle|² − (chord/2)² = 2 h d.
+        // A point at offset d from the chord is on the circle with center middle + h·n when |p − middle|² − (chord/2)² = 2 h d.
         double top = 0, bottom = 0;
         for (var i = start + 1; i < end; i++)
         {

@@ -23,7 +23,7 @@ internal static class MeshCleaning
         return kept;
     }
 
-    /// <summary>Triangles whose three corners lie on a line. They stay, because they close the surface between their neighbours.</summary>
+    /// <summary>Triangles whose three corners lie on a line. They stay, because they close the surface between their neighbors.</summary>
     public static int CountFlat(TriMesh mesh)
     {
         var flat = 0;

@@ -22,7 +22,7 @@ internal static class MeshOrientation
         }
         if (turned > 0)
         {
-            diagnostics.Add(Severity.Warning, "mesh.faces_turned", "Triangles that were inside out against their neighbours were turned.", source, turned);
+            diagnostics.Add(Severity.Warning, "mesh.faces_turned", "Triangles that were inside out against their neighbors were turned.", source, turned);
         }
         if (!result.IsWatertight || result.Volume >= 0) return result;
         diagnostics.Add(Severity.Warning, "mesh.inside_out", "The mesh was inside out: all triangles were turned.", source);
@@ -42,7 +42,7 @@ internal static class MeshOrientation
     private static bool[] TurnConflicts(TriMesh mesh)
     {
         var count = mesh.TriangleCount;
-        var neighbours = Neighbours(mesh);
+        var neighbors = Neighbors(mesh);
         var turn = new bool[count];
         var seen = new bool[count];
         var body = new List<int>();
@@ -58,13 +58,13 @@ internal static class MeshOrientation
             {
                 for (var h = 3 * body[i]; h < 3 * body[i] + 3; h++)
                 {
-                    var other = neighbours[h];
+                    var other = neighbors[h];
                     if (other < 0)
                     {
                         closed = false;
                         continue;
                     }
-                    // Half-edges of neighbours should start at different vertices.
+                    // Half-edges of neighbors should start at different vertices.
                     var same = mesh.RawTriangles[h] == mesh.RawTriangles[other];
                     conflicts |= same;
                     if (seen[other / 3]) continue;
@@ -101,16 +101,16 @@ internal static class MeshOrientation
     }
 
     // For each half-edge the other one of an edge with exactly two triangles, else −1.
-    private static int[] Neighbours(TriMesh mesh)
+    private static int[] Neighbors(TriMesh mesh)
     {
         var (_, keys) = MeshTopology.SortedEdges(mesh.VertexCount, mesh.RawTriangles, out var sameAsBefore);
-        var neighbours = new int[keys.Length];
+        var neighbors = new int[keys.Length];
         for (int i = 0, end; i < keys.Length; i = end)
         {
             end = i + 1;
             while (end < keys.Length && sameAsBefore[end]) end++;
-            for (var k = i; k < end; k++) neighbours[(int)keys[k]] = end - i == 2 ? (int)keys[i + i + 1 - k] : -1;
+            for (var k = i; k < end; k++) neighbors[(int)keys[k]] = end - i == 2 ? (int)keys[i + i + 1 - k] : -1;
         }
-        return neighbours;
+        return neighbors;
     }
 }

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;
 
@@ -17,7 +18,7 @@ public static class MeshReader
 {
     /// <summary>Reads a file. Errors are codes <c>mesh.*</c> with the place in the file.</summary>
     /// <exception cref="IOException">The file cannot be read from the disk.</exception>
-    /// <exception cref="OperationCanceledException">Reading was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">Reading was canceled.</exception>
     public static Result<IReadOnlyList<NamedMesh>> Read(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
@@ -44,7 +45,7 @@ public static class MeshReader
 
     /// <summary>Reads a file and takes everything in it as one mesh.</summary>
     /// <exception cref="IOException">The file cannot be read from the disk.</exception>
-    /// <exception cref="OperationCanceledException">Reading was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">Reading was canceled.</exception>
     public static Result<TriMesh> ReadMerged(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         var read = Read(path, progress, cancel);
@@ -59,8 +60,6 @@ public static class MeshReader
         var dot = plain.LastIndexOf('.');
         return dot > 0 ? plain.Substring(0, dot) : plain;
     }
-
-    internal static int BehindByteOrderMark(byte[] bytes) => bytes.Length >= 3 && bytes[0] == 0xEF && bytes[1] == 0xBB && bytes[2] == 0xBF ? 3 : 0;
 
     private static bool ReadPlain(MeshSource source, List<NamedMesh> meshes)
     {
@@ -90,7 +89,7 @@ public static class MeshReader
     // A line that begins with "v " and a number, in the first kilobytes.
     private static bool LooksLikeObj(byte[] bytes)
     {
-        var cursor = new TextCursor(bytes, BehindByteOrderMark(bytes), Math.Min(bytes.Length, 65536));
+        var cursor = new TextCursor(bytes, ByteOrderMark.Length(bytes), Math.Min(bytes.Length, 65536));
         while (cursor.SkipSpace())
         {
             var start = cursor.SkipWord();

@@ -17,7 +17,7 @@ internal sealed class MeshSource(byte[] bytes, string name, DiagnosticList diagn
 
     public CancellationToken Cancel { get; } = cancel;
 
-    /// <summary>Reports progress and stops when cancelled; call now and then.</summary>
+    /// <summary>Reports progress and stops when canceled; call now and then.</summary>
     public void Pulse(long done, long all)
     {
         Cancel.ThrowIfCancellationRequested();

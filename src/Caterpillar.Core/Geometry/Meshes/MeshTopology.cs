@@ -4,7 +4,7 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// Which triangles of a mesh meet along which edge. Half-edge 3·t + k runs from corner k of triangle t to the next corner; its partner is the
-/// half-edge of the neighbour that runs the other way. Made by a counting sort over the lower vertex of every edge.
+/// half-edge of the neighbor that runs the other way. Made by a counting sort over the lower vertex of every edge.
 /// </summary>
 internal sealed class MeshTopology
 {
@@ -30,7 +30,7 @@ internal sealed class MeshTopology
         }
     }
 
-    /// <summary>The half-edge that runs the other way in the neighbouring triangle, −1 where there is none.</summary>
+    /// <summary>The half-edge that runs the other way in the neighboring triangle, −1 where there is none.</summary>
     public int[] Partner { get; }
 
     /// <summary>Edges with one triangle.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;
 
@@ -25,7 +26,7 @@ internal sealed class ObjReader
     private ObjReader(MeshSource source)
     {
         _source = source;
-        _cursor = new TextCursor(source.Bytes, MeshReader.BehindByteOrderMark(source.Bytes), source.Length);
+        _cursor = new TextCursor(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Length);
         var expected = source.Length / 60 + 16;
         _builder = new MeshBuilder(expected, expected * 2);
         _ids = new int[expected];

@@ -1,5 +1,6 @@
 using System;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;
 

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Text;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;
 
@@ -12,7 +13,7 @@ internal static class StlTextReader
     /// <summary>True when the file begins with "solid" and goes on with a facet or the end of the solid.</summary>
     public static bool LooksLikeText(byte[] bytes)
     {
-        var cursor = new TextCursor(bytes, MeshReader.BehindByteOrderMark(bytes), bytes.Length);
+        var cursor = new TextCursor(bytes, ByteOrderMark.Length(bytes), bytes.Length);
         cursor.SkipSpace();
         var start = cursor.SkipWord();
         if (!cursor.WordIs(start, "solid")) return false;
@@ -31,7 +32,7 @@ internal static class StlTextReader
 
     public static bool Read(MeshSource source, List<NamedMesh> meshes)
     {
-        var cursor = new TextCursor(source.Bytes, MeshReader.BehindByteOrderMark(source.Bytes), source.Length);
+        var cursor = new TextCursor(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Length);
         var triangles = source.Length / 200;
         var builder = new MeshBuilder(triangles / 2 + 16, triangles);
         var name = "";

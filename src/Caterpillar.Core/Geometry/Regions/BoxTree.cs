@@ -4,7 +4,7 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// A binary tree of boxes over the segments of contours in their order along the contour, so it is built in linear time without sorting: consecutive
-/// segments are neighbours in space. A leaf holds a run of segments of one contour. Level 0 are the leaves; node i of a level has the children 2i and 2i + 1.
+/// segments are neighbors in space. A leaf holds a run of segments of one contour. Level 0 are the leaves; node i of a level has the children 2i and 2i + 1.
 /// </summary>
 internal sealed class BoxTree
 {

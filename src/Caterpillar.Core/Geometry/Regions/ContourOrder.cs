@@ -2,7 +2,7 @@ using System;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Brings many contours into the order of a space-filling curve (Morton), so that neighbours in the box tree are neighbours in space.</summary>
+/// <summary>Brings many contours into the order of a space-filling curve (Morton), so that neighbors in the box tree are neighbors in space.</summary>
 internal sealed class ContourOrder
 {
     private Segment[] _segments = new Segment[256];

@@ -94,7 +94,7 @@ internal sealed class OffsetCorners
     private bool Fits(int edge, int next)
         => !(Inward(Kind[edge]) || Inward(Kind[next])) || _after[edge] + _before[next] + ShortestTrimmed <= _length[edge];
 
-    // An edge between two cuts that does not fit vanishes: its neighbours meet before it comes to the distance. This is the lower envelope of the moved lines.
+    // An edge between two cuts that does not fit vanishes: its neighbors meet before it comes to the distance. This is the lower envelope of the moved lines.
     private void DropEdges(GridPoint[] path)
     {
         var n = path.Length;
@@ -114,7 +114,7 @@ internal sealed class OffsetCorners
             _next[previous] = next;
             _previous[next] = previous;
             alive--;
-            // The neighbours have lost some length; those before are looked at again.
+            // The neighbors have lost some length; those before are looked at again.
             i = previous < i ? previous : i + 1;
         }
     }

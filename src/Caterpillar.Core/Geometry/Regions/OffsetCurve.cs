@@ -4,7 +4,7 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// The raw offset curve of closed paths: every edge moved sideways and joined with the next one. Where neighbours overlap and are long enough they are cut at
+/// The raw offset curve of closed paths: every edge moved sideways and joined with the next one. Where neighbors overlap and are long enough they are cut at
 /// their crossing at once, else the curve goes back through the vertex; the area then has winding numbers ≤ 0 exactly where it is to vanish.
 /// </summary>
 internal sealed class OffsetCurve

@@ -15,7 +15,7 @@ public sealed partial class Region
 
     /// <summary>
     /// The parts that are narrower than a width (mm): what walls of that width leave open. Corners sharper than 60° and rounding leave small remains: drop
-    /// them with <see cref="WithoutSpecks"/>.
+    /// them with <see cref="WithoutSmallContours"/>.
     /// </summary>
     /// <exception cref="ArgumentException">The width is negative, not a number or too large.</exception>
     public Region NarrowerThan(double width) => NarrowerThan(width, new RegionEngine());

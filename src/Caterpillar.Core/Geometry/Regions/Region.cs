@@ -166,7 +166,7 @@ public sealed partial class Region
 
     /// <summary>Without islands and holes whose contour encloses less than an area in mm².</summary>
     /// <exception cref="ArgumentException">The area is negative or not a number.</exception>
-    public Region WithoutSpecks(double area)
+    public Region WithoutSmallContours(double area)
     {
         if (!(area >= 0)) throw new ArgumentException("The area must not be negative.", nameof(area));
         // What lies in a dropped contour is smaller still, so dropping contours one by one leaves a valid region.

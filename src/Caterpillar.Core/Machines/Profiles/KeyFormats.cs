@@ -30,7 +30,7 @@ internal sealed class NumberFormat(double min, double max) : KeyFormat<double>
     private static string Shown(double value) => double.IsInfinity(value) ? "infinite" : RawValues.Number(value);
 }
 
-internal sealed class WholeFormat(int min, int max) : KeyFormat<int>
+internal sealed class IntegerFormat(int min, int max) : KeyFormat<int>
 {
     public override KeyKind Kind => KeyKind.Whole;
 
@@ -54,7 +54,7 @@ internal sealed class WholeFormat(int min, int max) : KeyFormat<int>
     public override string? Problem(int value) => value >= min && value <= max ? null : "must be " + Room + ", not " + NumberFormatter.Format(value);
 }
 
-internal sealed class FlagFormat : KeyFormat<bool>
+internal sealed class BooleanFormat : KeyFormat<bool>
 {
     public override KeyKind Kind => KeyKind.Flag;
 

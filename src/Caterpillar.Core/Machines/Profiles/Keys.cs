@@ -11,10 +11,10 @@ internal static class Keys<T>
         => new(name, new NumberFormat(min, max), get, set, summary);
 
     public static ProfileKey<T, int> Whole(string name, int min, int max, Func<T, int> get, Func<T, int, T> set, string summary)
-        => new(name, new WholeFormat(min, max), get, set, summary);
+        => new(name, new IntegerFormat(min, max), get, set, summary);
 
     public static ProfileKey<T, bool> Flag(string name, Func<T, bool> get, Func<T, bool, T> set, string summary)
-        => new(name, new FlagFormat(), get, set, summary);
+        => new(name, new BooleanFormat(), get, set, summary);
 
     public static ProfileKey<T, string> Text(string name, Func<T, string> get, Func<T, string, T> set, string summary)
         => new(name, new TextFormat(), get, set, summary);

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using K = Caterpillar.Machines.Keys<Caterpillar.Machines.Printer>;
 

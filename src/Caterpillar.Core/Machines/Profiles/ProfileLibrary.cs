@@ -76,7 +76,7 @@ public sealed class ProfileLibrary
         }
         if (chain.Count > 0 && Sources(kind, name).Any()) return Failed<T>("profile.circle", $"The {kind.Noun} \"{name}\" inherits itself.", new SourceLocation(chain[0]));
         var names = Names(kind);
-        var near = Spelling.Nearest(name, names);
+        var near = SpellingSuggestion.Nearest(name, names);
         return Failed<T>(
             "profile.not_found", $"There is no {kind.Noun} \"{name}\"; " + (near is not null ? $"did you mean {near}?" : "there are " + string.Join(", ", names) + "."), null);
     }

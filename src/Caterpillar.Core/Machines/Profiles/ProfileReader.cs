@@ -75,7 +75,7 @@ public static class ProfileReader
         }
         var message = $"{key} is no key of {(noun == "settings" ? "settings" : "a " + noun)}";
         if (ProfileKinds.KindOf(key) is { } kind && !names.Contains(key)) message += $"; it belongs to {kind}";
-        else if (Spelling.Nearest(key, names) is { } near) message += $"; did you mean {near}?";
+        else if (SpellingSuggestion.Nearest(key, names) is { } near) message += $"; did you mean {near}?";
         return new Diagnostic(Severity.Error, "profile.unknown_key", message.EndsWith("?", StringComparison.Ordinal) ? message : message + ".", place);
     }
 

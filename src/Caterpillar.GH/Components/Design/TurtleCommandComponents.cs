@@ -178,7 +178,7 @@ public enum TurtleEventKind
     RawLine,
     Layer,
     NextLayer,
-    Colour,
+    Color,
     Name,
     Push,
     Pop,
@@ -193,7 +193,7 @@ public sealed class TurtleEventComponent() : TurtleCommandComponent("Event", "Ev
     {
         ports.Choice("Kind", "K", "What happens.", TurtleEventKind.Dwell);
         ports.Number("Value", "V", "mm of filament, milliseconds, °C (waits until reached), fan 0 to 1, number of a tool or layer, or thickness of the next layer in mm.", 0);
-        ports.Text("Text", "T", "Comment, raw line, message of a pause, name, or colour as #rrggbb.", "");
+        ports.Text("Text", "T", "Comment, raw line, message of a pause, name, or color as #rrggbb.", "");
     }
 
     private protected override TurtleCommand Command(Run run)
@@ -213,7 +213,7 @@ public sealed class TurtleEventComponent() : TurtleCommandComponent("Event", "Ev
             TurtleEventKind.RawLine => TurtleCommand.Of(TurtleAction.Raw, text),
             TurtleEventKind.Layer => TurtleCommand.Of(TurtleAction.Layer, value),
             TurtleEventKind.NextLayer => TurtleCommand.Of(TurtleAction.NextLayer, value),
-            TurtleEventKind.Colour => TurtleCommand.Of(TurtleAction.Color, text),
+            TurtleEventKind.Color => TurtleCommand.Of(TurtleAction.Color, text),
             TurtleEventKind.Name => TurtleCommand.Of(TurtleAction.Name, text),
             TurtleEventKind.Push => TurtleCommand.Of(TurtleAction.Push),
             _ => TurtleCommand.Of(TurtleAction.Pop),

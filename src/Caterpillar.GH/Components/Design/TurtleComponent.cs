@@ -44,7 +44,7 @@ public sealed class TurtleComponent() : CaterpillarComponent("Turtle", "Turtle",
         var options = new TurtleOptions
         {
             Start = run.MaybeValue<Rg.Plane>(1) is { } plane ? RhinoGeometry.ToFrame(plane, units) : Frame.World,
-            Extrusion = new ExtrusionLaw(ExtrusionUnit.Mm, run.Positive(2)),
+            Extrusion = new ExtrusionModel(ExtrusionUnit.Mm, run.Positive(2)),
             KeepPoses = run.Get<bool>(3),
             Bead = run.Maybe<BeadGoo>(4) is { IsValid: true } bead ? bead.Value : null,
         };

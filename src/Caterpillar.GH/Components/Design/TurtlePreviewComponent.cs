@@ -79,7 +79,7 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
         if (part is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
         var size = run.Positive(2);
         var units = run.Units;
-        var way = run.Cached(steps.Cast<object?>().ToArray(), () => new TurtleWay(steps));
+        var way = run.Cached(steps.Cast<object?>().ToArray(), () => new TurtleTimeline(steps));
         var pose = way.PoseAt(part);
         var printed = way.PrintedUntil(part).Select(r => new Rg.PolylineCurve(r.Select(p => RhinoGeometry.ToPoint(p, units)))).ToList();
         var outline = TurtleShape.Outline(pose, size, units);

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
@@ -41,7 +42,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
     {
         var options = new DecodeOptions { Dialect = Dialect(run.Maybe<string>(2)), Rule = run.Choice<ExtrusionRule>(3) };
         var source = run.Maybe<GCodeDocument>(1) ?? Read(run);
-        var result = run.Cached([source, options], () => run.Work("Decoding", (progress, cancel) => Decoder.Decode(source, options, progress, cancel)));
+        var result = run.Cached([source, options], () => run.Work("Decoding", (progress, cancel) => GCodeDecoder.Decode(source, options, progress, cancel)));
         run.SetList(4, run.Report(result.Diagnostics));
         run.Set(1, new GCodeGoo(source));
         if (result.Value is not { } decoding)

@@ -48,13 +48,13 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
             return;
         }
         if (string.IsNullOrWhiteSpace(reason)) reason = null;
-        var anew = run.Get<bool>(5) || goo.Decoding is null;
+        var anew = run.Get<bool>(5) || goo.DecodedGCode is null;
         var (start, end) = (run.Maybe<string>(6), run.Maybe<string>(7));
         if (anew && (start ?? end) is not null) run.Report(GH_RuntimeMessageLevel.Warning, "Start Code and End Code are for decoded files that are written again; this one is written anew, with those of its printer.");
         var code = new EditOptions { Start = Lines(start), End = Lines(end) };
         var result = run.Cached([goo.Value, setup, reason, anew, start, end], () => run.Work("Writing", (progress, cancel) => anew
             ? SafeWriter.ToDocument(goo.Value, setup, reason, progress, cancel)
-            : SafeEditor.ToDocument(goo.Decoding!, goo.Value, setup, reason, code, progress, cancel)));
+            : SafeEditor.ToDocument(goo.DecodedGCode!, goo.Value, setup, reason, code, progress, cancel)));
         var document = run.Accept(result, texts);
         run.Set(0, document is null ? null : new GCodeGoo(document));
         run.SetList(1, texts);

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
+using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Params;
@@ -49,7 +50,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
         if (File.Exists(file) && !overwrite) throw new InputProblem($"{file} is there already, and Overwrite is false.");
         run.Work("Saving", (progress, cancel) =>
         {
-            using var whole = new WholeFile(file);
+            using var whole = new AtomicFile(file);
             BinaryGCode.WriteAs(file, document, whole.Stream, progress, cancel);
             whole.Commit();
             return file;

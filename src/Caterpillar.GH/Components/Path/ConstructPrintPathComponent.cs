@@ -1,6 +1,6 @@
 using System;
 using System.Linq;
-using Caterpillar.Curves;
+using Caterpillar.Drawings;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;

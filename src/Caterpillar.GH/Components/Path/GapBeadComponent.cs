@@ -49,7 +49,7 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         if (run.MaybeValue<double>(3) is not null) gap = gap with { MinGap = run.Positive(3) };
         if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };
         if (gap.MinGap > gap.MaxGap) throw new InputProblem("Least Gap must not be above Greatest Gap.");
-        var result = run.Cached([.. paths, .. meshes.Select(m => (object)m.DataCRC(0)), gap, units.ToMillimetres], () =>
+        var result = run.Cached([.. paths, .. meshes.Select(m => (object)m.DataCRC(0)), gap, units.ToMillimeters], () =>
         {
             var below = gap with { Surface = RhinoMesh.ToTriangles(meshes, units) };
             return run.Work("Measuring gaps", (progress, cancel) => below.Apply(paths, progress, cancel));

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 using Caterpillar.GH.Base;
 using Caterpillar.Geometry;
 using Caterpillar.Shaping;

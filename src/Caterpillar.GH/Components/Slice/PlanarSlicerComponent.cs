@@ -47,7 +47,7 @@ public sealed class PlanarSlicerComponent() : CaterpillarComponent(
         var geometry = run.List<IGH_GeometricGoo>(0);
         if (geometry.Count == 0) throw new InputProblem("Geometry is missing.") { IsMissing = true };
         var meshes = geometry.Select(g => RhinoMesh.ToMesh(g.ScriptVariable(), tolerance, units)).ToList();
-        var key = meshes.Select(m => (object)m.DataCRC(0)).Concat([settings, units.ToMillimetres]).ToArray();
+        var key = meshes.Select(m => (object)m.DataCRC(0)).Concat([settings, units.ToMillimeters]).ToArray();
         var (models, result) = run.Cached(key, () =>
         {
             var solids = meshes.Select((m, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", RhinoMesh.ToTriangles(m, units))).ToList();

@@ -4,11 +4,11 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.GCode.Dialects;
 
-/// <summary>G2 and G3: centre, radius, relative mode, full circles, helices, turns, planes, refusals.</summary>
+/// <summary>G2 and G3: center, radius, relative mode, full circles, helices, turns, planes, refusals.</summary>
 public class ArcTests
 {
     private const string Sources = """
-        slicer: GCodeProcessor.cpp, process_G2_G3; ArcWelder.hpp, arc_center; planes, centres and P as the test data
+        slicer: GCodeProcessor.cpp, process_G2_G3; ArcWelder.hpp, arc_center; planes, centers and P as the test data
         marlin2: motion/G2_G3.cpp, G2_G3 (R before I J K; ARC_P_CIRCLES), plan_arc
         marlin1: Marlin_main.cpp, gcode_G2_G3 (while (circles_to_do--) plan_arc(current_position …)), plan_arc
         prusa: Marlin_main.cpp, process_commands, case 2, 3 (I J); motion_control.cpp, mc_arc
@@ -77,7 +77,7 @@ public class ArcTests
     public void Arcs_are_drawn_or_refused(string program, string dialect, string length, string source) => Assert.That(Length(program, dialect, 0), Is.EqualTo(length), source);
 
     [TestCaseSource(nameof(CenterCases))]
-    public void Centres_are_relative_or_absolute(string program, string dialect, string length, string source) => Assert.That(Length("G0 X10;" + program, dialect, 10), Is.EqualTo(length), source);
+    public void Centers_are_relative_or_absolute(string program, string dialect, string length, string source) => Assert.That(Length("G0 X10;" + program, dialect, 10), Is.EqualTo(length), source);
 
     // Two full circles in front of a half one, 3 mm up: rise and E of each move.
     [TestCase("marlin2", "3/2")]

@@ -2,10 +2,10 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode.Dialects;
 
@@ -25,7 +25,7 @@ public class DetectionTests
     [TestCase("G0 X1\nM3 S1000\nG1 X1\nM5\n", "grbl")]
     public void Files_say_what_they_are_for(string program, string dialect)
     {
-        var decoding = Decoder.Decode(Encoding.ASCII.GetBytes(program)).Value!;
+        var decoding = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(program)).Value!;
         Assert.That(decoding.Dialect.Name, Is.EqualTo(dialect));
         Assert.That(decoding.Evidence, Is.Not.Empty);
     }
@@ -33,7 +33,7 @@ public class DetectionTests
     [Test]
     public void Without_evidence_it_is_Marlin_2_and_a_remark_says_so()
     {
-        var result = Decoder.Decode(Encoding.ASCII.GetBytes("G1 X1 E1\n"));
+        var result = GCodeDecoder.Decode(Encoding.ASCII.GetBytes("G1 X1 E1\n"));
         Assert.That(result.Value!.Dialect.Name, Is.EqualTo("marlin2"));
         Assert.That(result.Diagnostics.Select(d => d.Code), Does.Contain("gcode.dialect_default"));
     }
@@ -45,13 +45,13 @@ public class DetectionTests
         for (var i = 0; i < 20_000; i++) text.Append("G1 X").Append(i % 7).Append(" Y").Append(i % 5).Append(" E0.1\n");
         var bytes = Encoding.ASCII.GetBytes(text.Append("; gcode_flavor = klipper\n").ToString());
         using var plain = new MemoryStream(bytes);
-        var decoding = Decoder.DecodeStream(plain).Value!;
+        var decoding = GCodeDecoder.DecodeStream(plain).Value!;
         Assert.That(decoding.Dialect.Name, Is.EqualTo("klipper"));
         Assert.That(decoding.Report.Bytes, Is.EqualTo(bytes.Length));
         using var memory = new MemoryStream();
         using (var packed = new System.IO.Compression.GZipStream(memory, System.IO.Compression.CompressionMode.Compress, true)) packed.Write(bytes, 0, bytes.Length);
         memory.Position = 0;
-        var unpacked = Decoder.DecodeStream(memory).Value!;
+        var unpacked = GCodeDecoder.DecodeStream(memory).Value!;
         Assert.That(unpacked.Dialect.Name, Is.EqualTo("klipper"));
         Assert.That(unpacked.Toolpath.Count, Is.EqualTo(decoding.Toolpath.Count));
     }

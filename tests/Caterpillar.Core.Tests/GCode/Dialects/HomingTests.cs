@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -28,7 +29,7 @@ public class HomingTests
         """;
 
     // Where the machine stands at the end: X,Y,Z. Every program begins with a move to X10 Y10 Z5.
-    private const string Places = """
+    private const string PathSamples = """
         |                       slicer marlin2 marlin1 prusa bambu klipper reprapfirmware repetier smoothie sailfish cnc ultigcode bfb grbl
         G28                         | 0,0,0   0,0,0   0,0,0   0,0,0   0,0,0   0,0,0   0,0,0   0,0,0   0,0,0   0,0,0   0,0,0   0,0,0   0,0,0   0,0,0
         G28 X0                      | 0,10,5  0,10,5  0,10,5  0,10,5  0,10,5  0,10,5  0,10,5  0,10,5  0,10,5  0,10,5  0,10,5  0,10,5  0,10,5  0,10,5
@@ -49,7 +50,7 @@ public class HomingTests
         G1 X10;G91;G28 X5           | 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,15,0 10,0 10,0 10,15,0
         """;
 
-    private static IEnumerable<TestCaseData> PlaceCases() => ProgramTable.Cases(Places, Sources);
+    private static IEnumerable<TestCaseData> PlaceCases() => ProgramTable.Cases(PathSamples, Sources);
 
     private static IEnumerable<TestCaseData> WayCases() => ProgramTable.Cases(Ways, Sources);
 
@@ -81,5 +82,5 @@ public class HomingTests
     [TestCase("marlin1", 15.708)]
     [TestCase("slicer", 10)]
     public void Marlin_homes_into_the_plane_XY(string dialect, double length)
-        => Assert.That(ProgramTable.Decode("G18;G28;G3 X0 Y10 J5", dialect).Report.TravelLength, Is.EqualTo(length).Within(0.001), "in ZX the centre is the start");
+        => Assert.That(ProgramTable.Decode("G18;G28;G3 X0 Y10 J5", dialect).Report.TravelLength, Is.EqualTo(length).Within(0.001), "in ZX the center is the start");
 }

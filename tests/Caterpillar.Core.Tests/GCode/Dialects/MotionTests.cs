@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Dialects;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -27,7 +28,7 @@ public class MotionTests
         """;
 
     // X of the machine at the end.
-    private const string Places = """
+    private const string PathSamples = """
         |                       slicer marlin2 marlin1 prusa bambu klipper reprapfirmware repetier smoothie sailfish cnc ultigcode bfb grbl
         G1 X10;X20                  | 20  10  10  10  10  10  10  10  20  20  20  10  10  20
         G1 X10;G90;X20              | 20  10  10  10  10  10  10  10  20  20  20  10  10  20
@@ -69,7 +70,7 @@ public class MotionTests
         M103;G1 X5;M101;G1 X9       | 1  0  0  0  0  0  0  0  0  1  2  0  1  2
         """;
 
-    private static IEnumerable<TestCaseData> PlaceCases() => ProgramTable.Cases(Places, Sources);
+    private static IEnumerable<TestCaseData> PlaceCases() => ProgramTable.Cases(PathSamples, Sources);
 
     private static IEnumerable<TestCaseData> RetractionCases() => ProgramTable.Cases(Retractions, Sources);
 

@@ -26,7 +26,7 @@ public class OriginTests
         """;
 
     // X of the machine at the end.
-    private const string Places = """
+    private const string PathSamples = """
         |                       slicer marlin2 marlin1 prusa bambu klipper reprapfirmware repetier smoothie sailfish cnc ultigcode bfb grbl
         G1 X10;G92;G1 X15           | 25  15  15  15  25  25  15  15  15  15  15  15  15  15
         G1 X10;G92 X0;G1 X5;G92;G1 X1 | 16 11 11  11  16  16  11  11   1  11  11  11  11  11
@@ -48,7 +48,7 @@ public class OriginTests
         M83;G1 X1 E5;G92 E9;G1 X2 E1 | 6  6  6  6  6  6  6  6  6  6 -3  6  0  0
         """;
 
-    private static IEnumerable<TestCaseData> PlaceCases() => ProgramTable.Cases(Places, Sources);
+    private static IEnumerable<TestCaseData> PlaceCases() => ProgramTable.Cases(PathSamples, Sources);
 
     private static IEnumerable<TestCaseData> SumCases() => ProgramTable.Cases(Sums, Sources);
 

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using NUnit.Framework;
-using Decoder = Caterpillar.GCode.Decoder;
 
 namespace Caterpillar.Tests.GCode.Dialects;
 
@@ -39,17 +39,17 @@ internal static class ProgramTable
         }
     }
 
-    public static Result<Decoding> Run(string program, string dialect)
+    public static Result<DecodedGCode> Run(string program, string dialect)
     {
         var rules = DialectTable.Find(dialect)!;
         if (rules.ExtruderLetters.StartsWith("A", StringComparison.Ordinal)) program = string.Join(";", program.Split(';').Select(l => l.StartsWith("G", StringComparison.Ordinal) ? l.Replace(" E", " A") : l));
-        return Decoder.Decode(Encoding.ASCII.GetBytes(program.Replace(';', '\n') + "\n"), new DecodeOptions { Dialect = rules });
+        return GCodeDecoder.Decode(Encoding.ASCII.GetBytes(program.Replace(';', '\n') + "\n"), new DecodeOptions { Dialect = rules });
     }
 
-    public static Decoding Decode(string program, string dialect) => Run(program, dialect).Value!;
+    public static DecodedGCode Decode(string program, string dialect) => Run(program, dialect).Value!;
 
     public static string Text(double? value) => value is { } number ? NumberFormatter.Format(number, 3) : "-";
 
     /// <summary>X of the machine after the last move, or 0.</summary>
-    public static double X(Decoding decoding) => decoding.Toolpath.Count == 0 ? 0 : decoding.Toolpath[decoding.Toolpath.Count - 1].End.X;
+    public static double X(DecodedGCode decoding) => decoding.Toolpath.Count == 0 ? 0 : decoding.Toolpath[decoding.Toolpath.Count - 1].End.X;
 }

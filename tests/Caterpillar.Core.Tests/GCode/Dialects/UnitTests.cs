@@ -20,12 +20,12 @@ public class UnitTests
         sailfish: gpx.c, gpx_convert_line: no case 20; no case 200
         cnc: interp_convert.cc, convert_length_units; find_ends (A is an angle)
         ultigcode: Marlin_main.cpp, process_commands: no case 20 of G, no case 200 of M; UltiLCD2_menu_print.cpp (volume_to_filament_length)
-        bfb: gcodeExport.cpp writes millimetres only
+        bfb: gcodeExport.cpp writes millimeters only
         grbl: gcode.c, UNITS_MODE_INCHES; no M200
         """;
 
     // X of the machine at the end.
-    private const string Places = """
+    private const string PathSamples = """
         |                       slicer marlin2 marlin1 prusa bambu klipper reprapfirmware repetier smoothie sailfish cnc ultigcode bfb grbl
         G20;G1 X1                   | 25.4 25.4 25.4 1    25.4 1    25.4 25.4 25.4 1    25.4 1    1    25.4
         G20;G21;G1 X1               | 1    1    1    1    1    1    1    1    1    1    1    1    1    1
@@ -65,7 +65,7 @@ public class UnitTests
         M200                        | - - - - - - - - - - - 1 - -
         """;
 
-    private static IEnumerable<TestCaseData> PlaceCases() => ProgramTable.Cases(Places, Sources);
+    private static IEnumerable<TestCaseData> PlaceCases() => ProgramTable.Cases(PathSamples, Sources);
 
     private static IEnumerable<TestCaseData> SumCases() => ProgramTable.Cases(Sums, Sources);
 
@@ -88,7 +88,7 @@ public class UnitTests
         => Assert.That(ProgramTable.Text(ProgramTable.Decode(program, dialect).Toolpath[0].Speed), Is.EqualTo(speed), source);
 
     [TestCaseSource(nameof(ArcCases))]
-    public void Centres_are_inches_or_mm(string program, string dialect, string length, string source)
+    public void Centers_are_inches_or_mm(string program, string dialect, string length, string source)
         => Assert.That(ProgramTable.Text(ProgramTable.Decode(program, dialect).Report.TravelLength + ProgramTable.Decode(program, dialect).Report.PrintLength), Is.EqualTo(length), source);
 
     [TestCaseSource(nameof(VolumeCases))]

@@ -188,7 +188,7 @@ public class MeshSectionTests
     }
 
     [Test]
-    public void Progress_ends_at_one_and_cancelling_stops()
+    public void Progress_ends_at_one_and_canceling_stops()
     {
         var last = 0.0;
         var progress = new Watch(p =>

@@ -20,7 +20,7 @@ public static class MeshSections
     /// <returns>One section for each height, and what was noticed: <c>mesh.gap_closed</c>, <c>mesh.open_edges</c> (contours that stay
     /// open).</returns>
     /// <exception cref="ArgumentException">A height is not finite.</exception>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<IReadOnlyList<Section>> At(
         TriMesh mesh, IReadOnlyList<double> heights, SectionOptions? options = null,
         IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -63,7 +63,7 @@ public static class MeshSections
         var done = from;
         var gate = new object();
         var parallel = new ParallelOptions { MaxDegreeOfParallelism = options.Degree, CancellationToken = cancel };
-        // Blocks of layers: neighbours touch the same triangles.
+        // Blocks of layers: neighbors touch the same triangles.
         const int Block = 8;
         Parallel.For(0, (to - from + Block - 1) / Block, parallel, () => new SectionWalker(mesh), (block, _, walker) =>
         {

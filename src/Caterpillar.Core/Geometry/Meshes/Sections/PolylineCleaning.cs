@@ -7,7 +7,7 @@ namespace Caterpillar.Geometry;
 /// </summary>
 internal static class PolylineCleaning
 {
-    /// <summary>Keeps one of equal neighbours.</summary>
+    /// <summary>Keeps one of equal neighbors.</summary>
     public static void DropRepeats(Vec3[] points, ref int count)
     {
         var kept = 0;

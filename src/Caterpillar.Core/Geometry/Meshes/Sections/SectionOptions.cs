@@ -11,7 +11,7 @@ public sealed record SectionOptions
     /// </summary>
     public double GapMm { get; init; } = 0.1;
 
-    /// <summary>Leaves out points exactly on the straight line between their neighbours.</summary>
+    /// <summary>Leaves out points exactly on the straight line between their neighbors.</summary>
     public bool MergeCollinear { get; init; }
 
     /// <summary>Largest number of threads; 0 for all cores. Never changes the result.</summary>

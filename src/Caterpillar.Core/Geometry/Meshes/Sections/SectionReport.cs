@@ -36,7 +36,7 @@ public sealed class SectionReport
     /// <summary>Cuts a mesh at heights in mm and measures the sections.</summary>
     /// <returns>The report, and what <see cref="MeshSections.At"/> noticed.</returns>
     /// <exception cref="ArgumentException">A height is not finite.</exception>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<SectionReport> Of(
         string model, TriMesh mesh, IReadOnlyList<double> heights, SectionOptions? options = null,
         IProgress<double>? progress = null, CancellationToken cancel = default)

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Chains the cut triangles of one plane to contours by walking from neighbour to neighbour. The cut point of an edge is computed from its lower to
+/// Chains the cut triangles of one plane to contours by walking from neighbor to neighbor. The cut point of an edge is computed from its lower to
 /// its higher vertex number, so both triangles get the same bits and nothing is glued by distance. One for each thread.
 /// </summary>
 internal sealed class SectionWalker

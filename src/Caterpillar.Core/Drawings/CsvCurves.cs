@@ -1,0 +1,302 @@
+using System;
+using System.Collections.Generic;
+using System.Text;
+using Caterpillar.Basics;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>
+/// Points in rows: x, y and optionally z, or a line with the names of the columns first. Rows with another value in the column <c>curve</c>, or behind an empty line, begin a new curve. Lines
+/// with <c>#</c> are comments. Cells are separated by commas, semicolons, tabs or blanks; with semicolons and tabs a decimal comma is understood.
+/// </summary>
+internal sealed class CsvCurves
+{
+    private const int MaxColumns = 64;
+
+    private readonly CurveSource _source;
+    private readonly byte[] _bytes;
+    private readonly List<double>?[] _values = new List<double>?[CurveColumns.Settings];
+    private readonly int[] _starts = new int[MaxColumns];
+    private readonly int[] _ends = new int[MaxColumns];
+    private CurveColumn[]? _columns;
+    private byte _delimiter;
+    private Vec3[] _points = new Vec3[256];
+    private int _count;
+    private int _curveLine;
+    private int _line = 1;
+    private int _lineStart;
+    private int _keyStart;
+    private int _keyEnd;
+    private double? _multiplier;
+    private double? _tool;
+    private double? _layer;
+
+    private CsvCurves(CurveSource source)
+    {
+        _source = source;
+        _bytes = source.Bytes;
+    }
+
+    public static void Read(CurveSource source) => new CsvCurves(source).ReadAll();
+
+    private void ReadAll()
+    {
+        var lineEnd = Array.IndexOf(_bytes, (byte)'\n') < 0 ? (byte)'\r' : (byte)'\n';
+        for (var at = ByteOrderMark.Length(_bytes); at < _bytes.Length; _line++)
+        {
+            if ((_line & 0x3FFF) == 0) _source.Pulse(at, _bytes.Length);
+            _lineStart = at;
+            var end = Array.IndexOf(_bytes, lineEnd, at);
+            if (end < 0) end = _bytes.Length;
+            at = end + 1;
+            if (!ReadLine(_lineStart, end)) return;
+        }
+        EndCurve();
+    }
+
+    private bool ReadLine(int start, int end)
+    {
+        while (start < end && _bytes[start] <= ' ' && _bytes[start] != '\t') start++;
+        while (end > start && _bytes[end - 1] <= ' ' && _bytes[end - 1] != '\t') end--;
+        if (start == end)
+        {
+            EndCurve();
+            return true;
+        }
+        if (_bytes[start] == '#') return true;
+        if (_delimiter == 0) _delimiter = DelimiterOf(start, end);
+        var cells = Cells(start, end);
+        if (cells < 0) return Fail("curves.csv", "A row has more than 64 cells.", start);
+        if (_columns is null)
+        {
+            if (!Names(cells)) return !_source.Diagnostics.HasErrors;
+        }
+        return Row(cells);
+    }
+
+    // True when the row holds values already: then the columns are x, y and z.
+    private bool Names(int cells)
+    {
+        var words = false;
+        for (var i = 0; i < cells; i++) words |= !TryNumber(i, out _, out _);
+        if (!words)
+        {
+            if (cells is 2 or 3)
+            {
+                _columns = cells == 2 ? [CurveColumn.X, CurveColumn.Y] : [CurveColumn.X, CurveColumn.Y, CurveColumn.Z];
+                return true;
+            }
+            Fail("curves.csv", "Rows have x, y and z; other columns need a first line with their names, for example x,y,z,width,speed.", _starts[0]);
+            return false;
+        }
+        _columns = new CurveColumn[cells];
+        var seen = new bool[(int)CurveColumn.Key + 1];
+        for (var i = 0; i < cells; i++)
+        {
+            var name = Encoding.UTF8.GetString(_bytes, _starts[i], _ends[i] - _starts[i]);
+            var column = CurveColumns.Of(name);
+            _columns[i] = column;
+            if (column == CurveColumn.Ignored)
+            {
+                _source.Diagnostics.Add(Severity.Warning, "curves.ignored", $"The column \"{Short(name)}\" is not known and is left out.", At(_starts[i]));
+                continue;
+            }
+            if (seen[(int)column])
+            {
+                Fail("curves.csv", $"The column \"{Short(name)}\" is there twice.", _starts[i]);
+                return false;
+            }
+            seen[(int)column] = true;
+            var setting = column - CurveColumn.Area;
+            if (setting is >= 0 and < CurveColumns.Settings) _values[setting] = [];
+        }
+        if (!(seen[(int)CurveColumn.X] && seen[(int)CurveColumn.Y])) Fail("curves.csv", "The first line must name the columns x and y, or hold numbers.", _starts[0]);
+        return false;
+    }
+
+    private bool Row(int cells)
+    {
+        var columns = _columns!;
+        if (cells != columns.Length)
+        {
+            return Fail("curves.csv", $"The row has {NumberFormatter.Format(cells)} cells instead of {NumberFormatter.Format(columns.Length)}.", _starts[0]);
+        }
+        var key = Array.IndexOf(columns, CurveColumn.Key);
+        if (key >= 0 && !SameKey(_starts[key], _ends[key])) EndCurve();
+        if (_count == 0)
+        {
+            _curveLine = _line;
+            (_keyStart, _keyEnd) = key >= 0 ? (_starts[key], _ends[key]) : (0, 0);
+        }
+        double x = 0, y = 0, z = 0;
+        for (var i = 0; i < cells; i++)
+        {
+            var column = columns[i];
+            if (column is CurveColumn.Key or CurveColumn.Ignored) continue;
+            if (!TryNumber(i, out var value, out var percent)) return Fail("curves.number", $"\"{Short(Cell(i))}\" is no number.", _starts[i]);
+            if (double.IsNaN(value - value)) return Fail("curves.not_finite", "Values must be finite.", _starts[i]);
+            if (percent && !Resolve(column, ref value)) return Fail("curves.percent", "A percentage makes no sense here, or nothing was said that it refers to.", _starts[i]);
+            if (column > CurveColumn.Z && value < 0 && column != CurveColumn.Layer) return Fail("curves.bead", "Settings of a strand must be 0 or more.", _starts[i]);
+            switch (column)
+            {
+                case CurveColumn.X:
+                    x = value;
+                    break;
+                case CurveColumn.Y:
+                    y = value;
+                    break;
+                case CurveColumn.Z:
+                    z = value;
+                    break;
+                case CurveColumn.Multiplier:
+                    _multiplier = value;
+                    break;
+                case CurveColumn.Tool:
+                    _tool = value;
+                    break;
+                case CurveColumn.Layer:
+                    _layer = value;
+                    break;
+                default:
+                    _values[column - CurveColumn.Area]!.Add(value);
+                    break;
+            }
+        }
+        if (_tool is > 1000 || _layer is > 1e8 or < -1e8) return Fail("curves.number", "Numbers of tools and layers must be small.", _starts[0]);
+        if (_count == _points.Length) Array.Resize(ref _points, _count * 2);
+        var unit = _source.Options.UnitLength;
+        _points[_count++] = new Vec3(x * unit, y * unit, z * unit);
+        return true;
+    }
+
+    private void EndCurve()
+    {
+        if (_count == 0) return;
+        var points = new Vec3[_count];
+        Array.Copy(_points, points, _count);
+        var columns = Array.ConvertAll(_values, v => v?.ToArray());
+        foreach (var column in _values) column?.Clear();
+        var place = _source.Place(_curveLine);
+        _count = 0;
+        var curve = _source.Polyline(points, false, place, out var endDropped);
+        if (curve is null) return;
+        if (endDropped) columns = CurveColumns.Shortened(columns, points.Length - 1);
+        var user = new UserCurve(curve)
+        {
+            Name = Encoding.UTF8.GetString(_bytes, _keyStart, _keyEnd - _keyStart).Trim('"', '\''),
+            Multiplier = _multiplier,
+            Tool = (int)(_tool ?? 0),
+            Layer = _layer is { } layer ? new Layer((int)layer, curve.Bounds.Max.Z) : null,
+            Source = place,
+        };
+        _source.Curves.Add(CurveColumns.WithValues(user, columns));
+    }
+
+    private bool SameKey(int start, int end)
+    {
+        if (_count == 0) return true;
+        if (end - start != _keyEnd - _keyStart) return false;
+        for (var i = 0; i < end - start; i++)
+        {
+            if (_bytes[start + i] != _bytes[_keyStart + i]) return false;
+        }
+        return true;
+    }
+
+    private byte DelimiterOf(int start, int end)
+    {
+        foreach (var candidate in ";\t,")
+        {
+            if (Array.IndexOf(_bytes, (byte)candidate, start, end - start) >= 0) return (byte)candidate;
+        }
+        return (byte)' ';
+    }
+
+    private int Cells(int start, int end)
+    {
+        var count = 0;
+        for (var at = start; ;)
+        {
+            while (at < end && (_bytes[at] == ' ' || (_bytes[at] <= ' ' && _bytes[at] != _delimiter))) at++;
+            if (_delimiter == ' ' && at >= end) return count;
+            if (count == MaxColumns) return -1;
+            var from = at;
+            var quote = at < end && _bytes[at] == '"';
+            if (quote)
+            {
+                var close = Array.IndexOf(_bytes, (byte)'"', at + 1, end - at - 1);
+                at = close < 0 ? end : close + 1;
+            }
+            while (at < end && (_delimiter == ' ' ? _bytes[at] > ' ' : _bytes[at] != _delimiter)) at++;
+            var to = at;
+            while (to > from && _bytes[to - 1] <= ' ') to--;
+            if (quote && to - from >= 2 && _bytes[to - 1] == '"') (from, to) = (from + 1, to - 1);
+            _starts[count] = from;
+            _ends[count++] = to;
+            if (at >= end) return count;
+            at++;
+        }
+    }
+
+    private bool TryNumber(int cell, out double value, out bool percent)
+    {
+        var (start, end) = (_starts[cell], _ends[cell]);
+        percent = end > start && _bytes[end - 1] == '%';
+        if (percent)
+        {
+            end--;
+            while (end > start && _bytes[end - 1] == ' ') end--;
+        }
+        if (NumberReader.TryParse(_bytes, start, end, out value)) return true;
+        if (_delimiter != ',' && DecimalComma(start, end, out value)) return true;
+        return NotFinite(start, end, out value);
+    }
+
+    private bool DecimalComma(int start, int end, out double value)
+    {
+        value = 0;
+        var comma = Array.IndexOf(_bytes, (byte)',', start, end - start);
+        if (comma < 0 || Array.IndexOf(_bytes, (byte)',', comma + 1, end - comma - 1) >= 0 || Array.IndexOf(_bytes, (byte)'.', start, end - start) >= 0) return false;
+        var copy = new byte[end - start];
+        Array.Copy(_bytes, start, copy, 0, copy.Length);
+        copy[comma - start] = (byte)'.';
+        return NumberReader.TryParse(copy, 0, copy.Length, out value);
+    }
+
+    // "nan" and "inf" are told from words: they are values, but bad ones.
+    private bool NotFinite(int start, int end, out double value)
+    {
+        value = double.NaN;
+        var text = end - start is >= 3 and <= 9 ? Encoding.ASCII.GetString(_bytes, start, end - start).TrimStart('+', '-').ToUpperInvariant() : "";
+        return text is "NAN" or "INF" or "INFINITY" || NumberReader.Scan(_bytes, start, end, true, out _) == end && end > start;
+    }
+
+    private bool Resolve(CurveColumn column, ref double value)
+    {
+        var reference = column switch
+        {
+            CurveColumn.Width => _source.Options.WidthReference,
+            CurveColumn.Height => _source.Options.HeightReference,
+            CurveColumn.Speed => _source.Options.SpeedReference,
+            CurveColumn.Multiplier => 1,
+            _ => 0,
+        };
+        value = value / 100 * reference;
+        return reference > 0;
+    }
+
+    private string Cell(int cell) => Encoding.UTF8.GetString(_bytes, _starts[cell], _ends[cell] - _starts[cell]);
+
+    private static string Short(string text) => text.Length > 30 ? text.Substring(0, 30) + "…" : text;
+
+    private SourceLocation At(int offset) => _source.Place(_line, offset - _lineStart + 1);
+
+    private bool Fail(string code, string message, int offset)
+    {
+        _source.Error(code, message, At(offset));
+        return false;
+    }
+}

@@ -1,0 +1,94 @@
+using System.Collections.Generic;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>What a column of values means.</summary>
+internal enum CurveColumn
+{
+    Ignored = -1,
+    X,
+    Y,
+    Z,
+    Area,
+    Width,
+    Height,
+    Speed,
+    Multiplier,
+    Tool,
+    Layer,
+    Key,
+}
+
+/// <summary>The names of columns and keys, and settings that belong to points while they are read.</summary>
+internal static class CurveColumns
+{
+    /// <summary>Settings of points in a row, from <see cref="CurveColumn.Area"/>.</summary>
+    public const int Settings = 4;
+
+    /// <summary>The column that a name means, in any case and with units like <c>width_mm</c>, <c>speed (mm/s)</c>; Ignored where it is not known.</summary>
+    public static CurveColumn Of(string name)
+    {
+        var plain = name.Trim().Trim('"', '\'').ToLowerInvariant();
+        var at = plain.IndexOfAny(['(', '[']);
+        if (at > 0) plain = plain.Substring(0, at).Trim();
+        foreach (var unit in new[] { "_mm_s", "_mm2", "_mm" })
+        {
+            if (plain.Length > unit.Length && plain.EndsWith(unit, System.StringComparison.Ordinal)) plain = plain.Substring(0, plain.Length - unit.Length);
+        }
+        return plain switch
+        {
+            "x" => CurveColumn.X,
+            "y" => CurveColumn.Y,
+            "z" => CurveColumn.Z,
+            "area" => CurveColumn.Area,
+            "width" or "line_width" or "w" => CurveColumn.Width,
+            "height" or "layer_height" or "h" => CurveColumn.Height,
+            "speed" or "print_speed" => CurveColumn.Speed,
+            "multiplier" or "flow" or "flow_multiplier" => CurveColumn.Multiplier,
+            "tool" => CurveColumn.Tool,
+            "layer" => CurveColumn.Layer,
+            "curve" or "path" or "polyline" or "id" or "name" or "stroke" => CurveColumn.Key,
+            _ => CurveColumn.Ignored,
+        };
+    }
+
+    /// <summary>
+    /// The curve with settings from columns over its points (area, width, height, speed; null where not given): a column of equal values becomes a setting of the whole curve.
+    /// </summary>
+    public static UserCurve WithValues(UserCurve curve, double[]?[] columns)
+    {
+        var along = new double[]?[Settings];
+        var any = false;
+        for (var i = 0; i < Settings; i++)
+        {
+            if (columns[i] is not { Length: > 0 } column) continue;
+            if (System.Array.TrueForAll(column, v => v.Equals(column[0])))
+            {
+                curve = i switch
+                {
+                    0 => curve with { Area = column[0] },
+                    1 => curve with { Width = column[0] },
+                    2 => curve with { Height = column[0] },
+                    _ => curve with { Speed = column[0] },
+                };
+                continue;
+            }
+            along[i] = column;
+            any = true;
+        }
+        return any ? curve with { Along = new PointValues(along[0], along[1], along[2], along[3]) } : curve;
+    }
+
+    /// <summary>The columns with only their first values.</summary>
+    public static double[]?[] Shortened(double[]?[] columns, int count)
+    {
+        var shorter = new double[]?[columns.Length];
+        for (var i = 0; i < columns.Length; i++)
+        {
+            if (columns[i] is not { } column) continue;
+            shorter[i] = new double[count];
+            System.Array.Copy(column, shorter[i]!, count);
+        }
+        return shorter;
+    }
+}

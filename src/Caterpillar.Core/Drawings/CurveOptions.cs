@@ -1,0 +1,69 @@
+using System;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>Which user curves planning may exchange.</summary>
+public enum CurveSorting : byte
+{
+    /// <summary>None: they are printed in the order given.</summary>
+    None,
+
+    /// <summary>Those of the same layer; layers keep the order in which they first appear.</summary>
+    WithinLayers,
+
+    /// <summary>All of them, for rules that order layers or heights themselves.</summary>
+    All,
+}
+
+/// <summary>How user curves become paths, and the settings of curves that have none of their own.</summary>
+public sealed record CurveOptions
+{
+    /// <summary>Width of the strand, mm.</summary>
+    public double Width { get; init; } = 0.45;
+
+    /// <summary>Height of the strand, mm.</summary>
+    public double Height { get; init; } = 0.2;
+
+    /// <summary>Scales the area from width × height (the flow of the material comes on top).</summary>
+    public double Multiplier { get; init; } = 1;
+
+    /// <summary>mm/s; 0 for the speed of the print settings.</summary>
+    public double Speed { get; init; }
+
+    /// <summary>Cross-section for width × height; the rectangle is that of the Caterpillar paper.</summary>
+    public BeadShape Shape { get; init; } = BeadShape.Rectangle;
+
+    /// <summary>True draws all curves without extrusion: pen, brush, bare hot tool.</summary>
+    public bool Strokes { get; init; }
+
+    /// <summary>Division of curved parts; linear parts keep their end points only.</summary>
+    public SubdivisionOptions Subdivision { get; init; } = SubdivisionOptions.ByDistance(1);
+
+    /// <summary>Where area or speed change along a curve, segments are split so that from one to the next they change by no more than this share.</summary>
+    public double RampStep { get; init; } = 0.1;
+
+    /// <summary>Tolerance in mm of arcs fitted to the result; 0 for none.</summary>
+    public double FitArcs { get; init; }
+
+    /// <summary>Paths whose ends are nearer than this, in mm, are joined where everything else about them is equal; 0 for none.</summary>
+    public double MergeTolerance { get; init; }
+
+    /// <summary>What planning may sort; curves are printed in their order unless asked otherwise.</summary>
+    public CurveSorting Sorting { get; init; }
+
+    /// <summary>The settings of a profile: width, height, shape and subdivision distance.</summary>
+    public static CurveOptions From(PrintSettings settings)
+    {
+        if (settings is null) throw new ArgumentNullException(nameof(settings));
+        return new CurveOptions
+        {
+            Width = settings.LineWidth,
+            Height = settings.LayerHeight,
+            Shape = settings.BeadShape,
+            Subdivision = SubdivisionOptions.ByDistance(settings.SubdivisionDistance),
+        };
+    }
+}

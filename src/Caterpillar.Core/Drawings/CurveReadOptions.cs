@@ -1,0 +1,17 @@
+namespace Caterpillar.Drawings;
+
+/// <summary>What percentages in curve files refer to; 0 where nothing was said, and percentages are then errors.</summary>
+public sealed record CurveReadOptions
+{
+    /// <summary>100 % of a width, mm: the diameter of the nozzle.</summary>
+    public double WidthReference { get; init; }
+
+    /// <summary>100 % of a height, mm: that of the layer.</summary>
+    public double HeightReference { get; init; }
+
+    /// <summary>100 % of a speed, mm/s.</summary>
+    public double SpeedReference { get; init; }
+
+    /// <summary>mm for one unit of CSV, JSON and OBJ, which state none (JSON may: <c>"units"</c>).</summary>
+    public double UnitLength { get; init; } = 1;
+}

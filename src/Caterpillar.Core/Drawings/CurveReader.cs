@@ -1,0 +1,81 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>
+/// Reads files of curves: points as CSV (comma, semicolon, tab or blanks) or JSON with optional settings, the line elements of OBJ, and the paths and basic shapes of SVG; all of them also packed
+/// with gzip. The format is found from the name, else from the bytes. Bytes that cannot be read give errors with line and column, never exceptions.
+/// </summary>
+public static class CurveReader
+{
+    /// <summary>Reads a file. Errors are codes <c>curves.*</c>.</summary>
+    /// <exception cref="IOException">The file cannot be read from the disk.</exception>
+    /// <exception cref="OperationCanceledException">Reading was canceled.</exception>
+    public static Result<IReadOnlyList<UserCurve>> Read(
+        string path, CurveReadOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (path is null) throw new ArgumentNullException(nameof(path));
+        return Read(File.ReadAllBytes(path), path, options, progress, cancel);
+    }
+
+    /// <summary>Reads the bytes of a file; <paramref name="name"/> stands in messages, and its ending may tell the format.</summary>
+    public static Result<IReadOnlyList<UserCurve>> Read(
+        byte[] bytes, string name, CurveReadOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (bytes is null) throw new ArgumentNullException(nameof(bytes));
+        if (name is null) throw new ArgumentNullException(nameof(name));
+        var diagnostics = new DiagnosticList();
+        var plain = GzipBytes.Unpack(bytes, name, "curves.packed", diagnostics, cancel);
+        if (plain is null) return new Result<IReadOnlyList<UserCurve>>(null, diagnostics.ToList());
+        var source = new CurveSource(plain, name, options ?? new CurveReadOptions(), diagnostics, progress, cancel);
+        switch (FormatOf(plain, name))
+        {
+            case Format.Svg:
+                SvgReader.Read(source);
+                break;
+            case Format.Json:
+                JsonCurves.Read(source);
+                break;
+            case Format.Obj:
+                ObjCurves.Read(source);
+                break;
+            default:
+                CsvCurves.Read(source);
+                break;
+        }
+        if (!diagnostics.HasErrors && source.Curves.Count == 0) diagnostics.Add(Severity.Error, "curves.empty", "There is no curve in the file.", new SourceLocation(name));
+        progress?.Report(1);
+        return new Result<IReadOnlyList<UserCurve>>(diagnostics.HasErrors ? null : source.Curves, diagnostics.ToList());
+    }
+
+    private enum Format
+    {
+        Csv,
+        Json,
+        Obj,
+        Svg,
+    }
+
+    private static Format FormatOf(byte[] bytes, string name)
+    {
+        var plain = name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? name.Substring(0, name.Length - 3) : name;
+        if (Ends(plain, ".svg") || Ends(plain, ".svgz")) return Format.Svg;
+        if (Ends(plain, ".json")) return Format.Json;
+        if (Ends(plain, ".obj")) return Format.Obj;
+        if (Ends(plain, ".csv") || Ends(plain, ".tsv") || Ends(plain, ".txt") || Ends(plain, ".xyz")) return Format.Csv;
+        var at = ByteOrderMark.Length(bytes);
+        while (at < bytes.Length && bytes[at] <= ' ') at++;
+        if (at >= bytes.Length) return Format.Csv;
+        if (bytes[at] == '<') return Format.Svg;
+        if (bytes[at] == '{' || bytes[at] == '[') return Format.Json;
+        return bytes[at] is (byte)'v' or (byte)'o' or (byte)'g' or (byte)'l' && at + 1 < bytes.Length && bytes[at + 1] == ' ' ? Format.Obj : Format.Csv;
+    }
+
+    private static bool Ends(string name, string ending) => name.EndsWith(ending, StringComparison.OrdinalIgnoreCase);
+}

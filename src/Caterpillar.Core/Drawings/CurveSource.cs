@@ -1,0 +1,56 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>The bytes of a curve file while it is read, the curves found so far, and where to report to.</summary>
+internal sealed class CurveSource(
+    byte[] bytes, string name, CurveReadOptions options, DiagnosticList diagnostics, IProgress<double>? progress, CancellationToken cancel)
+{
+    public byte[] Bytes { get; } = bytes;
+
+    public string Name { get; } = name;
+
+    public CurveReadOptions Options { get; } = options;
+
+    public DiagnosticList Diagnostics { get; } = diagnostics;
+
+    public List<UserCurve> Curves { get; } = [];
+
+    public void Pulse(long done, long all)
+    {
+        cancel.ThrowIfCancellationRequested();
+        if (all > 0) progress?.Report(Math.Min(1, (double)done / all));
+    }
+
+    public SourceLocation Place(int line, int? column = null, string? key = null) => new(Name, line, column, key);
+
+    public void Error(string code, string message, SourceLocation place) => Diagnostics.Add(Severity.Error, code, message, place);
+
+    /// <summary>A curve of fewer than two different points.</summary>
+    public void TooShort(SourceLocation place) => Diagnostics.Add(Severity.Warning, "curves.too_short", "Curves of fewer than two different points are left out.", place);
+
+    /// <summary>A polyline; null, reported, where it has no length. The points are finite. A last point equal to the first closes it.</summary>
+    public PolylineCurve? Polyline(Vec3[] points, bool closed, SourceLocation place, out bool endDropped)
+    {
+        endDropped = false;
+        var count = points.Length;
+        var different = false;
+        for (var i = 1; i < count && !different; i++) different = points[i] != points[0];
+        if (!different)
+        {
+            TooShort(place);
+            return null;
+        }
+        if (count > 3 && points[0] == points[count - 1])
+        {
+            Array.Resize(ref points, count - 1);
+            closed = true;
+            endDropped = true;
+        }
+        return new PolylineCurve(Geometry.Polyline.Own(points, closed && points.Length >= 3));
+    }
+}

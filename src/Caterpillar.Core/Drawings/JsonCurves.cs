@@ -1,0 +1,370 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Caterpillar.Basics;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>
+/// Curves as JSON: <c>[[x,y,z], …]</c> is one curve, a list of such lists several, and <c>{"curves": […], "units": "mm"}</c> the full form. A curve is a list of points or an object:
+/// <c>points</c>, <c>closed</c>; or <c>degree</c>, <c>points</c>, <c>knots</c>, <c>weights</c>, <c>periodic</c> for NURBS; or <c>center</c>, <c>radius</c>, <c>start</c>, <c>sweep</c> for a horizontal arc or
+/// circle; or <c>pieces</c> for joined curves; with <c>name</c>, <c>area</c>, <c>width</c>, <c>height</c>, <c>multiplier</c>, <c>speed</c>, <c>tool</c> and <c>layer</c>. Settings outside of
+/// <c>curves</c> hold for all. A point is a list of two or three numbers, or an object with x, y, z and its own area, width, height and speed. Percentages are texts like <c>"80%"</c>.
+/// </summary>
+internal sealed class JsonCurves
+{
+    private static readonly string[] Settings = ["area", "width", "height", "speed", "multiplier"];
+
+    private static readonly string[] Known =
+        ["curves", "units", "points", "closed", "degree", "knots", "weights", "periodic", "center", "radius", "start", "sweep", "pieces", "name", "tool", "layer", .. Settings];
+
+    private readonly CurveSource _source;
+    private double _unit;
+
+    private JsonCurves(CurveSource source)
+    {
+        _source = source;
+        _unit = source.Options.UnitLength;
+    }
+
+    public static void Read(CurveSource source)
+    {
+        var at = ByteOrderMark.Length(source.Bytes);
+        using var text = new StreamReader(new MemoryStream(source.Bytes, at, source.Bytes.Length - at, false), new UTF8Encoding(false), false);
+        using var reader = new JsonTextReader(text) { FloatParseHandling = FloatParseHandling.Decimal, DateParseHandling = DateParseHandling.None, MaxDepth = 64 };
+        JToken root;
+        try
+        {
+            root = JToken.Load(reader, new JsonLoadSettings { LineInfoHandling = LineInfoHandling.Load });
+            while (reader.Read())
+            {
+                if (reader.TokenType != JsonToken.Comment) throw new JsonReaderException("There is more behind the end of the data.", "", reader.LineNumber, reader.LinePosition, null);
+            }
+        }
+        catch (JsonReaderException e)
+        {
+            source.Error("curves.json", FirstSentence(e.Message), source.Place(Math.Max(1, e.LineNumber), Math.Max(1, e.LinePosition)));
+            return;
+        }
+        catch (Exception e) when (e is OverflowException or FormatException or ArgumentException or InvalidCastException)
+        {
+            // The library lets numbers without end through its own checks.
+            source.Error("curves.json", "A number is out of range.", source.Place(Math.Max(1, reader.LineNumber), Math.Max(1, reader.LinePosition)));
+            return;
+        }
+        new JsonCurves(source).Root(root);
+    }
+
+    private void Root(JToken root)
+    {
+        switch (root)
+        {
+            case JArray { Count: > 0 } list when IsPoint(list[0]):
+                Curve(list, []);
+                break;
+            case JArray list:
+                Curves(list, []);
+                break;
+            case JObject whole when whole["curves"] is JArray list:
+                Unknown(whole);
+                Units(whole["units"]);
+                Curves(list, [whole]);
+                break;
+            case JObject whole when whole["curves"] is null:
+                Units(whole["units"]);
+                Curve(whole, []);
+                break;
+            default:
+                Fail("curves.json", "Expected a list of points, a list of curves, or an object with \"curves\".", root);
+                break;
+        }
+    }
+
+    private void Units(JToken? token)
+    {
+        if (token is null) return;
+        var name = token.Type == JTokenType.String ? (string)token! : "";
+        var length = name switch
+        {
+            "mm" => 1,
+            "cm" => 10,
+            "m" => 1000,
+            "in" or "inch" => 25.4,
+            _ => 0,
+        };
+        if (length == 0) Fail("curves.json", "Units are \"mm\", \"cm\", \"m\" or \"in\".", token);
+        else _unit = length;
+    }
+
+    private void Curves(JArray list, JObject[] outer)
+    {
+        for (var i = 0; i < list.Count; i++)
+        {
+            if ((i & 0xFF) == 0) _source.Pulse(i, list.Count);
+            if (!Curve(list[i], outer)) return;
+        }
+    }
+
+    private bool Curve(JToken token, JObject[] outer)
+    {
+        var place = Place(token);
+        var values = new double[]?[CurveColumns.Settings];
+        var problems = _source.Diagnostics.HasErrors;
+        var curve = Shape(token, values, 0);
+        if (_source.Diagnostics.HasErrors && !problems) return false;
+        if (curve is null) return true;
+        var user = new UserCurve(curve) { Source = place };
+        // From the outside in: what stands nearer wins.
+        foreach (var holder in token is JObject own ? outer.Concat([own]) : outer)
+        {
+            if (Apply(user, holder) is not { } applied) return false;
+            user = applied;
+        }
+        _source.Curves.Add(CurveColumns.WithValues(user, values));
+        return true;
+    }
+
+    private UserCurve? Apply(UserCurve user, JObject holder)
+    {
+        Unknown(holder);
+        var found = new double?[Settings.Length];
+        for (var i = 0; i < Settings.Length; i++)
+        {
+            if (holder[Settings[i]] is not { } token) continue;
+            if (Setting(token, Settings[i]) is not { } value) return null;
+            found[i] = value;
+        }
+        user = user with
+        {
+            Area = found[0] ?? user.Area,
+            Width = found[1] ?? user.Width,
+            Height = found[2] ?? user.Height,
+            Speed = found[3] ?? user.Speed,
+            Multiplier = found[4] ?? user.Multiplier,
+        };
+        if (holder["name"] is { Type: JTokenType.String } name) user = user with { Name = (string)name! };
+        if (holder["tool"] is { } tool)
+        {
+            if (Number(tool) is not (>= 0 and <= 1000 and var number)) return Fail<UserCurve>("curves.json", "A tool is a number from 0 to 1000.", tool);
+            user = user with { Tool = (int)number };
+        }
+        if (holder["layer"] is { } layer)
+        {
+            if (Number(layer) is not (>= -1e8 and <= 1e8 and var number)) return Fail<UserCurve>("curves.json", "A layer is a whole number.", layer);
+            user = user with { Layer = new Toolpaths.Layer((int)number, user.Curve.Bounds.Max.Z) };
+        }
+        return user;
+    }
+
+    private Curve? Shape(JToken token, double[]?[]? values, int depth)
+    {
+        if (token is JArray list) return Polyline(list, false, values, token);
+        if (token is not JObject curve) return Fail<Curve>("curves.json", "A curve is a list of points or an object.", token);
+        try
+        {
+            if (curve["pieces"] is JArray pieces) return depth > 8 ? Fail<Curve>("curves.json", "Pieces are nested too deeply.", token) : Joined(pieces, depth);
+            if (curve["center"] is { } center) return ArcOf(curve, center);
+            if (curve["points"] is not JArray points) return Fail<Curve>("curves.json", "A curve needs \"points\", \"center\" or \"pieces\".", token);
+            if (curve["degree"] is { } degree) return Nurbs(curve, points, degree);
+            return Polyline(points, curve["closed"] is { Type: JTokenType.Boolean } closed && (bool)closed, values, token);
+        }
+        catch (ArgumentException e)
+        {
+            return Fail<Curve>("curves.json", FirstSentence(e.Message), token);
+        }
+    }
+
+    private Curve? Joined(JArray pieces, int depth)
+    {
+        var curves = new List<Curve>();
+        foreach (var piece in pieces)
+        {
+            if (Shape(piece, null, depth + 1) is not { } curve) return null;
+            curves.Add(curve);
+        }
+        return new PolyCurve(curves);
+    }
+
+    private Curve? ArcOf(JObject curve, JToken center)
+    {
+        if (Point(center, null) is not { } origin) return null;
+        if (Numbers(curve["radius"], "radius", center) is not { } radius) return null;
+        double start = 0, sweep = 360;
+        if (curve["start"] is { } from && Read(from, out start) is null) return null;
+        if (curve["sweep"] is { } turn && Read(turn, out sweep) is null) return null;
+        var (sin, cos) = Angle.SinCos(start);
+        return new ArcCurve(Frame.FromAxes(origin, new Vec3(cos, sin), new Vec3(-sin, cos)), radius * _unit, sweep);
+    }
+
+    private Curve? Nurbs(JObject curve, JArray list, JToken degreeToken)
+    {
+        if (Number(degreeToken) is not (>= 1 and <= 64 and var degree)) return Fail<Curve>("curves.json", "The degree must be 1 to 64.", degreeToken);
+        var points = new List<Vec3>();
+        foreach (var item in list)
+        {
+            if (Point(item, null) is not { } point) return null;
+            points.Add(point);
+        }
+        double[]? weights = null, knots = null;
+        if (curve["weights"] is { } w && (weights = List(w)) is null) return null;
+        if (curve["knots"] is { } k && (knots = List(k)) is null) return null;
+        if (curve["periodic"] is { Type: JTokenType.Boolean } periodic && (bool)periodic) return NurbsCurve.Periodic((int)degree, points, weights);
+        return knots is null ? NurbsCurve.Clamped((int)degree, points, weights) : new NurbsCurve((int)degree, points, knots, weights);
+    }
+
+    private Curve? Polyline(JArray list, bool closed, double[]?[]? values, JToken token)
+    {
+        var points = new Vec3[list.Count];
+        var rows = new double?[list.Count][];
+        for (var i = 0; i < points.Length; i++)
+        {
+            rows[i] = new double?[CurveColumns.Settings];
+            if (Point(list[i], rows[i]) is not { } point) return null;
+            points[i] = point;
+        }
+        var curve = _source.Polyline(points, closed, Place(token), out var endDropped);
+        if (curve is null || values is null) return curve;
+        for (var c = 0; c < CurveColumns.Settings; c++)
+        {
+            var column = c;
+            var given = rows.Count(r => r[column] is not null);
+            if (given == 0) continue;
+            if (given < rows.Length) return Fail<Curve>("curves.json", $"Either all points of a curve have \"{Settings[c]}\" or none.", list[Array.FindIndex(rows, r => r[column] is null)]);
+            values[c] = rows.Take(rows.Length - (endDropped ? 1 : 0)).Select(r => r[column]!.Value).ToArray();
+        }
+        return curve;
+    }
+
+    private static bool IsPoint(JToken token)
+        => token is JArray { Count: 2 or 3 } list ? list[0].Type is JTokenType.Integer or JTokenType.Float : token is JObject point && point["x"] is not null;
+
+    private Vec3? Point(JToken token, double?[]? settings)
+    {
+        double x, y, z = 0;
+        if (token is JArray { Count: 2 or 3 } list)
+        {
+            if (Read(list[0], out x) is null || Read(list[1], out y) is null || (list.Count == 3 && Read(list[2], out z) is null)) return null;
+        }
+        else if (token is JObject point && point["x"] is { } tx && point["y"] is { } ty)
+        {
+            if (Read(tx, out x) is null || Read(ty, out y) is null || (point["z"] is { } tz && Read(tz, out z) is null)) return null;
+            for (var c = 0; c < CurveColumns.Settings && settings is not null; c++)
+            {
+                if (point[Settings[c]] is not { } value) continue;
+                settings[c] = Setting(value, Settings[c]);
+                if (settings[c] is null) return null;
+            }
+        }
+        else
+        {
+            Fail("curves.json", "A point is a list of two or three numbers, or an object with x and y.", token);
+            return null;
+        }
+        var placed = new Vec3(x * _unit, y * _unit, z * _unit);
+        if (placed.IsFinite) return placed;
+        Fail("curves.not_finite", "Coordinates must be finite.", token);
+        return null;
+    }
+
+    private double[]? List(JToken token)
+    {
+        if (token is not JArray list) return Fail<double[]>("curves.json", "Expected a list of numbers.", token);
+        var values = new double[list.Count];
+        for (var i = 0; i < values.Length; i++)
+        {
+            if (Read(list[i], out values[i]) is null) return null;
+        }
+        return values;
+    }
+
+    private double? Numbers(JToken? token, string key, JToken holder)
+    {
+        if (token is not null) return Read(token, out var value) is null ? null : value;
+        Fail("curves.json", $"There is no \"{key}\".", holder);
+        return null;
+    }
+
+    private double? Setting(JToken token, string key)
+    {
+        var column = CurveColumns.Of(key);
+        double value;
+        if (token.Type == JTokenType.String && ((string)token!).Trim() is { Length: > 1 } text && text[text.Length - 1] == '%'
+            && NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent))
+        {
+            var reference = column switch
+            {
+                CurveColumn.Width => _source.Options.WidthReference,
+                CurveColumn.Height => _source.Options.HeightReference,
+                CurveColumn.Speed => _source.Options.SpeedReference,
+                CurveColumn.Multiplier => 1,
+                _ => 0,
+            };
+            if (!(reference > 0))
+            {
+                Fail("curves.percent", "A percentage makes no sense here, or nothing was said that it refers to.", token);
+                return null;
+            }
+            value = percent / 100 * reference;
+        }
+        else if (Read(token, out value) is null)
+        {
+            return null;
+        }
+        if (value >= 0) return value;
+        Fail("curves.bead", "Settings of a strand must be 0 or more.", token);
+        return null;
+    }
+
+    private double? Read(JToken token, out double value)
+    {
+        value = Number(token) ?? double.NaN;
+        if (!double.IsNaN(value)) return value;
+        Fail("curves.number", "Expected a finite number.", token);
+        return null;
+    }
+
+    // Through text, so that the value is the same on every runtime.
+    private static double? Number(JToken token)
+    {
+        if (token is not JValue { Value: IFormattable number } || token.Type is not (JTokenType.Integer or JTokenType.Float)) return null;
+        return NumberReader.TryParse(number.ToString(null, CultureInfo.InvariantCulture), out var value) ? value : null;
+    }
+
+    private void Unknown(JObject holder)
+    {
+        foreach (var property in holder.Properties())
+        {
+            if (Array.IndexOf(Known, property.Name) < 0)
+                _source.Diagnostics.Add(Severity.Warning, "curves.ignored", $"The key \"{(property.Name.Length > 30 ? property.Name.Substring(0, 30) : property.Name)}\" is not known and is left out.", Place(property));
+        }
+    }
+
+    private SourceLocation Place(JToken token)
+        => token is IJsonLineInfo info && info.HasLineInfo() ? _source.Place(info.LineNumber, info.LinePosition) : new SourceLocation(_source.Name);
+
+    private void Fail(string code, string message, JToken token) => _source.Error(code, message, Place(token));
+
+    private T? Fail<T>(string code, string message, JToken token)
+        where T : class
+    {
+        Fail(code, message, token);
+        return null;
+    }
+
+    private static string FirstSentence(string message)
+    {
+        var end = message.IndexOf(". ", StringComparison.Ordinal);
+        var text = end > 0 ? message.Substring(0, end + 1) : message;
+        var parameter = text.IndexOf(" (Parameter", StringComparison.Ordinal);
+        if (parameter < 0) parameter = text.IndexOf("\nParameter", StringComparison.Ordinal);
+        text = parameter > 0 ? text.Substring(0, parameter) : text;
+        return text.Trim();
+    }
+}

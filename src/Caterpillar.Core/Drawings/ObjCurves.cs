@@ -1,0 +1,115 @@
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>The polylines of Wavefront OBJ: <c>v</c> and <c>l</c> with positive and negative numbers of vertices, named by <c>o</c> and <c>g</c>.</summary>
+internal sealed class ObjCurves
+{
+    private readonly CurveSource _source;
+    private readonly TextCursor _cursor;
+    private readonly List<Vec3> _vertices = [];
+    private int _line = 1;
+    private int _lineStart;
+    private string _name = "";
+
+    private ObjCurves(CurveSource source)
+    {
+        _source = source;
+        _cursor = new TextCursor(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Bytes.Length);
+    }
+
+    public static void Read(CurveSource source) => new ObjCurves(source).ReadAll();
+
+    private void ReadAll()
+    {
+        var counted = 0;
+        while (_cursor.SkipSpace())
+        {
+            // Lines are counted up to the cursor, also those that a backslash continues.
+            for (; counted < _cursor.At; counted++)
+            {
+                if (_cursor.Bytes[counted] != '\n') continue;
+                _line++;
+                _lineStart = counted + 1;
+                if ((_line & 0x3FFF) == 0) _source.Pulse(counted, _cursor.End);
+            }
+            var start = _cursor.SkipWord();
+            var good = true;
+            if (_cursor.WordIs(start, "v")) good = Vertex();
+            else if (_cursor.WordIs(start, "l")) good = Line(start);
+            else if (_cursor.WordIs(start, "o") || _cursor.WordIs(start, "g")) good = Name();
+            else Other(start);
+            if (!good) return;
+            while (_cursor.SkipBlanks()) _cursor.SkipWord();
+            _cursor.SkipLine();
+        }
+    }
+
+    private bool Vertex()
+    {
+        double x = 0, y = 0, z = 0;
+        var good = _cursor.SkipBlanks() && _cursor.ReadNumber(out x) && _cursor.SkipBlanks() && _cursor.ReadNumber(out y) && _cursor.SkipBlanks() && _cursor.ReadNumber(out z);
+        if (!good)
+        {
+            _source.Error("curves.obj", "A vertex needs three numbers.", At(_cursor.At));
+            return false;
+        }
+        _vertices.Add(new Vec3(x, y, z) * _source.Options.UnitLength);
+        return true;
+    }
+
+    private bool Line(int lineAt)
+    {
+        var points = new List<Vec3>();
+        while (_cursor.SkipBlanks())
+        {
+            if (_cursor.Bytes[_cursor.At] == '#') break;
+            var start = _cursor.SkipWord();
+            var end = System.Array.IndexOf(_cursor.Bytes, (byte)'/', start, _cursor.At - start);
+            if (!NumberReader.TryParse(_cursor.Bytes, start, end < 0 ? _cursor.At : end, out var number) || number != System.Math.Floor(number))
+            {
+                _source.Error("curves.obj", "A point of a line must be the number of a vertex.", At(start));
+                return false;
+            }
+            var index = number < 0 ? _vertices.Count + number : number - 1;
+            if (!(index >= 0 && index < _vertices.Count))
+            {
+                _source.Error("curves.obj", $"A line uses a vertex that is not there before it: {NumberFormatter.Format(number, 0)}.", At(start));
+                return false;
+            }
+            var point = _vertices[(int)index];
+            if (!point.IsFinite)
+            {
+                _source.Error("curves.not_finite", "A line uses a vertex that is not finite.", At(start));
+                return false;
+            }
+            points.Add(point);
+        }
+        var place = At(lineAt);
+        var curve = _source.Polyline(points.ToArray(), false, place, out _);
+        if (curve is not null) _source.Curves.Add(new UserCurve(curve) { Name = _name, Source = place });
+        return true;
+    }
+
+    // The rest of the line; the line end stays for the caller.
+    private bool Name()
+    {
+        var at = _cursor.At;
+        _name = _cursor.SkipBlanks() ? _cursor.RestOfLine() : "";
+        _cursor.At = at;
+        return true;
+    }
+
+    private void Other(int start)
+    {
+        if (_cursor.Bytes[start] == '#') return;
+        if (_cursor.WordIs(start, "f")) _source.Diagnostics.Add(Severity.Remark, "curves.faces", "Faces are not curves and are left out.", At(start));
+        else if (_cursor.WordIs(start, "curv") || _cursor.WordIs(start, "cstype"))
+            _source.Diagnostics.Add(Severity.Warning, "curves.unsupported", "Free-form curves of OBJ are left out; only l elements are read.", At(start));
+    }
+
+    private SourceLocation At(int offset) => _source.Place(_line, offset - _lineStart + 1);
+}

@@ -1,0 +1,168 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>Makes the path of one user curve.</summary>
+internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics)
+{
+    // Segments that stand for one ramp, at most.
+    private const int MaxRampParts = 256;
+
+    public PrintPath? Make(UserCurve curve, SourceLocation source)
+    {
+        if (!(options.RampStep > 0)) throw new ArgumentException("The step of a ramp must be positive.");
+        var whole = BeadOf(curve.Area, curve.Width, curve.Height, curve.Speed, curve, source);
+        if (whole is null) return null;
+        var path = curve.Along is { Count: > 0 } along ? Ramps(curve, along, source) : Uniform(curve.Curve, whole.Value);
+        if (path is null)
+        {
+            diagnostics.Add(Severity.Warning, "curves.too_short", "Curves without length are left out.", source);
+            return null;
+        }
+        Watch(path, source);
+        if (curve.Role == Role.Unspecified && curve.Layer is null && curve.Tool == 0 && curve.Name.Length == 0 && curve.Overrides is null) return path;
+        return path.With(curve.Role, curve.Layer, curve.Tool, curve.Name, curve.Overrides);
+    }
+
+    private PrintPath? Uniform(Curve curve, Bead bead)
+    {
+        var divided = CurveSubdivider.Subdivide(curve, options.Subdivision);
+        var points = divided.Raw;
+        if (points.Length == 2 && points[0] == points[1]) return null;
+        if (divided.RawArcs is not { } arcs) return PrintPath.Own(points, [bead], divided.IsClosed);
+        var beads = new Bead[divided.SegmentCount];
+        for (var i = 0; i < beads.Length; i++) beads[i] = bead;
+        return new PrintPath(points, beads, divided.IsClosed, arcs);
+    }
+
+    private PrintPath? Ramps(UserCurve curve, PointValues along, SourceLocation source)
+    {
+        var (points, places, closed) = Vertices(curve.Curve, along);
+        var beads = new Bead[points.Count];
+        for (var i = 0; i < beads.Length; i++)
+        {
+            var bead = BeadOf(
+                At(along.Areas, places[i]) ?? curve.Area, At(along.Widths, places[i]) ?? curve.Width, At(along.Heights, places[i]) ?? curve.Height,
+                At(along.Speeds, places[i]) ?? curve.Speed, curve, source);
+            if (bead is null) return null;
+            beads[i] = bead.Value;
+        }
+        var way = new List<Vec3> { points[0] };
+        var strands = new List<Bead>();
+        for (var i = 1; i < points.Count; i++)
+        {
+            if (points[i] == points[i - 1]) continue;
+            var (a, b) = (beads[i - 1], beads[i]);
+            var parts = Math.Max(Parts(a.Area, b.Area), Parts(a.Speed, b.Speed));
+            for (var k = 0; k < parts; k++)
+            {
+                var t = (k + 0.5) / parts;
+                way.Add(Vec3.Lerp(points[i - 1], points[i], (k + 1.0) / parts));
+                strands.Add(new Bead(Mix(a.Area, b.Area, t), Mix(a.Height, b.Height, t), Mix(a.Speed, b.Speed, t)));
+            }
+        }
+        if (strands.Count == 0) return null;
+        DropInnerPoints(ref way, ref strands);
+        if (closed && way.Count > 3) way.RemoveAt(way.Count - 1);
+        else closed = false;
+        return new PrintPath(way, strands, closed);
+    }
+
+    // The vertices with the end repeated, and their places in the columns of values.
+    private (List<Vec3> Points, List<double> PathSamples, bool Closed) Vertices(Curve curve, PointValues along)
+    {
+        var points = new List<Vec3>();
+        var places = new List<double>();
+        if (curve is PolylineCurve { Polyline: var polyline } && along.Count == polyline.Count)
+        {
+            for (var i = 0; i <= polyline.SegmentCount; i++)
+            {
+                points.Add(polyline[i == polyline.Count ? 0 : i]);
+                places.Add(i == polyline.Count ? 0 : i);
+            }
+            return (points, places, curve.IsClosed);
+        }
+        var divided = CurveSubdivider.Subdivide(curve, options.Subdivision with { KeepArcs = false });
+        points.AddRange(divided.Points);
+        if (divided.IsClosed) points.Add(points[0]);
+        var lengths = new double[points.Count];
+        for (var i = 1; i < lengths.Length; i++) lengths[i] = lengths[i - 1] + points[i - 1].DistanceTo(points[i]);
+        var total = lengths[lengths.Length - 1];
+        foreach (var length in lengths) places.Add(total > 0 ? length / total * (along.Count - 1) : 0);
+        return (points, places, divided.IsClosed);
+    }
+
+    // Of straight runs with one bead only the ends stay.
+    private void DropInnerPoints(ref List<Vec3> way, ref List<Bead> strands)
+    {
+        var kept = new List<int>();
+        var keptWay = new List<Vec3> { way[0] };
+        var keptStrands = new List<Bead>();
+        for (int i = 0, end; i < strands.Count; i = end)
+        {
+            for (end = i + 1; end < strands.Count && strands[end] == strands[i];) end++;
+            kept.Clear();
+            LinearRuns.Keep(way, i, end, options.Subdivision.LinearTolerance, kept);
+            foreach (var k in kept)
+            {
+                keptWay.Add(way[k]);
+                keptStrands.Add(strands[i]);
+            }
+        }
+        (way, strands) = (keptWay, keptStrands);
+    }
+
+    private Bead? BeadOf(double? area, double? width, double? height, double? speed, UserCurve curve, SourceLocation source)
+    {
+        var w = width ?? options.Width;
+        var h = height ?? options.Height;
+        var m = curve.Multiplier ?? options.Multiplier;
+        var s = speed ?? options.Speed;
+        if (!(Good(area ?? 0) && Good(w) && Good(h) && Good(m) && Good(s)))
+        {
+            diagnostics.Add(Severity.Error, "curves.bead", "Area, width, height, multiplier and speed of a strand must be 0 or more and finite.", source);
+            return null;
+        }
+        if (options.Strokes) return new Bead(0, h, s);
+        if (area is { } given) return new Bead(given, h, s);
+        if (options.Shape == BeadShape.Stadium && w < h)
+        {
+            // Too narrow for the shape: a round strand of the width.
+            return Bead.FromWidth(w, h, m, s, BeadShape.Circle);
+        }
+        return Bead.FromWidth(w, h, m, s, options.Shape);
+    }
+
+    private void Watch(PrintPath path, SourceLocation source)
+    {
+        foreach (var p in path.RawPoints)
+        {
+            if (p.Z >= 0) continue;
+            diagnostics.Add(Severity.Warning, "curves.below_bed", $"A curve goes below the bed, to Z {NumberFormatter.Format(path.Bounds.Min.Z, 3)} mm.", source);
+            return;
+        }
+    }
+
+    private int Parts(double a, double b)
+    {
+        var largest = Math.Max(a, b);
+        var change = Math.Abs(b - a);
+        if (change == 0) return 1;
+        return (int)Math.Min(Math.Ceiling(change / (options.RampStep * largest) - 1e-9), MaxRampParts);
+    }
+
+    private static double? At(IReadOnlyList<double>? column, double place)
+    {
+        if (column is null) return null;
+        var i = Math.Min((int)place, column.Count - 1);
+        return i + 1 < column.Count ? Mix(column[i], column[i + 1], place - i) : column[i];
+    }
+
+    private static double Mix(double a, double b, double t) => t == 0 ? a : a + (b - a) * t;
+
+    private static bool Good(double value) => value >= 0 && !double.IsInfinity(value);
+}

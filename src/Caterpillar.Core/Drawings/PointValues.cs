@@ -1,0 +1,43 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>
+/// Settings that change along a curve: for a polyline one value for each vertex, for other curves values at equal steps of its length. Between them they change linearly. A column that is
+/// null is not given.
+/// </summary>
+public sealed class PointValues
+{
+    private readonly double[]?[] _columns;
+
+    /// <exception cref="ArgumentException">The columns have different lengths, or one has fewer than two values.</exception>
+    public PointValues(
+        IEnumerable<double>? areas = null, IEnumerable<double>? widths = null, IEnumerable<double>? heights = null, IEnumerable<double>? speeds = null)
+    {
+        _columns = [areas?.ToArray(), widths?.ToArray(), heights?.ToArray(), speeds?.ToArray()];
+        foreach (var column in _columns)
+        {
+            if (column is null) continue;
+            if (Count != 0 && Count != column.Length) throw new ArgumentException("All columns need the same number of values.");
+            if (column.Length < 2) throw new ArgumentException("Values along a curve are at least two.");
+            Count = column.Length;
+        }
+    }
+
+    /// <summary>Values in each column; 0 without columns.</summary>
+    public int Count { get; }
+
+    /// <summary>mm².</summary>
+    public IReadOnlyList<double>? Areas => _columns[0];
+
+    /// <summary>mm.</summary>
+    public IReadOnlyList<double>? Widths => _columns[1];
+
+    /// <summary>mm.</summary>
+    public IReadOnlyList<double>? Heights => _columns[2];
+
+    /// <summary>mm/s.</summary>
+    public IReadOnlyList<double>? Speeds => _columns[3];
+}

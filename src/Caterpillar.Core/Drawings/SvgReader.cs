@@ -1,0 +1,381 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Xml;
+using Caterpillar.Basics;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>
+/// Paths and basic shapes of SVG, in the order of the file, as curves in mm: transforms of groups, units and viewBox are applied, and the page stands upright with its lower left corner at the
+/// origin. Attributes <c>data-width</c>, <c>data-height</c>, <c>data-area</c>, <c>data-speed</c>, <c>data-multiplier</c>, <c>data-z</c>, <c>data-tool</c> and <c>data-layer</c> (mm, mm², mm/s) on
+/// shapes or groups give settings; widths, heights and speeds also as percentages. What is hidden or only defined is left out.
+/// </summary>
+internal sealed class SvgReader
+{
+    private const int MaxDepth = 512;
+
+    private static readonly HashSet<string> Definitions =
+        ["defs", "symbol", "clipPath", "mask", "pattern", "marker", "metadata", "style", "title", "desc", "script", "linearGradient", "radialGradient", "filter", "font"];
+
+    private static readonly HashSet<string> Shapes = ["path", "line", "polyline", "polygon", "rect", "circle", "ellipse"];
+
+    private readonly CurveSource _source;
+    private readonly string _text;
+    private readonly int[] _lines;
+    private readonly XmlReader _xml;
+    private double _pageHeight = double.NaN;
+
+    private SvgReader(CurveSource source, string text, XmlReader xml)
+    {
+        _source = source;
+        _text = text;
+        _xml = xml;
+        var starts = new List<int> { 0 };
+        for (var i = 0; i < text.Length; i++)
+        {
+            if (text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.Length || text[i + 1] != '\n'))) starts.Add(i + 1);
+        }
+        _lines = starts.ToArray();
+    }
+
+    public static void Read(CurveSource source)
+    {
+        var bytes = source.Bytes;
+        var at = ByteOrderMark.Length(bytes);
+        var text = bytes.Length >= 2 && bytes[0] == 0xFF && bytes[1] == 0xFE ? Encoding.Unicode.GetString(bytes, 2, bytes.Length - 2)
+            : bytes.Length >= 2 && bytes[0] == 0xFE && bytes[1] == 0xFF ? Encoding.BigEndianUnicode.GetString(bytes, 2, bytes.Length - 2)
+            : Encoding.UTF8.GetString(bytes, at, bytes.Length - at);
+        var settings = new XmlReaderSettings { DtdProcessing = DtdProcessing.Ignore, XmlResolver = null, CheckCharacters = false };
+        using var xml = XmlReader.Create(new StringReader(text), settings);
+        try
+        {
+            new SvgReader(source, text, xml).ReadAll();
+        }
+        catch (XmlException e)
+        {
+            var message = e.Message;
+            var end = message.IndexOf(" Line ", StringComparison.Ordinal);
+            source.Error("curves.svg", end > 0 ? message.Substring(0, end) : message, source.Place(Math.Max(1, e.LineNumber), Math.Max(1, e.LinePosition)));
+        }
+        catch (Exception e) when (e is ArgumentException or InvalidOperationException or IndexOutOfRangeException)
+        {
+            // Damaged text that the XML reader trips over.
+            source.Error("curves.svg", "This is no well-formed XML.", source.Place(1));
+        }
+    }
+
+    private sealed record Scope(Affine Map, UserCurveSettings Settings, double Width, double Height);
+
+    private sealed record UserCurveSettings(double?[] Values, double Z, int Tool, int? Layer, string Name);
+
+    private void ReadAll()
+    {
+        var scopes = new Stack<Scope>();
+        var root = false;
+        while (_xml.Read())
+        {
+            if (_xml.NodeType == XmlNodeType.EndElement && scopes.Count > 0) scopes.Pop();
+            if (_xml.NodeType != XmlNodeType.Element) continue;
+            _source.Pulse(LineStart(Line.LineNumber), _text.Length);
+            if (!root && _xml.LocalName != "svg")
+            {
+                _source.Error("curves.svg", "An SVG file begins with an element svg.", Here());
+                return;
+            }
+            var outer = root ? scopes.Peek() : new Scope(Affine.Identity, new UserCurveSettings(new double?[5], 0, 0, null, ""), 0, 0);
+            var isRoot = !root;
+            root = true;
+            if (scopes.Count > MaxDepth)
+            {
+                _source.Error("curves.svg", "Elements are nested too deeply.", Here());
+                return;
+            }
+            if (Hidden())
+            {
+                _source.Diagnostics.Add(Severity.Remark, "curves.hidden", "Hidden elements are left out.", Here());
+                SkipContent();
+                continue;
+            }
+            if (!Element(outer, isRoot, scopes)) return;
+        }
+    }
+
+    // False after an error.
+    private bool Element(Scope outer, bool isRoot, Stack<Scope> scopes)
+    {
+        var name = _xml.LocalName;
+        if (Definitions.Contains(name))
+        {
+            SkipContent();
+            return true;
+        }
+        if (name is not ("svg" or "g" or "a" or "switch") && !Shapes.Contains(name))
+        {
+            if (name is "use" or "text" or "image")
+            {
+                _source.Diagnostics.Add(Severity.Warning, "curves.svg_" + name, $"Elements \"{name}\" are left out; convert them to paths.", Here());
+            }
+            else if (_xml.NamespaceURI is "" or "http://www.w3.org/2000/svg")
+            {
+                _source.Diagnostics.Add(Severity.Remark, "curves.ignored", $"Elements that hold no curves are left out, the first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", Here());
+            }
+            SkipContent();
+            return true;
+        }
+        var empty = _xml.IsEmptyElement;
+        if (Enter(outer, name == "svg", isRoot) is not { } scope) return false;
+        if (Shapes.Contains(name) && !Shape(name, scope)) return false;
+        if (!empty || isRoot) scopes.Push(scope);
+        return true;
+    }
+
+    private void SkipContent()
+    {
+        if (_xml.IsEmptyElement) return;
+        var depth = _xml.Depth;
+        while (_xml.Read() && !(_xml.NodeType == XmlNodeType.EndElement && _xml.Depth == depth))
+        {
+        }
+    }
+
+    private Scope? Enter(Scope outer, bool isSvg, bool isRoot)
+    {
+        var map = outer.Map;
+        var (width, height) = (outer.Width, outer.Height);
+        if (_xml.GetAttribute("transform") is { } transform && !isRoot)
+        {
+            if (SvgValues.Transform(transform) is not { } own) return Fail<Scope>("transform", "This is no list of transforms.");
+            map = own.Then(map);
+        }
+        if (isSvg)
+        {
+            if (View(isRoot, ref width, ref height) is not { } view) return null;
+            map = view.Then(isRoot ? ToMm() : map);
+        }
+        return Settings(outer.Settings) is { } settings ? new Scope(map, settings, width, height) : null;
+    }
+
+    private Affine? View(bool isRoot, ref double width, ref double height)
+    {
+        double[]? box = null;
+        if (_xml.GetAttribute("viewBox") is { } text)
+        {
+            box = SvgValues.Numbers(text);
+            if (box is not { Length: 4 } || !(box[2] > 0 && box[3] > 0)) return FailValue<Affine>("viewBox", "A viewBox has four numbers, the last two positive.");
+        }
+        var ownWidth = Extent("width", box is null ? (isRoot ? 0 : width) : box[2], width, isRoot, out var badWidth);
+        var ownHeight = Extent("height", box is null ? (isRoot ? 0 : height) : box[3], height, isRoot, out var badHeight);
+        if (badWidth || badHeight) return FailValue<Affine>(badWidth ? "width" : "height", "This is no length.");
+        double x = 0, y = 0;
+        if (!isRoot)
+        {
+            x = SvgValues.Length(_xml.GetAttribute("x"), width) ?? 0;
+            y = SvgValues.Length(_xml.GetAttribute("y"), height) ?? 0;
+        }
+        else
+        {
+            _pageHeight = ownHeight;
+        }
+        (width, height) = box is null ? (ownWidth, ownHeight) : (box[2], box[3]);
+        return box is null ? Affine.Move(new Vec3(x, y)) : SvgValues.ViewBox(box, x, y, ownWidth, ownHeight, _xml.GetAttribute("preserveAspectRatio"));
+    }
+
+    // Of the root a share of the unknown window means the size of its viewBox.
+    private double Extent(string name, double missing, double whole, bool isRoot, out bool bad)
+    {
+        bad = false;
+        var text = _xml.GetAttribute(name);
+        if (text is null || text.Trim() == "auto" || (isRoot && text.Trim().EndsWith("%", StringComparison.Ordinal))) return missing;
+        var value = SvgValues.Length(text, whole);
+        bad = value is not > 0;
+        return value ?? 0;
+    }
+
+    // Pixels with Y down to mm with Y up, the page above the X axis.
+    private Affine ToMm()
+    {
+        const double S = 1 / SvgValues.PixelsPerMm;
+        if (_pageHeight == 0) _source.Diagnostics.Add(Severity.Remark, "curves.svg_page", "The file states no height of its page: curves lie below the X axis as drawn.", Here());
+        return new Affine(new Vec3(S, 0), new Vec3(0, -S), Vec3.UnitZ, new Vec3(0, _pageHeight * S));
+    }
+
+    private UserCurveSettings? Settings(UserCurveSettings outer)
+    {
+        var values = (double?[])outer.Values.Clone();
+        string[] names = ["data-area", "data-width", "data-height", "data-speed", "data-multiplier"];
+        double[] references = [0, _source.Options.WidthReference, _source.Options.HeightReference, _source.Options.SpeedReference, 1];
+        for (var i = 0; i < names.Length; i++)
+        {
+            if (_xml.GetAttribute(names[i]) is not { } text) continue;
+            if (Value(text, references[i]) is not (>= 0 and var value)) return Fail<UserCurveSettings>(names[i], "Settings of a strand must be numbers of 0 or more, or percentages of something known.");
+            values[i] = value;
+        }
+        var (z, tool, layer) = (outer.Z, outer.Tool, outer.Layer);
+        if (_xml.GetAttribute("data-z") is { } height)
+        {
+            if (Value(height, 0) is not { } value) return Fail<UserCurveSettings>("data-z", "A height is a number in mm.");
+            z = value;
+        }
+        if (_xml.GetAttribute("data-tool") is { } toolText)
+        {
+            if (!NumberReader.TryParseInt(toolText.Trim(), out tool) || tool is < 0 or > 1000) return Fail<UserCurveSettings>("data-tool", "A tool is a number from 0 to 1000.");
+        }
+        if (_xml.GetAttribute("data-layer") is { } layerText)
+        {
+            if (!NumberReader.TryParseInt(layerText.Trim(), out var number)) return Fail<UserCurveSettings>("data-layer", "A layer is a whole number.");
+            layer = number;
+        }
+        return new UserCurveSettings(values, z, tool, layer, _xml.GetAttribute("data-name") ?? _xml.GetAttribute("id") ?? "");
+    }
+
+    private static double? Value(string text, double reference)
+    {
+        text = text.Trim();
+        if (!text.EndsWith("%", StringComparison.Ordinal)) return NumberReader.TryParse(text, out var plain) && Math.Abs(plain) <= 1e9 ? plain : null;
+        return reference > 0 && NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent) ? percent / 100 * reference : null;
+    }
+
+    private bool Shape(string name, Scope scope)
+    {
+        var place = Here();
+        var diagonal = Math.Sqrt((scope.Width * scope.Width + scope.Height * scope.Height) / 2);
+        double? Length(string attribute)
+        {
+            var text = _xml.GetAttribute(attribute);
+            var whole = attribute is "r" ? diagonal : attribute[0] is 'y' || attribute is "cy" or "ry" or "height" ? scope.Height : scope.Width;
+            return text is null || text.Trim() == "auto" ? 0 : SvgValues.Length(text, whole);
+        }
+        var empty = 0;
+        IReadOnlyList<Curve>? curves;
+        switch (name)
+        {
+            case "path":
+                var data = _xml.GetAttribute("d") ?? "";
+                var (subpaths, without, error, at) = SvgPath.Parse(data);
+                if (error is not null)
+                {
+                    _source.Error("curves.svg_path", error, InAttribute("d", at));
+                    return false;
+                }
+                (curves, empty) = (subpaths, without);
+                break;
+            case "line":
+                curves = SvgShapes.Line(Length);
+                break;
+            case "polyline" or "polygon":
+                curves = SvgShapes.Polyline(_xml.GetAttribute("points") ?? "", name == "polygon");
+                break;
+            case "circle":
+                curves = SvgShapes.Ellipse(Length("cx"), Length("cy"), Length("r"), Length("r"));
+                break;
+            case "ellipse":
+                curves = SvgShapes.Ellipse(Length("cx"), Length("cy"), Length("rx"), Length("ry"));
+                break;
+            default:
+                curves = SvgShapes.Rectangle(Length, _xml.GetAttribute("rx") is { } rx && rx != "auto", _xml.GetAttribute("ry") is { } ry && ry != "auto");
+                break;
+        }
+        if (curves is null)
+        {
+            _source.Error("curves.svg", $"An attribute of this element \"{name}\" is wrong.", place);
+            return false;
+        }
+        if (curves.Count == 0 || empty > 0) _source.TooShort(place);
+        foreach (var curve in curves) Add(curve, scope, place);
+        return true;
+    }
+
+    private void Add(Curve curve, Scope scope, SourceLocation place)
+    {
+        Curve placed;
+        try
+        {
+            placed = curve.Transformed(scope.Map.Then(Affine.Move(new Vec3(0, 0, scope.Settings.Z))));
+        }
+        catch (ArgumentException)
+        {
+            // A map that flattens the curve to a point, or beyond the range of numbers.
+            _source.TooShort(place);
+            return;
+        }
+        if (!placed.Bounds.Min.IsFinite || !placed.Bounds.Max.IsFinite)
+        {
+            _source.Error("curves.not_finite", "Coordinates must be finite.", place);
+            return;
+        }
+        var s = scope.Settings;
+        _source.Curves.Add(new UserCurve(placed)
+        {
+            Name = s.Name,
+            Area = s.Values[0],
+            Width = s.Values[1],
+            Height = s.Values[2],
+            Speed = s.Values[3],
+            Multiplier = s.Values[4],
+            Tool = s.Tool,
+            Layer = s.Layer is { } layer ? new Layer(layer, placed.Bounds.Max.Z) : null,
+            Source = place,
+        });
+    }
+
+    private bool Hidden()
+    {
+        if (_xml.GetAttribute("display") == "none" || _xml.GetAttribute("visibility") == "hidden") return true;
+        var style = _xml.GetAttribute("style");
+        if (style is null) return false;
+        var plain = string.Concat(style.Where(c => c > ' '));
+        return plain.IndexOf("display:none", StringComparison.Ordinal) >= 0 || plain.IndexOf("visibility:hidden", StringComparison.Ordinal) >= 0;
+    }
+
+    private IXmlLineInfo Line => (IXmlLineInfo)_xml;
+
+    private SourceLocation Here() => _source.Place(Math.Max(1, Line.LineNumber), Math.Max(1, Line.LinePosition));
+
+    private int LineStart(int line) => line >= 1 && line <= _lines.Length ? _lines[line - 1] : 0;
+
+    // The place of a character of an attribute's value in the file.
+    private SourceLocation InAttribute(string name, int index)
+    {
+        if (!_xml.MoveToAttribute(name)) return Here();
+        var at = LineStart(Line.LineNumber) + Line.LinePosition - 1;
+        _xml.MoveToElement();
+        while (at < _text.Length && _text[at] != '"' && _text[at] != '\'') at++;
+        at++;
+        for (; index > 0 && at < _text.Length; index--)
+        {
+            if (_text[at] == '&')
+            {
+                var end = _text.IndexOf(';', at);
+                at = end < 0 ? at : end;
+            }
+            else if (_text[at] == '\r' && at + 1 < _text.Length && _text[at + 1] == '\n')
+            {
+                at++;
+            }
+            at++;
+        }
+        var line = Array.BinarySearch(_lines, Math.Min(at, _text.Length));
+        if (line < 0) line = ~line - 1;
+        return _source.Place(line + 1, at - _lines[line] + 1);
+    }
+
+    private T? Fail<T>(string attribute, string message)
+        where T : class
+    {
+        _source.Error("curves.svg", message, InAttribute(attribute, 0));
+        return null;
+    }
+
+    private T? FailValue<T>(string attribute, string message)
+        where T : struct
+    {
+        _source.Error("curves.svg", message, InAttribute(attribute, 0));
+        return null;
+    }
+}

@@ -1,0 +1,50 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>
+/// A curve that is to be printed as drawn, with its own settings; what is null comes from <see cref="CurveOptions"/>. The area of the strand is given as such, or as width × height × multiplier
+/// in the shape of the options. An area of 0 makes a stroke without extrusion (pen, brush, bare hot tool).
+/// </summary>
+public sealed record UserCurve
+{
+    public UserCurve(Curve curve) => Curve = curve ?? throw new ArgumentNullException(nameof(curve));
+
+    public Curve Curve { get; init; }
+
+    /// <summary>A name for people, or empty.</summary>
+    public string Name { get; init; } = "";
+
+    /// <summary>Area of the strand, mm².</summary>
+    public double? Area { get; init; }
+
+    /// <summary>Width of the strand, mm.</summary>
+    public double? Width { get; init; }
+
+    /// <summary>Height of the strand, mm.</summary>
+    public double? Height { get; init; }
+
+    /// <summary>Scales the area from width × height.</summary>
+    public double? Multiplier { get; init; }
+
+    /// <summary>mm/s; 0 for the speed of the print settings.</summary>
+    public double? Speed { get; init; }
+
+    /// <summary>Settings that change along the curve; they come before those of the whole curve.</summary>
+    public PointValues? Along { get; init; }
+
+    public Role Role { get; init; }
+
+    public Layer? Layer { get; init; }
+
+    /// <summary>Number of the tool, from 0.</summary>
+    public int Tool { get; init; }
+
+    public PathOverrides? Overrides { get; init; }
+
+    /// <summary>Where it was read from, for messages.</summary>
+    public SourceLocation? Source { get; init; }
+}

@@ -1,0 +1,65 @@
+using System;
+using System.IO;
+
+namespace Caterpillar.Files;
+
+/// <summary>
+/// A file that is written whole or not at all: bytes go to a temporary file beside it, which takes its name in <see cref="Commit"/>. Disposed before that, it leaves nothing behind
+/// and an older file as it was. A link stays a link to a file that is replaced, and the new file gets the rights of the older one. What is no regular file (a device, a pipe) is written directly.
+/// </summary>
+public sealed class AtomicFile : IDisposable
+{
+    // Names may have 255 bytes.
+    private const int LongestName = 60;
+    private readonly string _target;
+    private readonly string? _temporary;
+    private FileStream? _stream;
+
+    /// <exception cref="IOException">The folder is not there or cannot be written, or the path is a folder.</exception>
+    /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
+    public AtomicFile(string path)
+    {
+        _target = FileLinks.Target(Path.GetFullPath(path ?? throw new ArgumentNullException(nameof(path))));
+        if (Directory.Exists(_target)) throw new IOException($"{path} is a folder, not a file.");
+        _stream = FileLinks.Special(_target);
+        if (_stream is not null) return;
+        var name = Path.GetFileName(_target);
+        if (name.Length > LongestName) name = name.Substring(0, LongestName);
+        _temporary = Path.Combine(Path.GetDirectoryName(_target)!, "." + name + "." + Path.GetRandomFileName());
+        _stream = FileLinks.Create(_temporary, _target);
+    }
+
+    public Stream Stream => _stream ?? throw new ObjectDisposedException(nameof(AtomicFile));
+
+    /// <summary>Puts the file in its place.</summary>
+    /// <exception cref="IOException">The disk is full, or the older file cannot be replaced; it is as it was.</exception>
+    /// <exception cref="UnauthorizedAccessException">The older file may not be replaced.</exception>
+    public void Commit()
+    {
+        try
+        {
+            Stream.Dispose();
+            if (_temporary is not null) FileLinks.Replace(_temporary, _target);
+        }
+        catch
+        {
+            Dispose();
+            throw;
+        }
+        _stream = null;
+    }
+
+    public void Dispose()
+    {
+        if (_stream is null) return;
+        try
+        {
+            _stream.Dispose();
+        }
+        finally
+        {
+            _stream = null;
+            if (_temporary is not null) File.Delete(_temporary);
+        }
+    }
+}

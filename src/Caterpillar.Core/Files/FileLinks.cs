@@ -1,0 +1,102 @@
+using System;
+using System.IO;
+#if !NET8_0_OR_GREATER
+using System.Runtime.InteropServices;
+using System.Text;
+#endif
+
+namespace Caterpillar.Files;
+
+/// <summary>Links, devices and rights of files, on Windows and on Unix.</summary>
+internal static class FileLinks
+{
+    private const int Buffer = 1 << 16;
+
+    private static bool IsUnix => Path.DirectorySeparatorChar == '/';
+
+    /// <summary>The file that a path means in the end, whether it is there or not.</summary>
+    /// <exception cref="IOException">Links go in a circle.</exception>
+    public static string Target(string path)
+    {
+#if NET8_0_OR_GREATER
+        return new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
+#else
+        if (!IsUnix || !File.Exists(path)) return path;
+        var name = new byte[Encoding.UTF8.GetMaxByteCount(path.Length) + 1];
+        Encoding.UTF8.GetBytes(path, 0, path.Length, name, 0);
+        var real = new byte[4097];
+        if (RealPath(name, real) == IntPtr.Zero) return path;
+        return Encoding.UTF8.GetString(real, 0, Array.IndexOf(real, (byte)0));
+#endif
+    }
+
+    /// <summary>What must not be replaced by a regular file (a device, a pipe), to be written directly; null where it is none.</summary>
+    /// <exception cref="IOException">It cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
+    public static FileStream? Special(string file)
+    {
+        if (!IsUnix || !File.Exists(file)) return null;
+        if (file.StartsWith("/dev/", StringComparison.Ordinal) || file.StartsWith("/proc/", StringComparison.Ordinal) || (File.GetAttributes(file) & FileAttributes.Device) != 0) return Open(file);
+        if (new FileInfo(file).Length > 0) return null;
+        FileStream stream;
+        try
+        {
+            // A pipe waits here for its reader, who must not be left again.
+            stream = Open(file);
+        }
+        catch (UnauthorizedAccessException)
+        {
+            return null;
+        }
+        if (!stream.CanSeek) return stream;
+        stream.Dispose();
+        return null;
+    }
+
+    /// <summary>A new file that is to take the place of another one.</summary>
+    public static FileStream Create(string file, string target)
+    {
+#if !NET8_0_OR_GREATER
+        // Mono has no call for rights; a copy has them.
+        if (IsUnix && File.Exists(target))
+        {
+            try
+            {
+                File.Copy(target, file);
+                return new FileStream(file, FileMode.Truncate, FileAccess.Write, FileShare.None, Buffer);
+            }
+            catch (UnauthorizedAccessException)
+            {
+                File.Delete(file);
+            }
+        }
+#endif
+        return new FileStream(file, FileMode.CreateNew, FileAccess.Write, FileShare.None, Buffer);
+    }
+
+    /// <summary>Gives a file the place of the other one, and its rights.</summary>
+    public static void Replace(string file, string target)
+    {
+        if (!File.Exists(target))
+        {
+            File.Move(file, target);
+            return;
+        }
+#if NET8_0_OR_GREATER
+        if (!OperatingSystem.IsWindows())
+        {
+            File.SetUnixFileMode(file, File.GetUnixFileMode(target));
+            File.Move(file, target, overwrite: true);
+            return;
+        }
+#endif
+        File.Replace(file, target, null, true);
+    }
+
+    private static FileStream Open(string file) => new(file, FileMode.Open, FileAccess.Write, FileShare.ReadWrite, Buffer);
+
+#if !NET8_0_OR_GREATER
+    [DllImport("libc", EntryPoint = "realpath")]
+    private static extern IntPtr RealPath(byte[] path, byte[] resolved);
+#endif
+}

@@ -1,0 +1,40 @@
+using System;
+using System.IO;
+using System.Threading;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Files;
+
+/// <summary>Unpacks gzip in memory.</summary>
+internal static class GzipBytes
+{
+    /// <summary>The bytes, unpacked where they are packed; null with an error where they are damaged, cut off or too many.</summary>
+    /// <param name="bytes">The file.</param>
+    /// <param name="name">Stands in messages.</param>
+    /// <param name="code">Code of the diagnostics.</param>
+    /// <param name="diagnostics">Takes what was noticed.</param>
+    /// <param name="cancel">Cancels.</param>
+    public static byte[]? Unpack(byte[] bytes, string name, string code, DiagnosticList diagnostics, CancellationToken cancel)
+    {
+        if (!GzipReader.IsPacked(bytes, bytes.Length)) return bytes;
+        using var memory = new MemoryStream();
+        using var stream = new GzipReader(new MemoryStream(bytes, false));
+        try
+        {
+            var block = new byte[1 << 16];
+            for (int read; (read = stream.Read(block, 0, block.Length)) > 0;)
+            {
+                cancel.ThrowIfCancellationRequested();
+                if (memory.Length + read > int.MaxValue - 1024) throw new InvalidDataException("It unpacks to more than 2 GB.");
+                memory.Write(block, 0, read);
+            }
+        }
+        catch (InvalidDataException broken)
+        {
+            diagnostics.Add(Severity.Error, code, "The gzip file cannot be unpacked. " + broken.Message, new SourceLocation(name));
+            return null;
+        }
+        if (stream.HasTrailingBytes) diagnostics.Add(GzipReader.TrailingBytes(code, name));
+        return memory.ToArray();
+    }
+}

@@ -1,0 +1,124 @@
+using System;
+using System.IO;
+
+namespace Caterpillar.Files;
+
+/// <summary>
+/// The packed bytes of a gzip stream, handed to the inflater in small pieces. It takes whole pieces and does not say how much of the last one it used; the checksum and the length that must stand
+/// behind the data say it: eight bytes that are known once all is unpacked.
+/// </summary>
+internal sealed class GzipInput(Stream source) : ReadStream
+{
+    private const int Piece = 8192;
+
+    // The data ends in the last piece, or in the one before where the inflater asked before it looked.
+    private const int Kept = 2 * Piece;
+    private readonly byte[] _bytes = new byte[Kept + 8 * Piece];
+    private int _memberStart;
+    private int _at;
+    private int _end;
+
+    public Stream Source => source;
+
+    /// <summary>Bytes read from the source.</summary>
+    public long Taken { get; private set; }
+
+    /// <summary>True when the inflater asked for more than there was.</summary>
+    public bool RanDry { get; private set; }
+
+    /// <summary>True when the source could not be read.</summary>
+    public bool Failed { get; private set; }
+
+    public override int Read(byte[] buffer, int offset, int count)
+    {
+        if (!Have(1))
+        {
+            RanDry = true;
+            return 0;
+        }
+        var part = Math.Min(Math.Min(count, Piece), _end - _at);
+        Buffer.BlockCopy(_bytes, _at, buffer, offset, part);
+        _at += part;
+        return part;
+    }
+
+    /// <summary>A byte ahead, or −1 behind the end.</summary>
+    public int Peek(int ahead) => Have(ahead + 1) ? _bytes[_at + ahead] : -1;
+
+    public void Skip() => _at++;
+
+    public void SkipZeros()
+    {
+        while (Peek(0) == 0) _at++;
+    }
+
+    public void BeginMember()
+    {
+        _memberStart = _at;
+        RanDry = false;
+    }
+
+    /// <summary>Goes behind the checksum and the length that end a member; false when they are not there.</summary>
+    public bool SkipTrailer(uint sum, uint length)
+    {
+        Have(8);
+        var last = Math.Min(_at, _end - 8);
+        var first = Math.Max(_memberStart, _at - Kept);
+        if (length == 0)
+        {
+            // Nothing has checksum 0, and zeros are everywhere: the end is looked up.
+            first = EmptyEnd();
+            last = Math.Min(last, first);
+        }
+        for (var at = first; at <= last; at++)
+        {
+            if (Number(at) != sum || Number(at + 4) != length) continue;
+            _at = at + 8;
+            return true;
+        }
+        return false;
+    }
+
+    // Behind data that is nothing, as packers write it: flushes (empty stored blocks), and a last block that is empty, too.
+    private int EmptyEnd()
+    {
+        var at = _memberStart;
+        while (at + 5 < _end && _bytes[at] == 0 && IsEmptyStored(at)) at += 5;
+        if (at + 1 < _end && _bytes[at] == 3 && _bytes[at + 1] == 0) return at + 2;
+        return at + 4 < _end && _bytes[at] == 1 && IsEmptyStored(at) ? at + 5 : int.MaxValue;
+    }
+
+    private bool IsEmptyStored(int at) => _bytes[at + 1] == 0 && _bytes[at + 2] == 0 && _bytes[at + 3] == 0xFF && _bytes[at + 4] == 0xFF;
+
+    private uint Number(int at) => (uint)(_bytes[at] | _bytes[at + 1] << 8 | _bytes[at + 2] << 16 | _bytes[at + 3] << 24);
+
+    private bool Have(int count)
+    {
+        if (_end - _at >= count) return true;
+        var drop = Math.Max(0, _at - Kept);
+        if (drop > 0)
+        {
+            Buffer.BlockCopy(_bytes, drop, _bytes, 0, _end - drop);
+            _at -= drop;
+            _end -= drop;
+            _memberStart = Math.Max(0, _memberStart - drop);
+        }
+        while (_end - _at < count)
+        {
+            int read;
+            try
+            {
+                read = source.Read(_bytes, _end, _bytes.Length - _end);
+            }
+            catch (IOException)
+            {
+                Failed = true;
+                throw;
+            }
+            if (read <= 0) return false;
+            _end += read;
+            Taken += read;
+        }
+        return true;
+    }
+}

@@ -1,0 +1,166 @@
+using System;
+using System.IO;
+using System.IO.Compression;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Files;
+
+/// <summary>
+/// Unpacks gzip (RFC 1952) while it is read: all members one after the other, each held against the checksum and the length at its end, so that a file that was cut off or damaged anywhere is
+/// never taken for a whole one. Zeros behind the last member are padding; other bytes there are left alone, as gzip does. What is unpacked is bounded: 250 times what is packed, or 64 MB.
+/// Every problem is an <see cref="InvalidDataException"/>, on .NET and on Mono.
+/// </summary>
+public sealed class GzipReader : ReadStream
+{
+    /// <summary>Largest factor by which packed data may grow; meshes and G-code grow 3 to 20 times.</summary>
+    private const long MaxFactor = 250;
+
+    /// <summary>What may always be unpacked, bytes.</summary>
+    private const long MinLimit = 64L << 20;
+
+    internal const string CutOff = "It is cut off.";
+    internal const string TooLarge = "It unpacks to more than 250 times its size.";
+    private readonly GzipInput _input;
+    private readonly bool _leaveOpen;
+    private DeflateStream? _member;
+    private uint _sum;
+    private uint _length;
+    private long _total;
+    private bool _ended;
+    private bool _any;
+
+    /// <param name="packed">Stands at the beginning of the first member.</param>
+    /// <param name="leaveOpen">True leaves it open when this stream is closed.</param>
+    public GzipReader(Stream packed, bool leaveOpen = false)
+    {
+        _input = new GzipInput(packed ?? throw new ArgumentNullException(nameof(packed)));
+        _leaveOpen = leaveOpen;
+    }
+
+    /// <summary>True when, at the end, bytes were met behind the last member that are neither zeros nor another member; they were not read.</summary>
+    public bool HasTrailingBytes { get; private set; }
+
+    /// <summary>Largest size to which packed data of this length is unpacked, bytes.</summary>
+    public static long Limit(long packed) => Math.Max(MinLimit, MaxFactor * packed);
+
+    /// <summary>True for the first bytes of a gzip file.</summary>
+    public static bool IsPacked(byte[] head, int count) => count >= 2 && head[0] == 0x1F && head[1] == 0x8B;
+
+    /// <summary>The stream itself, or where it begins like gzip what is packed in it.</summary>
+    /// <exception cref="IOException">The stream cannot be read.</exception>
+    public static Stream Open(Stream stream, bool leaveOpen = false)
+    {
+        var head = new byte[2];
+        var whole = PeekedStream.Peek(stream ?? throw new ArgumentNullException(nameof(stream)), head, out var count);
+        return IsPacked(head, count) ? new GzipReader(whole, leaveOpen) : whole;
+    }
+
+    /// <summary>The warning that such bytes were met.</summary>
+    public static Diagnostic TrailingBytes(string code, string name)
+        => new(Severity.Warning, code, "Behind the end of the gzip data are bytes that belong to nothing; they were not read.", name.Length > 0 ? new SourceLocation(name) : null);
+
+    /// <exception cref="InvalidDataException">The data is cut off, damaged, or grows out of all proportion.</exception>
+    public override int Read(byte[] buffer, int offset, int count)
+    {
+        if (count == 0) return 0;
+        while (!_ended)
+        {
+            if (_member is null && !NextMember()) break;
+            var read = Inflate(buffer, offset, count);
+            if (read > 0)
+            {
+                _sum = Crc32.Of(buffer, offset, read, _sum);
+                _length += (uint)read;
+                _total += read;
+                if (_total > Limit(_input.Taken)) throw new InvalidDataException(TooLarge);
+                return read;
+            }
+            if (!_input.SkipTrailer(_sum, _length)) throw new InvalidDataException(_input.RanDry ? CutOff : "It is damaged or cut off: the checksum at its end is missing or wrong.");
+            _member!.Dispose();
+            _member = null;
+        }
+        return 0;
+    }
+
+    protected override void Dispose(bool disposing)
+    {
+        if (disposing)
+        {
+            _member?.Dispose();
+            if (!_leaveOpen) _input.Source.Dispose();
+        }
+        base.Dispose(disposing);
+    }
+
+    private int Inflate(byte[] buffer, int offset, int count)
+    {
+        try
+        {
+            return _member!.Read(buffer, offset, count);
+        }
+        catch (Exception broken) when (broken is InvalidDataException or IOException && !_input.Failed)
+        {
+            // Mono throws IOException where .NET throws InvalidDataException.
+            throw new InvalidDataException(_input.RanDry ? CutOff : "It is damaged.");
+        }
+    }
+
+    private bool NextMember()
+    {
+        if (_any)
+        {
+            _input.SkipZeros();
+            var first = _input.Peek(0);
+            if (first < 0 || first != 0x1F || _input.Peek(1) is not (0x8B or -1))
+            {
+                HasTrailingBytes = first >= 0;
+                _ended = true;
+                return false;
+            }
+        }
+        _any = true;
+        Header();
+        _input.BeginMember();
+        _member = new DeflateStream(_input, CompressionMode.Decompress, true);
+        _sum = _length = 0;
+        return true;
+    }
+
+    private void Header()
+    {
+        const int Extra = 4, Name = 8, Comment = 16, HeaderSum = 2;
+        if (Byte() != 0x1F || Byte() != 0x8B) throw new InvalidDataException("It is no gzip data.");
+        if (Byte() != 8) throw new InvalidDataException("Its compression is not known.");
+        var flags = Byte();
+        for (var i = 0; i < 6; i++) Byte();
+        if ((flags & Extra) != 0)
+        {
+            for (var left = Byte() | Byte() << 8; left > 0; left--) Byte();
+        }
+        if ((flags & Name) != 0)
+        {
+            while (Byte() != 0)
+            {
+            }
+        }
+        if ((flags & Comment) != 0)
+        {
+            while (Byte() != 0)
+            {
+            }
+        }
+        if ((flags & HeaderSum) != 0)
+        {
+            Byte();
+            Byte();
+        }
+    }
+
+    private int Byte()
+    {
+        var value = _input.Peek(0);
+        if (value < 0) throw new InvalidDataException(CutOff);
+        _input.Skip();
+        return value;
+    }
+}

@@ -1,0 +1,48 @@
+using System;
+using System.IO;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Files;
+
+/// <summary>Reads images as brightness: PNG (all color types and depths, interlaced too) and PGM or PBM (plain and raw).</summary>
+public static class ImageReader
+{
+    /// <summary>The most pixels that are read: 100 million.</summary>
+    public const long MaxPixels = 100_000_000;
+
+    /// <summary>Reads a file. An exception only where the disk fails; a file that is no image gives an error.</summary>
+    public static Result<GrayImage> Read(string path) => Read(File.ReadAllBytes(path), path);
+
+    /// <summary>Reads the bytes of a file; the name stands in messages. Colors become brightness by Rec. 709, transparency is laid over white.</summary>
+    public static Result<GrayImage> Read(byte[] bytes, string name)
+    {
+        if (bytes is null) throw new ArgumentNullException(nameof(bytes));
+        try
+        {
+            if (PngReader.IsPng(bytes)) return Done(PngReader.Read(bytes));
+            if (PgmReader.IsPgm(bytes)) return Done(PgmReader.Read(bytes));
+        }
+        catch (InvalidDataException problem)
+        {
+            return Failed(problem.Message, name);
+        }
+        catch (IOException)
+        {
+            // Mono's way to say that compressed data is damaged; nothing else here touches a disk.
+            return Failed("The compressed data of the image is damaged.", name);
+        }
+        return Failed("This is neither a PNG nor a PGM or PBM image.", name);
+    }
+
+    internal static int Pixels(long width, long height)
+    {
+        if (width < 1 || height < 1) throw new InvalidDataException("The image has no pixels.");
+        if (width > MaxPixels || height > MaxPixels || width * height > MaxPixels) throw new InvalidDataException("The image has more than 100 million pixels.");
+        return (int)(width * height);
+    }
+
+    private static Result<GrayImage> Done(GrayImage image) => new(image, []);
+
+    private static Result<GrayImage> Failed(string message, string name)
+        => new(null, [new Diagnostic(Severity.Error, "image.unreadable", message, new SourceLocation(name))]);
+}

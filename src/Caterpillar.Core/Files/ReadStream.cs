@@ -1,0 +1,84 @@
+using System;
+using System.IO;
+
+namespace Caterpillar.Files;
+
+/// <summary>A stream that can only be read, from its beginning to its end.</summary>
+public abstract class ReadStream : Stream
+{
+    public override bool CanRead => true;
+
+    public override bool CanSeek => false;
+
+    public override bool CanWrite => false;
+
+    public override long Length => throw new NotSupportedException();
+
+    public override long Position
+    {
+        get => throw new NotSupportedException();
+        set => throw new NotSupportedException();
+    }
+
+    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+
+    public override void Flush()
+    {
+    }
+
+    public override void SetLength(long value) => throw new NotSupportedException();
+
+    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+
+    /// <summary>Reads until the buffer is full or the stream ends; how far it is full then.</summary>
+    internal static int Fill(Stream stream, byte[] buffer, int from, int to)
+    {
+        while (from < to)
+        {
+            var read = stream.Read(buffer, from, to - from);
+            if (read <= 0) break;
+            from += read;
+        }
+        return from;
+    }
+}
+
+/// <summary>A stream whose first bytes were looked at: one that cannot go back gets them handed on.</summary>
+internal sealed class PeekedStream : ReadStream
+{
+    private readonly byte[] _head;
+    private readonly int _count;
+    private readonly Stream _rest;
+    private int _taken;
+
+    private PeekedStream(byte[] head, int count, Stream rest)
+    {
+        _head = head;
+        _count = count;
+        _rest = rest;
+    }
+
+    /// <summary>Reads the first bytes into <paramref name="head"/>; the stream that is returned begins with them all the same.</summary>
+    public static Stream Peek(Stream stream, byte[] head, out int count)
+    {
+        count = Fill(stream, head, 0, head.Length);
+        if (!stream.CanSeek) return new PeekedStream(head, count, stream);
+        stream.Position -= count;
+        return stream;
+    }
+
+    public override int Read(byte[] buffer, int offset, int count)
+    {
+        if (_taken >= _count) return _rest.Read(buffer, offset, count);
+        var part = Math.Min(count, _count - _taken);
+        Buffer.BlockCopy(_head, _taken, buffer, offset, part);
+        _taken += part;
+        return part;
+    }
+
+    protected override void Dispose(bool disposing)
+    {
+        if (disposing) _rest.Dispose();
+        base.Dispose(disposing);
+    }
+}

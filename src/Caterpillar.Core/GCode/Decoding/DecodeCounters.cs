@@ -1,0 +1,90 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.GCode;
+
+/// <summary>The sums of a decode report while they grow; in coordinates as written.</summary>
+internal sealed class DecodeCounters
+{
+    public int Prints;
+    public int Travels;
+    public int TravelsWithRetract;
+    public int PrintArcs;
+    public int TravelArcs;
+    public int PrintsG0;
+    public int TravelsG1;
+    public int Rapids;
+    public int Feeds;
+    public int Retracts;
+    public int Unretracts;
+    public int NoOps;
+    public int FirmwareRetracts;
+    public int FirmwareUnretracts;
+    public int ToolChanges;
+    public int LayerMarks;
+    public double PrintLength;
+    public double PrintLengthXY;
+    public double TravelLength;
+    public double EPositive;
+    public double ENegative;
+    public double EPrint;
+    public double ENet;
+    public double EMarlin2;
+    public int ZChanges;
+
+    public readonly Box PrintEnds = new();
+    public readonly Box PrintStarts = new();
+    public readonly Box TravelEnds = new();
+
+    private readonly HashSet<long> _heights = [];
+    private readonly HashSet<long> _flatHeights = [];
+    private long _lastHeight = long.MinValue;
+
+    public int Heights => _heights.Count;
+
+    public int FlatHeights => _flatHeights.Count;
+
+    /// <summary>A strand ends at another height than the one before.</summary>
+    public void HeightChanged(double z)
+    {
+        var height = Micrometers(z);
+        if (height == _lastHeight) return;
+        _lastHeight = height;
+        ZChanges++;
+        _heights.Add(height);
+    }
+
+    public void FlatAt(double z) => _flatHeights.Add(Micrometers(z));
+
+    private static long Micrometers(double z) => z is > -1e15 and < 1e15 ? (long)Math.Floor(z * 1000 + 0.5) : z > 0 ? long.MaxValue : long.MinValue + 1;
+}
+
+/// <summary>A box that grows in place.</summary>
+internal sealed class Box
+{
+    public double MinX = double.PositiveInfinity;
+    public double MinY = double.PositiveInfinity;
+    public double MinZ = double.PositiveInfinity;
+    public double MaxX = double.NegativeInfinity;
+    public double MaxY = double.NegativeInfinity;
+    public double MaxZ = double.NegativeInfinity;
+
+    public bool IsEmpty => MinX > MaxX;
+
+    public void Include(double x, double y, double z)
+    {
+        if (x < MinX) MinX = x;
+        if (x > MaxX) MaxX = x;
+        if (y < MinY) MinY = y;
+        if (y > MaxY) MaxY = y;
+        if (z < MinZ) MinZ = z;
+        if (z > MaxZ) MaxZ = z;
+    }
+
+    public void Include(Box other)
+    {
+        if (other.IsEmpty) return;
+        Include(other.MinX, other.MinY, other.MinZ);
+        Include(other.MaxX, other.MaxY, other.MaxZ);
+    }
+}

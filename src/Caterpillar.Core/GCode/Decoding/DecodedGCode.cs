@@ -1,0 +1,74 @@
+using System.Collections.Generic;
+using Caterpillar.Dialects;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>A decoded file.</summary>
+public sealed class DecodedGCode
+{
+    internal DecodedGCode(
+        GCodeDocument? document, Toolpath toolpath, DecodeReport report, DialectRules dialect, IReadOnlyList<string> evidence, IReadOnlyDictionary<string, string> settings,
+        IReadOnlyDictionary<string, int> ignored, ExtrusionRule rule)
+    {
+        Document = document;
+        Toolpath = toolpath;
+        Report = report;
+        Dialect = dialect;
+        Evidence = evidence;
+        Settings = settings;
+        Ignored = ignored;
+        Rule = rule;
+    }
+
+    /// <summary>The file, or null where it was decoded from a stream without keeping it.</summary>
+    public GCodeDocument? Document { get; }
+
+    /// <summary>What the machine does; positions in machine coordinates (G92 does not move them), sources are lines of the file.</summary>
+    public Toolpath Toolpath { get; }
+
+    public DecodeReport Report { get; }
+
+    /// <summary>The dialect by which it was read.</summary>
+    public DialectRules Dialect { get; }
+
+    /// <summary>Why this dialect, in sentences; empty where it was given.</summary>
+    public IReadOnlyList<string> Evidence { get; }
+
+    /// <summary>Settings that the slicer left in comments.</summary>
+    public IReadOnlyDictionary<string, string> Settings { get; }
+
+    /// <summary>Commands without effect on the toolpath, and how often.</summary>
+    public IReadOnlyDictionary<string, int> Ignored { get; }
+
+    public ExtrusionRule Rule { get; }
+
+    /// <summary>The state of the machine before each chunk of the document.</summary>
+    internal Checkpoint[] Checkpoints { get; init; } = [];
+
+    internal ExtrusionAxis Axis { get; init; } = ExtrusionAxis.None;
+
+    /// <summary>The last line that changes how E is read.</summary>
+    internal int LastModeLine { get; init; }
+
+    /// <summary>True when words turn rotary axes.</summary>
+    internal bool HasTurns
+    {
+        get
+        {
+            foreach (var block in Toolpath.Blocks)
+            {
+                if (block.Columns.A is not null) return true;
+            }
+            return false;
+        }
+    }
+
+    /// <summary>The line where the first layer begins, or 0.</summary>
+    internal int FirstMarkLine { get; init; }
+
+    /// <summary>For a panel: moves, layers and dialect.</summary>
+    public override string ToString()
+        => Basics.NumberFormatter.Format(Toolpath.Count) + " moves, " + Basics.NumberFormatter.Format(Toolpath.Layers.Count) + " layers, " + Dialect.Title;
+}

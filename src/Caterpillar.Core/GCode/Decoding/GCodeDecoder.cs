@@ -1,0 +1,160 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Dialects;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// Reads G-code into a Toolpath. Any bytes decode to something: what a line means to no firmware is counted and reported, never fatal. The rules of each firmware are data
+/// (<see cref="DialectRules"/>); with the dialect <c>slicer</c> and <see cref="ExtrusionRule.Rising"/> they are those of slicers' own viewers.
+/// </summary>
+public static class GCodeDecoder
+{
+    // Without any E in this many bytes of a stream, the axis is decided from what was seen.
+    private const long LongestSearch = 256L * 1024 * 1024;
+
+    /// <summary>Decodes a document.</summary>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public static Result<DecodedGCode> Decode(GCodeDocument document, DecodeOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (document is null) throw new ArgumentNullException(nameof(document));
+        var axis = ExtrusionAxis.Detect(document.Chunks);
+        var length = (double)document.Length;
+        try
+        {
+            return Run(document, document.Chunks, axis, done => done / length, document.Name, options ?? new DecodeOptions(), progress, cancel, document.Chunks, () => document.Notes);
+        }
+        catch (InvalidDataException tooLong)
+        {
+            return Broken(tooLong, document.Name);
+        }
+    }
+
+    /// <summary>Decodes bytes: plain, gzip, or binary G-code.</summary>
+    /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
+    public static Result<DecodedGCode> Decode(byte[] bytes, DecodeOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        GCodeDocument document;
+        try
+        {
+            document = GCodeDocument.FromBytes(bytes);
+        }
+        catch (InvalidDataException broken)
+        {
+            return Broken(broken, "");
+        }
+        return Decode(document, options, progress, cancel);
+    }
+
+    /// <summary>
+    /// Decodes a stream while it is read, without keeping the text: memory is that of the moves. The stream may be packed with gzip or be binary G-code, and
+    /// stays open; one that is broken gives an error. Progress is reported where its length is known.
+    /// </summary>
+    /// <exception cref="IOException">The stream cannot be read.</exception>
+    /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
+    public static Result<DecodedGCode> DecodeStream(
+        Stream stream, DecodeOptions? options = null, string name = "", IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (stream is null) throw new ArgumentNullException(nameof(stream));
+        try
+        {
+            using var source = new GCodeSource(stream);
+            return DecodeSource(source, options ?? new DecodeOptions(), name, progress, cancel);
+        }
+        catch (InvalidDataException broken)
+        {
+            return Broken(broken, name);
+        }
+    }
+
+    private static Result<DecodedGCode> DecodeSource(GCodeSource source, DecodeOptions options, string name, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var tail = source.Tail();
+        using var chunks = ChunkReader.Read(source.Text, 1024 * 1024, cancel).GetEnumerator();
+        var head = new List<GCodeChunk>();
+        var seen = 0L;
+        IEnumerable<GCodeChunk> Head()
+        {
+            while (seen < LongestSearch && chunks.MoveNext())
+            {
+                head.Add(chunks.Current);
+                seen += chunks.Current.Length;
+                yield return chunks.Current;
+            }
+        }
+        IEnumerable<GCodeChunk> All()
+        {
+            for (var i = 0; i < head.Count; i++)
+            {
+                yield return head[i];
+                head[i] = null!;
+            }
+            while (chunks.MoveNext()) yield return chunks.Current;
+        }
+        var axis = ExtrusionAxis.Detect(Head());
+        var told = new List<GCodeChunk>(head);
+        // Binary G-code tells its end once it was begun.
+        if ((tail ?? source.Tail()) is { } end) told.Add(end);
+        return Run(null, All(), axis, source.Done, name, options, progress, cancel, told, source.Notes, () => source.PackedTail(cancel));
+    }
+
+    private static Result<DecodedGCode> Broken(InvalidDataException broken, string name)
+        => new(null, [new Diagnostic(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message, name.Length > 0 ? new SourceLocation(name) : null)]);
+
+    private static Result<DecodedGCode> Run(
+        GCodeDocument? document, IEnumerable<GCodeChunk> chunks, ExtrusionAxis axis, Func<long, double> share, string name, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel,
+        IReadOnlyList<GCodeChunk> told, Func<IReadOnlyList<Diagnostic>> notes, Func<GCodeChunk?>? late = null)
+    {
+        Detection? detected = options.Dialect is null ? DialectDetector.Detect(told, axis) : null;
+        if (detected is { IsDefault: true } && late?.Invoke() is { } end) detected = DialectDetector.Detect([.. told, end], axis);
+        var rules = options.Dialect ?? detected!.Value.Dialect;
+        var given = axis;
+        axis = axis.In(rules);
+        var core = new DecoderCore(rules, options.Rule, axis);
+        if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched)) core.Diagnostics.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " knows no extruder by " + given.Name + ": what the file says of extrusion is left out.");
+        var lines = 0;
+        var mark = false;
+        var checkpoints = document is null ? null : new List<Checkpoint>(document.Chunks.Count);
+        long bytes = 0;
+        ChunkPipeline.Run(
+            chunks,
+            axis.Letter,
+            document is { Chunks.Count: < 3 } ? 1 : options.Degree,
+            (parser, done) =>
+            {
+                if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
+                checkpoints?.Add(new Checkpoint(lines, core.Save(), core.LastEvents.Count));
+                core.Run(parser, lines);
+                lines = GCodeDocument.AddLines(lines, parser.Lines);
+                bytes = done;
+                if (progress is not null && share(done) is >= 0 and var part) progress.Report(part);
+            },
+            cancel);
+        core.Diagnostics.AddRange(notes());
+        core.ReportIgnored();
+        if (detected is { } found && found.IsDefault)
+            core.Diagnostics.Add(Severity.Remark, "gcode.dialect_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
+        if (detected is { IsDefault: true } && core.Settings.TryGetValue("gcode_flavor", out var flavour) && DialectDetector.OfFlavour(flavour) is { } meant && meant != rules.Name)
+            core.Diagnostics.Add(Severity.Warning, "gcode.dialect_late", "The settings at the end of the file name the flavour \"" + flavour + "\"; it was read as " + rules.Title + ". State the dialect.");
+        var settings = core.Settings.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
+        var toolpath = core.Finish(FilamentFactors.Of(settings, options.FilamentDiameter));
+        var report = Reports.Of(core, axis, name, bytes, mark);
+        var diagnostics = core.Diagnostics.ToList();
+        if (name.Length > 0) diagnostics = diagnostics.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }).ToList();
+        return new Result<DecodedGCode>(
+            new DecodedGCode(document, toolpath, report, rules, detected?.Evidence ?? [], settings, core.IgnoredCommands.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal), options.Rule)
+            {
+                Checkpoints = checkpoints?.ToArray() ?? [],
+                Axis = axis,
+                LastModeLine = core.LastModeLine,
+                FirstMarkLine = core.FirstMarkLine,
+            },
+            diagnostics);
+    }
+}

@@ -1,0 +1,152 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Collects the layers while a file is decoded: from comments where there are any, else from the heights of flat strands.</summary>
+internal sealed class LayerCollector
+{
+    private readonly List<Draft> _drafts = [];
+    private readonly Dictionary<string, int> _ofMark = new(StringComparer.Ordinal);
+    private readonly Dictionary<long, int> _byHeight = [];
+    private int _number = -1;
+    private double _markZ = double.NaN;
+    private double _markThickness;
+    private double _previousZ = double.NaN;
+    private bool _used;
+
+    /// <summary>Layer of the moves from here on, or −1.</summary>
+    public int Current { get; private set; } = -1;
+
+    /// <summary>True when comments say where layers begin.</summary>
+    public bool Marked { get; private set; }
+
+    /// <summary>True when the current layer waits for the height of its first flat strand.</summary>
+    public bool NeedsZ { get; private set; }
+
+    public string Object { get; private set; } = "";
+
+    /// <summary>A comment begins a layer; its own number or null for the next one. Two marks without a strand between them are one.</summary>
+    public void Mark(int? number, double z, double thickness)
+    {
+        if (!Marked)
+        {
+            Marked = true;
+            _drafts.Clear();
+            _byHeight.Clear();
+            Current = -1;
+        }
+        var again = Current >= 0 && !_used;
+        _number = number ?? (again ? _number : _number + 1);
+        _markZ = double.IsNaN(z) && again ? _markZ : z;
+        _markThickness = thickness > 0 ? thickness : again ? _markThickness : 0;
+        if (!again) _ofMark.Clear();
+        _used = false;
+        Select();
+    }
+
+    public void SetZ(double z)
+    {
+        if (!Marked || _used) return;
+        // Objects that are printed one after the other begin again at the first layer.
+        if (z < _previousZ && _number > 0 && _drafts.Count > 1 && z <= _drafts[0].Z + 1e-6) _number = 0;
+        _markZ = z;
+        Select();
+    }
+
+    public void SetThickness(double thickness)
+    {
+        if (!Marked || _used || _markThickness > 0 || !(thickness > 0)) return;
+        _markThickness = thickness;
+        Select();
+    }
+
+    public void SetObject(string name)
+    {
+        Object = name;
+        if (Marked) Select();
+    }
+
+    /// <summary>A strand is printed in a marked layer.</summary>
+    public void Printed(double z, bool flat)
+    {
+        _used = true;
+        if (!flat)
+        {
+            // A spiral: the height where the layer ends.
+            if (double.IsNaN(_markZ)) _drafts[Current] = _drafts[Current] with { Z = z };
+            return;
+        }
+        if (double.IsNaN(_markZ)) _markZ = z;
+        _previousZ = _markZ;
+        NeedsZ = false;
+        _drafts[Current] = _drafts[Current] with { Z = _markZ };
+    }
+
+    /// <summary>A flat strand at another height than the one before, in a file without marks.</summary>
+    public void FlatAt(double z)
+    {
+        var key = (long)Math.Floor(z * 1000 + 0.5);
+        if (!_byHeight.TryGetValue(key, out var layer))
+        {
+            layer = _drafts.Count;
+            _byHeight.Add(key, layer);
+            _drafts.Add(new Draft(layer, z, 0, Object));
+        }
+        Current = layer;
+    }
+
+    public Layer[] ToLayers()
+    {
+        var layers = new Layer[_drafts.Count];
+        double z = 0, below = 0;
+        for (var i = 0; i < layers.Length; i++)
+        {
+            var draft = _drafts[i];
+            if (!double.IsNaN(draft.Z) && draft.Z != z)
+            {
+                below = draft.Z > z ? z : 0;
+                z = draft.Z;
+            }
+            var height = double.IsNaN(draft.Z) ? z : draft.Z;
+            var thickness = draft.Thickness > 0 ? draft.Thickness : Math.Max(height - below, 0);
+            layers[i] = new Layer(draft.Number, height, Math.Floor(thickness * 1e6 + 0.5) / 1e6, draft.Object);
+        }
+        if (!Marked) Rank(layers);
+        return layers;
+    }
+
+    // Without marks the number of a layer is its rank from below.
+    private static void Rank(Layer[] layers)
+    {
+        var order = new int[layers.Length];
+        var heights = new double[layers.Length];
+        for (var i = 0; i < order.Length; i++)
+        {
+            order[i] = i;
+            heights[i] = layers[i].Z;
+        }
+        Array.Sort(heights, order);
+        for (var rank = 0; rank < order.Length; rank++)
+        {
+            var thickness = rank == 0 ? heights[0] : heights[rank] - heights[rank - 1];
+            layers[order[rank]] = layers[order[rank]] with { Index = rank, Thickness = Math.Max(Math.Floor(thickness * 1e6 + 0.5) / 1e6, 0) };
+        }
+    }
+
+    private void Select()
+    {
+        if (!_ofMark.TryGetValue(Object, out var layer))
+        {
+            layer = _drafts.Count;
+            _ofMark.Add(Object, layer);
+            _drafts.Add(default);
+        }
+        _drafts[layer] = new Draft(_number, _markZ, _markThickness, Object);
+        Current = layer;
+        NeedsZ = true;
+    }
+
+    private readonly record struct Draft(int Number, double Z, double Thickness, string Object);
+}

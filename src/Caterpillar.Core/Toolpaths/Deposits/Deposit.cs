@@ -1,0 +1,279 @@
+using System;
+using Caterpillar.Dialects;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// What is printed so far, seen from above: a height field of square cells, with the strands in bins for exact answers. One structure for the height of travels, beads from the
+/// gap, the safe return of turtles, support and collision. It grows with the print; strands far below the top of their bin are dropped, and there the cells answer (never
+/// too low, and too wide by less than a cell). Not thread-safe.
+/// </summary>
+public sealed class Deposit
+{
+    // Deviation of the chords of an arc, mm.
+    private const double ArcTolerance = 0.02;
+
+    // Bins on each side of the origin: 4 m with the usual cell. What lies further out has one height.
+    private const int Reach = 1024;
+    private readonly double _cell;
+    private readonly double _keepDepth;
+    private readonly StrandStore _store = new();
+    private DepositBin?[] _bins = [];
+    private int _left, _bottom, _columns, _rows;
+    private double _outside = double.NegativeInfinity;
+
+    /// <param name="cell">Side of a cell, mm; half the width of a strand or less.</param>
+    /// <param name="keepDepth">Strands this far below the highest one of their bin are dropped, mm.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A length is not positive.</exception>
+    public Deposit(double cell = 0.25, double keepDepth = 10)
+    {
+        if (!(cell > 0) || double.IsInfinity(cell)) throw new ArgumentOutOfRangeException(nameof(cell), "A cell has a positive size.");
+        if (!(keepDepth > 0)) throw new ArgumentOutOfRangeException(nameof(keepDepth), "The depth must be positive.");
+        _cell = cell;
+        _keepDepth = keepDepth;
+    }
+
+    /// <summary>Side of a cell, mm.</summary>
+    public double Cell => _cell;
+
+    /// <summary>Highest point printed, mm; negative infinity while nothing is.</summary>
+    public double Highest { get; private set; } = double.NegativeInfinity;
+
+    /// <summary>Number of strands kept for exact answers.</summary>
+    public int StrandCount => _store.Count;
+
+    /// <summary>Adds the strands of a path. Segments without material leave nothing.</summary>
+    public void Add(PrintPath path, BeadShape shape = BeadShape.Rectangle)
+    {
+        if (path is null) throw new ArgumentNullException(nameof(path));
+        for (var i = 0; i < path.SegmentCount; i++) Add(path.Points[i], path.EndOf(i), path.BeadOf(i), path.ArcOf(i), shape);
+    }
+
+    /// <summary>Adds a segment of a path, straight or an arc.</summary>
+    public void Add(Vec3 from, Vec3 to, Bead bead, Arc? arc = null, BeadShape shape = BeadShape.Rectangle)
+    {
+        if (!(bead.Area > 0)) return;
+        // A bead of next to no height would be as wide as the bed.
+        var half = Math.Min(bead.Width(shape), 40 * Math.Sqrt(bead.Area / Math.PI)) / 2;
+        if (arc is not { } turn)
+        {
+            Add(from, to, half);
+            return;
+        }
+        var chords = turn.ChordCount(from, ArcTolerance);
+        var at = from;
+        for (var k = 1; k <= chords; k++)
+        {
+            var next = turn.PointAt(from, to, (double)k / chords);
+            Add(at, next, half);
+            at = next;
+        }
+    }
+
+    /// <summary>Adds a straight strand: the way of the nozzle's tip (its top) in mm and half its width in mm.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite, or the width is negative.</exception>
+    public void Add(Vec3 from, Vec3 to, double halfWidth)
+    {
+        if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "A strand has finite ends.");
+        if (!(halfWidth >= 0) || double.IsInfinity(halfWidth)) throw new ArgumentOutOfRangeException(nameof(halfWidth), "A strand has a width.");
+        var strand = new Strand { Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth };
+        Highest = Math.Max(Highest, strand.Top);
+        var edge = Reach * DepositBin.Side * _cell;
+        if (IsOutside(from, halfWidth, edge) || IsOutside(to, halfWidth, edge))
+        {
+            _outside = Math.Max(_outside, strand.Top);
+            // Only what lies inside is drawn into cells.
+            double low = 0, high = 1;
+            if (!ClipAxis(strand.Ax, strand.Bx, edge - halfWidth - _cell, ref low, ref high) || !ClipAxis(strand.Ay, strand.By, edge - halfWidth - _cell, ref low, ref high)) return;
+            var (a, b) = (Vec3.Lerp(from, to, low), Vec3.Lerp(from, to, high));
+            strand = strand with { Ax = a.X, Ay = a.Y, Az = a.Z, Bx = b.X, By = b.Y, Bz = b.Z };
+        }
+        Draw(_store.Add(strand), strand);
+    }
+
+    /// <summary>
+    /// Highest top, mm, of what lies within <paramref name="radius"/> mm of the way from <paramref name="a"/> to <paramref name="b"/>, all seen from above; negative infinity where
+    /// nothing does.
+    /// </summary>
+    public double TopAlong(Vec3 a, Vec3 b, double radius)
+    {
+        var edge = Reach * DepositBin.Side * _cell;
+        var best = IsOutside(a, radius, edge) || IsOutside(b, radius, edge) ? _outside : double.NegativeInfinity;
+        if (_bins.Length == 0) return best;
+        var side = DepositBin.Side * _cell;
+        var halfDiagonal = side * 0.7072;
+        var firstRow = Clamp(Math.Min(a.Y, b.Y) - radius, side, _bottom, _rows);
+        var lastRow = Clamp(Math.Max(a.Y, b.Y) + radius, side, _bottom, _rows);
+        for (var row = firstRow; row <= lastRow; row++)
+        {
+            var y = row * side;
+            if (!FlatSegment.RowSpan(a, b, y - radius, y + side + radius, out var x0, out var x1)) continue;
+            var first = Clamp(x0 - radius, side, _left, _columns);
+            var last = Clamp(x1 + radius, side, _left, _columns);
+            for (var column = first; column <= last; column++)
+            {
+                var bin = _bins[(row - _bottom) * _columns + column - _left];
+                if (bin is null || bin.Top <= best) continue;
+                var center = new Vec3((column + 0.5) * side, y + side / 2);
+                if (FlatSegment.SquareDistance(center, a, b) > (radius + halfDiagonal) * (radius + halfDiagonal)) continue;
+                best = TopInBin(bin, column, row, a, b, radius, best);
+            }
+        }
+        return best;
+    }
+
+    /// <summary>
+    /// Highest top, mm, not above <paramref name="limit"/>, of what lies within <paramref name="radius"/> mm of a point seen from above; negative infinity where nothing does.
+    /// </summary>
+    public double TopUnder(Vec3 point, double limit, double radius = 0)
+    {
+        var best = double.NegativeInfinity;
+        var side = DepositBin.Side * _cell;
+        if (_bins.Length == 0 || !(Math.Abs(point.X) < Reach * side && Math.Abs(point.Y) < Reach * side)) return best;
+        var lastRow = Clamp(point.Y + radius, side, _bottom, _rows);
+        var lastColumn = Clamp(point.X + radius, side, _left, _columns);
+        for (var row = Clamp(point.Y - radius, side, _bottom, _rows); row <= lastRow; row++)
+        {
+            for (var column = Clamp(point.X - radius, side, _left, _columns); column <= lastColumn; column++)
+            {
+                var bin = _bins[(row - _bottom) * _columns + column - _left];
+                if (bin is null || bin.Top <= best) continue;
+                for (var i = 0; i < bin.Count; i++)
+                {
+                    var top = _store[bin.Strands[i]].TopAt(point, radius);
+                    if (top <= limit && top > best) best = top;
+                }
+                if (bin.Dropped > best) best = DroppedUnder(bin, column, row, point, limit, radius, best);
+            }
+        }
+        return best;
+    }
+
+    /// <summary>
+    /// True when a tip of some radius in mm moves straight from <paramref name="a"/> to <paramref name="b"/> without dipping more than <paramref name="tolerance"/> mm below the
+    /// top of anything that it passes.
+    /// </summary>
+    public bool IsFree(Vec3 a, Vec3 b, double radius, double tolerance = 1e-6)
+    {
+        var top = TopAlong(a, b, radius);
+        if (top <= Math.Min(a.Z, b.Z) + tolerance) return true;
+        if (top > Math.Max(a.Z, b.Z) + tolerance && a.Z == b.Z) return false;
+        // On a slope the height differs along the way: look at it in pieces.
+        if ((b - a).LengthXY <= _cell / 4) return false;
+        var middle = Vec3.Lerp(a, b, 0.5);
+        return IsFree(a, middle, radius, tolerance) && IsFree(middle, b, radius, tolerance);
+    }
+
+    private double TopInBin(DepositBin bin, int column, int row, Vec3 a, Vec3 b, double radius, double best)
+    {
+        for (var i = bin.Count - 1; i >= 0; i--)
+        {
+            ref var strand = ref _store[bin.Strands[i]];
+            if (strand.Top > best) best = Math.Max(best, strand.TopWithin(a, b, radius));
+        }
+        if (bin.Dropped <= best) return best;
+        var reach = radius + _cell * 0.7072;
+        for (var i = 0; i < bin.Cells.Length; i++)
+        {
+            var top = Math.Min(bin.Cells[i], bin.Dropped);
+            if (top > best && FlatSegment.SquareDistance(Center(column, row, i), a, b) <= reach * reach) best = top;
+        }
+        return best;
+    }
+
+    private double DroppedUnder(DepositBin bin, int column, int row, Vec3 point, double limit, double radius, double best)
+    {
+        var reach = radius + _cell * 0.7072;
+        for (var i = 0; i < bin.Cells.Length; i++)
+        {
+            var top = Math.Min(bin.Cells[i], bin.Dropped);
+            if (top > best && top <= limit && FlatSegment.SquareDistance(Center(column, row, i), point, point) <= reach * reach) best = top;
+        }
+        return best;
+    }
+
+    private Vec3 Center(int column, int row, int cell) => new(
+        ((column << DepositBin.Bits) + (cell & (DepositBin.Side - 1)) + 0.5) * _cell, ((row << DepositBin.Bits) + (cell >> DepositBin.Bits) + 0.5) * _cell);
+
+    private void Draw(int index, in Strand strand)
+    {
+        double ax = strand.Ax, ay = strand.Ay, az = strand.Az, dx = strand.Bx - ax, dy = strand.By - ay, rise = strand.Bz - az;
+        var (half, highest) = (strand.Half, strand.Top);
+        var halfDiagonal = _cell * 0.7072;
+        var reach = (half + halfDiagonal) * (half + halfDiagonal);
+        var square = dx * dx + dy * dy;
+        var inverse = square > 0 ? 1 / square : 0;
+        var spread = square > 0 ? Math.Abs(rise) / Math.Sqrt(square) * halfDiagonal : 0;
+        var a = new Vec3(ax, ay);
+        var b = new Vec3(strand.Bx, strand.By);
+        var lastRow = Index(Math.Max(ay, strand.By) + half);
+        for (var row = Index(Math.Min(ay, strand.By) - half); row <= lastRow; row++)
+        {
+            var y = row * _cell;
+            if (!FlatSegment.RowSpan(a, b, y - half, y + _cell + half, out var x0, out var x1)) continue;
+            var py = y + _cell / 2 - ay;
+            var lastColumn = Index(x1 + half);
+            DepositBin? bin = null;
+            for (var column = Index(x0 - half); column <= lastColumn; column++)
+            {
+                var px = (column + 0.5) * _cell - ax;
+                var t = Math.Min(1, Math.Max(0, (px * dx + py * dy) * inverse));
+                double u = px - dx * t, v = py - dy * t;
+                if (u * u + v * v > reach) continue;
+                if (bin is null || (column & (DepositBin.Side - 1)) == 0)
+                {
+                    bin = BinAt(column >> DepositBin.Bits, row >> DepositBin.Bits);
+                    bin.Add(index, _store, _keepDepth);
+                    bin.Top = Math.Max(bin.Top, highest);
+                }
+                var top = rise == 0 ? az : square > 0 ? Math.Min(highest, az + rise * t + spread) : highest;
+                var cell = ((row & (DepositBin.Side - 1)) << DepositBin.Bits) | (column & (DepositBin.Side - 1));
+                if (top > bin.Cells[cell]) bin.Cells[cell] = top;
+            }
+        }
+    }
+
+    private int Index(double x) => (int)Math.Floor(x / _cell);
+
+    private static int Clamp(double x, double side, int first, int count)
+        => (int)Math.Min(Math.Max(Math.Floor(x / side), first), first + count - 1);
+
+    private static bool IsOutside(Vec3 p, double margin, double edge) => !(Math.Abs(p.X) + margin < edge && Math.Abs(p.Y) + margin < edge);
+
+    private static bool ClipAxis(double a, double b, double edge, ref double low, ref double high)
+    {
+        var d = b - a;
+        if (!(edge > 0)) return false;
+        if (d == 0) return Math.Abs(a) <= edge;
+        low = Math.Max(low, Math.Min((-edge - a) / d, (edge - a) / d));
+        high = Math.Min(high, Math.Max((-edge - a) / d, (edge - a) / d));
+        return low <= high;
+    }
+
+    private DepositBin BinAt(int column, int row)
+    {
+        if (column < _left || row < _bottom || column >= _left + _columns || row >= _bottom + _rows) GrowTo(column, row);
+        return _bins[(row - _bottom) * _columns + column - _left] ??= new DepositBin();
+    }
+
+    private void GrowTo(int column, int row)
+    {
+        // Half as much again on the side that was left, so that growing costs little in all.
+        var margin = _bins.Length == 0 ? 4 : Math.Max(_columns, _rows) / 2;
+        var left = _bins.Length == 0 ? column - margin : column < _left ? column - margin : _left;
+        var bottom = _bins.Length == 0 ? row - margin : row < _bottom ? row - margin : _bottom;
+        var right = _bins.Length == 0 ? column + margin : column >= _left + _columns ? column + margin : _left + _columns - 1;
+        var top = _bins.Length == 0 ? row + margin : row >= _bottom + _rows ? row + margin : _bottom + _rows - 1;
+        left = Math.Max(left, -Reach - 1);
+        bottom = Math.Max(bottom, -Reach - 1);
+        right = Math.Min(right, Reach);
+        top = Math.Min(top, Reach);
+        var bins = new DepositBin?[(right - left + 1) * (top - bottom + 1)];
+        for (var y = 0; y < _rows; y++)
+        {
+            Array.Copy(_bins, y * _columns, bins, (y + _bottom - bottom) * (right - left + 1) + _left - left, _columns);
+        }
+        (_bins, _left, _bottom, _columns, _rows) = (bins, left, bottom, right - left + 1, top - bottom + 1);
+    }
+}

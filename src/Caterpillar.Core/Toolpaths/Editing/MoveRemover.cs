@@ -1,0 +1,203 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// Cuts moves out of a toolpath and mends what the cut leaves open: the way to the next strand, and for each tool what is pulled back, by E or by the firmware (G10 and G11). Events stay, and so
+/// do ways home; a dwell goes with its event. Blocks without cuts are shared.
+/// </summary>
+internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
+{
+    private const double NoChange = 1e-9;
+    private readonly List<ToolpathBlock> _blocks = [];
+    private readonly List<MoveEvent> _events = [];
+    private readonly SortedDictionary<int, Balance> _tools = [];
+    private BlockEditor? _editor;
+    private Vec3 _position = toolpath.Start ?? Vec3.Zero;
+    private double _travelSpeed;
+    private double _retractSpeed;
+    private int _made;
+    private int _nextEvent;
+
+    public Toolpath Run()
+    {
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        {
+            var first = toolpath.FirstOf(block);
+            var count = toolpath.Blocks[block].Count;
+            var cuts = toolpath.StartOf(block) != _position || !IsBalanced();
+            for (var i = first; i < first + count && !cuts; i++) cuts = removes(toolpath[i]);
+            if (!cuts)
+            {
+                for (var i = first; i < first + count; i++) Kept(toolpath[i]);
+                Events(first + count, first);
+                _blocks.Add(toolpath.Blocks[block]);
+                _made += count;
+                continue;
+            }
+            _editor = BlockEditor.Behind(toolpath, block);
+            for (var i = first; i < first + count; i++) Step(toolpath[i], block, i - first);
+            _blocks.AddRange(_editor.ToBlocks());
+        }
+        Events(int.MaxValue);
+        return toolpath.WithBlocks(_blocks, _events);
+    }
+
+    private void Step(Move move, int block, int i)
+    {
+        if (toolpath.HomeOf(move) is { } home)
+        {
+            Events(move.Index);
+            var there = home.Home(_position);
+            if (there != _position) Add(there, 0, 0, move.Speed, MoveKind.Travel, move.Role, move, move.Source, null);
+            _position = there;
+            return;
+        }
+        if (removes(move))
+        {
+            Of(move.Tool).Before(move);
+            Speeds(move);
+            if (move.Kind == MoveKind.Dwell) TakeDwell(move.Index);
+            else Events(move.Index);
+            return;
+        }
+        var dwell = move.Kind == MoveKind.Dwell ? TakeDwell(move.Index) : null;
+        Events(move.Index);
+        Mend(move);
+        if (dwell is not null) _events.Add(new MoveEvent(_made, dwell));
+        Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move, move.Source, move.Arc);
+        _editor!.Turn(toolpath.Blocks[block].Columns, i);
+        Kept(move);
+    }
+
+    private void Kept(Move move)
+    {
+        Speeds(move);
+        var tool = Of(move.Tool);
+        tool.Before(move);
+        tool.Now(move);
+        _position = move.End;
+    }
+
+    private void Speeds(Move move)
+    {
+        if (move.Kind == MoveKind.Travel && move.Speed > 0) _travelSpeed = move.Speed;
+        if (move.Kind == MoveKind.Retract && move.E < 0 && move.Speed > 0) _retractSpeed = move.Speed;
+    }
+
+    // Pulled back before the way, pushed forward again at its end: a travel takes along what is still pulled back.
+    private void Mend(Move move)
+    {
+        var tool = Of(move.Tool);
+        var isTravel = move.Kind == MoveKind.Travel;
+        if (tool.Missing > NoChange) Pull(move, tool, tool.Missing);
+        if (tool.MissesFirmware) Firmware(move, tool, MoveKind.Retract);
+        // A travel begins anywhere; everything else where it began.
+        if (!isTravel || move.Arc is not null) Travel(move);
+        if (isTravel) return;
+        if (tool.Missing < -NoChange) Pull(move, tool, tool.Missing);
+        if (tool.HasFirmwareLeft) Firmware(move, tool, MoveKind.Restore);
+    }
+
+    private void Travel(Move move)
+    {
+        var to = move.Start;
+        if (to.DistanceTo(_position) <= NoChange) return;
+        var speed = _travelSpeed > 0 ? _travelSpeed : move.Speed;
+        // Up before across, across before down.
+        var corner = to.Z > _position.Z ? _position.WithZ(to.Z) : to.WithZ(_position.Z);
+        if (corner != _position && corner != to) Add(corner, 0, 0, speed, MoveKind.Travel, Role.Unspecified, move, -1, null);
+        Add(to, 0, 0, speed, MoveKind.Travel, Role.Unspecified, move, -1, null);
+        _position = to;
+    }
+
+    private void Pull(Move move, Balance tool, double amount)
+    {
+        var speed = _retractSpeed > 0 ? _retractSpeed : 30;
+        Add(_position, -amount, 0, speed, amount > 0 ? MoveKind.Retract : MoveKind.Restore, Role.Unspecified, move, -1, null);
+        tool.Level();
+    }
+
+    private void Firmware(Move move, Balance tool, MoveKind kind)
+    {
+        Add(_position, 0, 0, _retractSpeed, kind, Role.Unspecified, move, -1, null);
+        tool.LevelFirmware();
+    }
+
+    private void Add(Vec3 end, double e, double deposited, double speed, MoveKind kind, Role role, Move like, int source, Arc? arc)
+    {
+        _editor!.Add(end, e, deposited, speed, kind, role, like.Layer, like.Tool, source, arc);
+        _made++;
+    }
+
+    // Events up to a move; those of a block that is kept whole stay at their moves.
+    private void Events(int before, int first = int.MaxValue)
+    {
+        for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move <= before; _nextEvent++)
+        {
+            var what = toolpath.Events[_nextEvent];
+            _events.Add(new MoveEvent(_made + Math.Max(what.Move - first, 0), what.Event));
+        }
+    }
+
+    // The event of a dwell goes where the dwell goes.
+    private DwellEvent? TakeDwell(int move)
+    {
+        DwellEvent? dwell = null;
+        Events(move - 1);
+        for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move == move; _nextEvent++)
+        {
+            if (dwell is null && toolpath.Events[_nextEvent].Event is DwellEvent taken) dwell = taken;
+            else _events.Add(new MoveEvent(_made, toolpath.Events[_nextEvent].Event));
+        }
+        return dwell;
+    }
+
+    private Balance Of(int tool)
+    {
+        if (!_tools.TryGetValue(tool, out var balance)) _tools.Add(tool, balance = new Balance());
+        return balance;
+    }
+
+    private bool IsBalanced()
+    {
+        foreach (var tool in _tools.Values)
+        {
+            if (Math.Abs(tool.Missing) > NoChange || tool.MissesFirmware || tool.HasFirmwareLeft) return false;
+        }
+        return true;
+    }
+
+    /// <summary>What a tool has pulled back, with all moves and with those that are kept.</summary>
+    private sealed class Balance
+    {
+        private double _before;
+        private double _now;
+        private bool _firmwareBefore;
+        private bool _firmwareNow;
+
+        public double Missing => _before - _now;
+
+        public bool MissesFirmware => _firmwareBefore && !_firmwareNow;
+
+        public bool HasFirmwareLeft => !_firmwareBefore && _firmwareNow;
+
+        public void Before(Move move) => Take(move, ref _before, ref _firmwareBefore);
+
+        public void Now(Move move) => Take(move, ref _now, ref _firmwareNow);
+
+        public void Level() => _now = _before;
+
+        public void LevelFirmware() => _firmwareNow = _firmwareBefore;
+
+        private static void Take(Move move, ref double pulled, ref bool firmware)
+        {
+            if (move.E < 0) pulled -= move.E;
+            else if (move.E > 0) pulled = Math.Max(pulled - move.E, 0);
+            else if (move.Kind == MoveKind.Retract) firmware = true;
+            else if (move.Kind == MoveKind.Restore) firmware = false;
+        }
+    }
+}

@@ -1,0 +1,128 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// Changes to a toolpath, planned or decoded. Each gives a new toolpath that shares all blocks that did not change; sources stay, so that a decoded file can be written again with only
+/// the changed lines different.
+/// </summary>
+public static class ToolpathEdits
+{
+    /// <summary>Multiplies the speed of the chosen moves.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The factor is not positive and finite.</exception>
+    public static Toolpath ScaleSpeed(this Toolpath toolpath, MoveFilter filter, double factor)
+    {
+        Positive(factor, nameof(factor));
+        return Change(toolpath, filter, (columns, i) => columns.Speed[i] *= factor);
+    }
+
+    /// <summary>Multiplies the material of the chosen printing moves; what only restores a retraction stays.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The factor is negative or not finite.</exception>
+    public static Toolpath ScaleFlow(this Toolpath toolpath, MoveFilter filter, double factor)
+    {
+        if (!(factor >= 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "A flow factor is 0 or more.");
+        return Change(toolpath, filter, (columns, i) =>
+        {
+            if (columns.Kind[i] is not (MoveKind.Print or MoveKind.Prime)) return;
+            var deposited = columns.Deposited[i] * factor;
+            columns.E[i] += deposited - columns.Deposited[i];
+            columns.Deposited[i] = deposited;
+        });
+    }
+
+    /// <summary>
+    /// Maps the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Strands are divided until their image is met within <paramref name="tolerance"/> mm, arcs become chords, and the
+    /// material of printing moves follows their length. For shifts, turns and scaling see <see cref="Mapping"/>, which keeps arcs.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
+    /// <exception cref="InvalidOperationException">The map gives a point that is not finite.</exception>
+    public static Toolpath Deform(this Toolpath toolpath, MoveFilter filter, Func<Vec3, Vec3> map, double tolerance = 0.01)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (filter is null) throw new ArgumentNullException(nameof(filter));
+        if (map is null) throw new ArgumentNullException(nameof(map));
+        Positive(tolerance, nameof(tolerance));
+        return new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), new PointRunMap(map, tolerance), tolerance).Run(toolpath.Start ?? Vec3.Zero);
+    }
+
+    /// <summary>
+    /// Cuts the chosen moves out. Where a strand's start is no longer reached, a travel leads to it, and retraction is carried over for each tool: after the cut as much is pulled back as before it
+    /// was, by E or by the firmware. Events stay, and so does homing.
+    /// </summary>
+    public static Toolpath Remove(this Toolpath toolpath, MoveFilter filter)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (filter is null) throw new ArgumentNullException(nameof(filter));
+        return new MoveRemover(toolpath, move => filter.Matches(toolpath, move)).Run();
+    }
+
+    /// <summary>Keeps only the chosen moves; otherwise as <see cref="Remove"/>.</summary>
+    public static Toolpath Keep(this Toolpath toolpath, MoveFilter filter)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (filter is null) throw new ArgumentNullException(nameof(filter));
+        return new MoveRemover(toolpath, move => !filter.Matches(toolpath, move)).Run();
+    }
+
+    /// <summary>Puts an event before a move (its number; the number of moves for the end). Behind a <see cref="ToolEvent"/> its tool makes the moves up to the next one; each tool has its own balance of retraction.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
+    public static Toolpath Insert(this Toolpath toolpath, int move, PrinterEvent what)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (what is null) throw new ArgumentNullException(nameof(what));
+        if (move < 0 || move > toolpath.Count) throw new ArgumentOutOfRangeException(nameof(move), move, "There is no such move.");
+        var events = toolpath.Events.ToList();
+        var at = events.FindIndex(e => e.Move > move);
+        if (at < 0) at = events.Count;
+        // A dwell or a way home is its event: what is put in front of the move comes in front of both.
+        while (at > 0 && events[at - 1].Move == move && events[at - 1].Event is DwellEvent or HomeEvent && move < toolpath.Count && IsOf(toolpath, toolpath[move], events[at - 1].Event)) at--;
+        var next = events.Skip(at).Where(e => e.Event is ToolEvent).Select(e => (int?)e.Move).FirstOrDefault() ?? toolpath.Count;
+        events.Insert(at, new MoveEvent(move, what));
+        return (what is ToolEvent { Tool: >= 0 } tool ? new ToolReassigner(toolpath, move, next, tool.Tool).Run() : toolpath).WithEvents(events);
+    }
+
+    /// <summary>Puts an event (a pause, a tool, a temperature) before the first move of a layer by its number in its object; unchanged where there is no such layer.</summary>
+    public static Toolpath InsertAtLayer(this Toolpath toolpath, int layer, PrinterEvent what)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        {
+            var columns = toolpath.Blocks[block].Columns;
+            for (var i = 0; i < columns.Count; i++)
+            {
+                if (columns.Layer[i] >= 0 && toolpath.Layers[columns.Layer[i]].Index == layer) return toolpath.Insert(toolpath.FirstOf(block) + i, what);
+            }
+        }
+        return toolpath;
+    }
+
+    private static bool IsOf(Toolpath toolpath, Move move, PrinterEvent what) => what is DwellEvent ? move.Kind == MoveKind.Dwell : toolpath.HomeOf(move) is not null;
+
+    private static Toolpath Change(Toolpath toolpath, MoveFilter filter, Action<ToolpathColumns, int> change)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (filter is null) throw new ArgumentNullException(nameof(filter));
+        var blocks = new List<ToolpathBlock>(toolpath.Blocks.Count);
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        {
+            var columns = toolpath.Blocks[block].Columns;
+            ToolpathColumns? copy = null;
+            for (var i = 0; i < columns.Count; i++)
+            {
+                if (!filter.Matches(toolpath, toolpath[toolpath.FirstOf(block) + i])) continue;
+                copy ??= columns.Copy(columns.Count);
+                change(copy, i);
+            }
+            blocks.Add(copy is null ? toolpath.Blocks[block] : new ToolpathBlock(copy));
+        }
+        return toolpath.WithBlocks(blocks);
+    }
+
+    private static void Positive(double value, string name)
+    {
+        if (!(value > 0) || double.IsInfinity(value)) throw new ArgumentOutOfRangeException(name, value, "Must be positive and finite.");
+    }
+}

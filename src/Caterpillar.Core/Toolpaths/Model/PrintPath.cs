@@ -1,0 +1,210 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// What to lay down, in one go and in order: vertices in mm, the segments between them straight or arcs in the XY plane with linear Z, and the beads of the segments.
+/// A closed path does not repeat its first vertex and has a segment back to it. Immutable.
+/// </summary>
+public sealed class PrintPath
+{
+    private readonly Vec3[] _points;
+    private readonly Bead[] _beads;
+    private readonly Arc?[]? _arcs;
+
+    /// <summary>A path with one bead for all its segments.</summary>
+    /// <exception cref="ArgumentException">Fewer than two vertices (three for a closed path without arcs), a vertex that is not finite.</exception>
+    public PrintPath(IEnumerable<Vec3> points, Bead bead, bool closed = false)
+        : this((points ?? throw new ArgumentNullException(nameof(points))).ToArray(), [bead], closed, null)
+    {
+    }
+
+    /// <summary>A path with a bead for each segment, and optionally an arc for each (null where it is straight).</summary>
+    /// <exception cref="ArgumentException">As above; or the number of beads or arcs is not that of the segments; or an arc lies in another plane than XY.</exception>
+    public PrintPath(IEnumerable<Vec3> points, IEnumerable<Bead> beads, bool closed = false, IEnumerable<Arc?>? arcs = null)
+        : this((points ?? throw new ArgumentNullException(nameof(points))).ToArray(),
+            (beads ?? throw new ArgumentNullException(nameof(beads))).ToArray(), closed, arcs?.ToArray(), perSegment: true)
+    {
+    }
+
+    private PrintPath(Vec3[] points, Bead[] beads, bool closed, Arc?[]? arcs, bool perSegment = false)
+    {
+        if (arcs is not null && Array.TrueForAll(arcs, a => a is null)) arcs = null;
+        if (points.Length < (closed && arcs is null ? 3 : 2)) throw new ArgumentException("A path needs two vertices, a closed one three.", nameof(points));
+        foreach (var p in points)
+        {
+            if (!p.IsFinite) throw new ArgumentException("A vertex is not finite.", nameof(points));
+        }
+        var segments = closed ? points.Length : points.Length - 1;
+        if (perSegment && beads.Length != segments) throw new ArgumentException($"{segments} segments need as many beads, not {beads.Length}.", nameof(beads));
+        if (arcs is not null && arcs.Length != segments) throw new ArgumentException($"{segments} segments need as many arcs or nulls, not {arcs.Length}.", nameof(arcs));
+        if (arcs is not null && Array.Exists(arcs, a => a is { Plane: not ArcPlane.XY })) throw new ArgumentException("Arcs of a path lie in the XY plane.", nameof(arcs));
+        _points = points;
+        _beads = beads;
+        _arcs = arcs;
+        IsClosed = closed;
+    }
+
+    private PrintPath(PrintPath other)
+    {
+        _points = other._points;
+        _beads = other._beads;
+        _arcs = other._arcs;
+        IsClosed = other.IsClosed;
+        Role = other.Role;
+        Layer = other.Layer;
+        Tool = other.Tool;
+        Name = other.Name;
+        Color = other.Color;
+        Overrides = other.Overrides;
+    }
+
+    public IReadOnlyList<Vec3> Points => _points;
+
+    public bool IsClosed { get; }
+
+    public int SegmentCount => IsClosed ? _points.Length : _points.Length - 1;
+
+    public bool HasArcs => _arcs is not null;
+
+    public Role Role { get; init; }
+
+    /// <summary>The layer it belongs to, or null where there are none.</summary>
+    public Layer? Layer { get; init; }
+
+    /// <summary>Number of the tool, from 0.</summary>
+    public int Tool { get; init; }
+
+    /// <summary>A name for people, or empty.</summary>
+    public string Name { get; init; } = "";
+
+    /// <summary>A color given by its designer as 0xRRGGBB, for pictures and baking, or null.</summary>
+    public int? Color { get; init; }
+
+    public PathOverrides? Overrides { get; init; }
+
+    public Vec3 Start => _points[0];
+
+    public Vec3 End => IsClosed ? _points[0] : _points[_points.Length - 1];
+
+    /// <summary>The bead of a segment.</summary>
+    public Bead BeadOf(int segment) => _beads.Length == 1 ? _beads[0] : _beads[segment];
+
+    /// <summary>The arc of a segment, or null where it is straight.</summary>
+    public Arc? ArcOf(int segment) => _arcs?[segment];
+
+    /// <summary>True when all segments share one bead.</summary>
+    public bool IsUniform => _beads.Length == 1 || Array.TrueForAll(_beads, b => b == _beads[0]);
+
+    /// <summary>End vertex of a segment.</summary>
+    public Vec3 EndOf(int segment) => segment + 1 == _points.Length ? _points[0] : _points[segment + 1];
+
+    /// <summary>Length of a segment in mm.</summary>
+    public double LengthOf(int segment)
+        => ArcOf(segment) is { } arc ? arc.Length(_points[segment], EndOf(segment)) : _points[segment].DistanceTo(EndOf(segment));
+
+    /// <summary>Length in mm.</summary>
+    public double Length
+    {
+        get
+        {
+            var sum = 0.0;
+            for (var i = 0; i < SegmentCount; i++) sum += LengthOf(i);
+            return sum;
+        }
+    }
+
+    /// <summary>Deposited volume in mm³.</summary>
+    public double Volume
+    {
+        get
+        {
+            var sum = 0.0;
+            for (var i = 0; i < SegmentCount; i++) sum += LengthOf(i) * BeadOf(i).Area;
+            return sum;
+        }
+    }
+
+    public Bounds Bounds
+    {
+        get
+        {
+            var bounds = Bounds.Of(_points);
+            for (var i = 0; _arcs is not null && i < SegmentCount; i++)
+            {
+                if (_arcs[i] is { } arc) bounds = bounds.Include(arc.Bounds(_points[i], EndOf(i)));
+            }
+            return bounds;
+        }
+    }
+
+    /// <summary>The path in the other direction; a closed one keeps its first vertex.</summary>
+    public PrintPath Reversed()
+    {
+        var points = (Vec3[])_points.Clone();
+        Array.Reverse(points, IsClosed ? 1 : 0, points.Length - (IsClosed ? 1 : 0));
+        var beads = (Bead[])_beads.Clone();
+        Array.Reverse(beads);
+        Arc?[]? arcs = null;
+        if (_arcs is not null)
+        {
+            arcs = new Arc?[_arcs.Length];
+            for (var i = 0; i < arcs.Length; i++) arcs[i] = _arcs[arcs.Length - 1 - i]?.Reversed();
+        }
+        return With(points, beads, arcs);
+    }
+
+    /// <summary>A closed path that begins at another of its vertices.</summary>
+    /// <exception cref="InvalidOperationException">The path is open.</exception>
+    public PrintPath StartingAt(int vertex)
+    {
+        if (!IsClosed) throw new InvalidOperationException("Only a closed path can begin elsewhere.");
+        return vertex == 0 ? this : With(Rotated(_points, vertex), _beads.Length == 1 ? _beads : Rotated(_beads, vertex), _arcs is null ? null : Rotated(_arcs, vertex));
+    }
+
+    /// <summary>The same path with another bead for each segment.</summary>
+    public PrintPath WithBeads(Func<int, Bead> beadOfSegment)
+    {
+        var beads = new Bead[SegmentCount];
+        for (var i = 0; i < beads.Length; i++) beads[i] = beadOfSegment(i);
+        return With(_points, beads, _arcs);
+    }
+
+    /// <summary>The same settings along other geometry.</summary>
+    /// <inheritdoc cref="PrintPath(IEnumerable{Vec3}, IEnumerable{Bead}, bool, IEnumerable{Arc?})" path="/exception"/>
+    public PrintPath WithGeometry(IEnumerable<Vec3> points, IEnumerable<Bead> beads, bool closed, IEnumerable<Arc?>? arcs = null)
+        => Settings(new PrintPath(points, beads, closed, arcs));
+
+    public PrintPath With(Role? role = null, Layer? layer = null, int? tool = null, string? name = null, PathOverrides? overrides = null)
+        => new(this)
+        {
+            Role = role ?? Role,
+            Layer = layer ?? Layer,
+            Tool = tool ?? Tool,
+            Name = name ?? Name,
+            Overrides = overrides ?? Overrides,
+        };
+
+    /// <summary>The same path in a color, 0xRRGGBB, or in none.</summary>
+    public PrintPath WithColor(int? color) => new(this) { Color = color };
+
+    /// <summary>Takes the arrays over without a copy; for code that has just made them.</summary>
+    internal static PrintPath Own(Vec3[] points, Bead[] beads, bool closed, Arc?[]? arcs = null) => new(points, beads, closed, arcs, beads.Length != 1);
+
+    internal Vec3[] RawPoints => _points;
+
+    private PrintPath With(Vec3[] points, Bead[] beads, Arc?[]? arcs) => Settings(new PrintPath(points, beads, IsClosed, arcs, beads.Length != 1));
+
+    private PrintPath Settings(PrintPath geometry) => new(geometry) { Role = Role, Layer = Layer, Tool = Tool, Name = Name, Color = Color, Overrides = Overrides };
+
+    private static T[] Rotated<T>(T[] items, int first)
+    {
+        var rotated = new T[items.Length];
+        Array.Copy(items, first, rotated, 0, items.Length - first);
+        Array.Copy(items, 0, rotated, items.Length - first, first);
+        return rotated;
+    }
+}

@@ -1,0 +1,95 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>The way through steps by its length: where a turtle is at any part of it, and what it has printed until there.</summary>
+public sealed class TurtleTimeline
+{
+    private readonly IReadOnlyList<TurtleMove> _moves;
+    private readonly double[] _ends;
+
+    /// <param name="steps">Steps of a turtle or any other source.</param>
+    public TurtleTimeline(IReadOnlyList<Step> steps)
+    {
+        if (steps is null) throw new ArgumentNullException(nameof(steps));
+        _moves = TurtleHistory.Of(steps, start: First(steps));
+        _ends = new double[_moves.Count];
+        var sum = 0.0;
+        for (var i = 0; i < _ends.Length; i++) _ends[i] = sum += _moves[i].Length;
+    }
+
+    /// <summary>Length of all moves, mm.</summary>
+    public double Length => _ends.Length == 0 ? 0 : _ends[_ends.Length - 1];
+
+    /// <summary>
+    /// The pose at a part of the way, 0 to 1: X along the move, wings level; between moves that of the move that ends there. The frame of the world where there are no moves.
+    /// </summary>
+    public Frame PoseAt(double part)
+    {
+        var i = MoveAt(part, out var along);
+        if (i < 0) return Frame.World;
+        var move = _moves[i];
+        var yaw = 0.0;
+        // Straight up and down, the turtle looks as it did on its last move in the plane.
+        for (var k = i; k >= 0; k--)
+        {
+            var d = _moves[k].To - _moves[k].From;
+            if (!(d.LengthXY > 1e-9)) continue;
+            yaw = Basics.Angle.Atan2(d.Y, d.X);
+            break;
+        }
+        var direction = move.To - move.From;
+        var heading = direction.Length > 0 ? Heading.Towards(direction, yaw) : new Heading(yaw, 0, 0);
+        return heading.ToFrame(Vec3.Lerp(move.From, move.To, along));
+    }
+
+    /// <summary>The strands printed up to a part of the way, 0 to 1, as polylines in order.</summary>
+    public IReadOnlyList<IReadOnlyList<Vec3>> PrintedUntil(double part)
+    {
+        var runs = new List<IReadOnlyList<Vec3>>();
+        List<Vec3>? run = null;
+        var last = MoveAt(part, out var along);
+        for (var i = 0; i <= last; i++)
+        {
+            var move = _moves[i];
+            if (!move.Prints)
+            {
+                if (move.Length > 0) run = null;
+                continue;
+            }
+            if (run is null || run[run.Count - 1] != move.From) runs.Add(run = [move.From]);
+            run.Add(i == last ? Vec3.Lerp(move.From, move.To, along) : move.To);
+        }
+        return runs;
+    }
+
+    private int MoveAt(double part, out double along)
+    {
+        along = 1;
+        if (_moves.Count == 0) return -1;
+        if (double.IsNaN(part)) throw new ArgumentOutOfRangeException(nameof(part), "A part of the way is a number from 0 to 1.");
+        var wanted = Math.Min(Math.Max(part, 0), 1) * Length;
+        var i = Array.BinarySearch(_ends, wanted);
+        if (i < 0) i = ~i;
+        // Of several moves that end here, the first has a length.
+        while (i > 0 && i < _ends.Length && _ends[i - 1] >= wanted) i--;
+        i = Math.Min(i, _ends.Length - 1);
+        while (i < _ends.Length - 1 && _moves[i].Length == 0) i++;
+        var length = _moves[i].Length;
+        along = length > 0 ? Math.Min(Math.Max((wanted - (_ends[i] - length)) / length, 0), 1) : 1;
+        return i;
+    }
+
+    private static Vec3 First(IReadOnlyList<Step> steps)
+    {
+        foreach (var step in steps)
+        {
+            if (step is PathStep path) return path.Path.Start;
+            if (step is TravelStep travel) return travel.Points[0];
+        }
+        return Vec3.Zero;
+    }
+}

@@ -1,0 +1,156 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Drawings;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Curves;
+
+public class CurvePathsTests
+{
+    [Test]
+    public void The_E_per_mm_of_the_sample_in_the_paper_is_reproduced()
+    {
+        // G1 X65.7029 Y68.4932 Z40.1287 E1.3947, then G1 X66.6977 Y67.4932 Z40.2310 E1.5861: 0.1353 mm of filament for one mm.
+        var line = new LineCurve(new Vec3(65.7029, 68.4932, 40.1287), new Vec3(66.6977, 67.4932, 40.2310));
+        var options = new CurveOptions { Width = 0.8, Height = 0.4, Multiplier = 1.017 };
+        var path = CurvePaths.ToPaths([new UserCurve(line)], options).Value!.Single();
+        var law = new ExtrusionModel(ExtrusionUnit.Mm, 1.75);
+        var e = law.E(path.Length, path.BeadOf(0).Area);
+        Assert.That(e / path.Length, Is.EqualTo(0.1353).Within(5e-5));
+        Assert.That(1.3947 + e, Is.EqualTo(1.5861).Within(1e-4));
+    }
+
+    [Test]
+    public void Curves_are_printed_in_their_order()
+    {
+        var random = new Random(41);
+        var curves = Enumerable.Range(0, 20).Select(_ => new UserCurve(new LineCurve(Point(random), Point(random)))).ToArray();
+        var steps = CurvePaths.ToSteps(curves).Value!;
+        for (var i = 0; i < curves.Length; i++)
+        {
+            var step = (PathStep)steps[i];
+            Assert.That(step.Path.Points, Is.EqualTo(new[] { curves[i].Curve.Start, curves[i].Curve.End }));
+            Assert.That(step.Group, Is.Null);
+        }
+        var sortable = CurvePaths.ToSteps(curves, new CurveOptions { Sorting = CurveSorting.All }).Value!;
+        Assert.That(((PathStep)sortable[3]).Group, Is.EqualTo(new StepGroup(0)));
+        var layered = CurvePaths.ToSteps([curves[0] with { Layer = new Layer(7, 1) }], new CurveOptions { Sorting = CurveSorting.WithinLayers }).Value!;
+        Assert.That(((PathStep)layered[0]).Group, Is.EqualTo(new StepGroup(7)));
+    }
+
+    [Test]
+    public void Settings_of_a_curve_come_before_those_for_all()
+    {
+        var line = new LineCurve(Vec3.Zero, Vec3.UnitX);
+        var options = new CurveOptions { Width = 0.5, Height = 0.2, Speed = 30 };
+        Bead Bead(UserCurve curve) => CurvePaths.ToPaths([curve], options).Value!.Single().BeadOf(0);
+        Assert.That(Bead(new UserCurve(line)), Is.EqualTo(new Bead(0.5 * 0.2, 0.2, 30)));
+        Assert.That(Bead(new UserCurve(line) { Width = 1, Speed = 10, Multiplier = 2 }), Is.EqualTo(new Bead(1 * 0.2 * 2, 0.2, 10)));
+        Assert.That(Bead(new UserCurve(line) { Area = 0.7, Height = 0.3 }), Is.EqualTo(new Bead(0.7, 0.3, 30)));
+        var path = CurvePaths.ToPaths([new UserCurve(line) { Name = "a", Tool = 2, Role = Role.Brim, Layer = new Layer(3, 1) }], options).Value!.Single();
+        Assert.That((path.Name, path.Tool, path.Role, path.Layer!.Index), Is.EqualTo(("a", 2, Role.Brim, 3)));
+    }
+
+    [Test]
+    public void Strokes_deposit_nothing()
+    {
+        var paths = CurvePaths.ToPaths([new UserCurve(ArcCurve.Circle(Vec3.Zero, 5)) { Area = 3 }], new CurveOptions { Strokes = true }).Value!;
+        Assert.That(paths.Single().Volume, Is.Zero);
+        Assert.That(CurvePaths.ToPaths([new UserCurve(ArcCurve.Circle(Vec3.Zero, 5)) { Area = 0 }]).Value!.Single().Volume, Is.Zero);
+    }
+
+    [Test]
+    public void Values_along_a_polyline_become_ramps_with_the_same_volume()
+    {
+        var points = new Vec3[] { new(0, 0), new(10, 0), new(20, 0), new(20, 5) };
+        var curve = new UserCurve(new PolylineCurve(points)) { Along = new PointValues(areas: [0.1, 0.3, 0.3, 0.3], speeds: [20, 20, 40, 40]) };
+        var path = CurvePaths.ToPaths([curve]).Value!.Single();
+        Assert.That(path.Volume, Is.EqualTo(10 * 0.2 + 10 * 0.3 + 5 * 0.3).Within(1e-12));
+        foreach (var point in points) Assert.That(path.Points, Does.Contain(point));
+        for (var i = 1; i < path.SegmentCount; i++)
+        {
+            Assert.That(Math.Abs(path.BeadOf(i).Area - path.BeadOf(i - 1).Area), Is.LessThan(0.1 * 0.3 + 1e-12));
+            Assert.That(Math.Abs(path.BeadOf(i).Speed - path.BeadOf(i - 1).Speed), Is.LessThan(0.1 * 40 + 1e-12));
+        }
+        Assert.That(path.BeadOf(path.SegmentCount - 1), Is.EqualTo(new Bead(0.3, 0.2, 40)));
+    }
+
+    [Test]
+    public void Values_along_other_curves_are_spaced_by_length()
+    {
+        var curve = new UserCurve(new ArcCurve(Frame.World, 10, 180)) { Along = new PointValues(areas: [0.1, 0.1, 0.4]) };
+        var path = CurvePaths.ToPaths([curve], new CurveOptions { Subdivision = SubdivisionOptions.ByDistance(0.5) }).Value!.Single();
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            if (path.EndOf(i).X > 0) Assert.That(path.BeadOf(i).Area, Is.EqualTo(0.1).Within(1e-12));
+        }
+        Assert.That(path.BeadOf(path.SegmentCount - 1).Area, Is.EqualTo(0.4).Within(0.02));
+        Assert.That(path.Volume, Is.EqualTo(path.Length * (0.5 * 0.1 + 0.5 * 0.25)).Within(0.01));
+    }
+
+    [Test]
+    public void A_closed_polyline_with_values_comes_back_to_the_first_value()
+    {
+        var curve = new UserCurve(new PolylineCurve([new(0, 0), new(4, 0), new(4, 4)], closed: true)) { Along = new PointValues(areas: [0.1, 0.2, 0.3]) };
+        var path = CurvePaths.ToPaths([curve]).Value!.Single();
+        Assert.That(path.IsClosed, Is.True);
+        Assert.That(path.BeadOf(path.SegmentCount - 1).Area, Is.EqualTo(0.1).Within(0.02));
+        Assert.That(path.Volume, Is.EqualTo(4 * 0.15 + 4 * 0.25 + Math.Sqrt(32) * 0.2).Within(1e-9));
+    }
+
+    [Test]
+    public void Arcs_are_kept_or_fitted_when_asked()
+    {
+        var circle = new UserCurve(ArcCurve.Circle(new Vec3(5, 5, 0.2), 5));
+        var kept = CurvePaths.ToPaths([circle], new CurveOptions { Subdivision = SubdivisionOptions.ByDistance(1) with { KeepArcs = true } }).Value!.Single();
+        Assert.That(kept.SegmentCount, Is.EqualTo(2));
+        Assert.That(kept.IsClosed, Is.True);
+        var fitted = CurvePaths.ToPaths([circle], new CurveOptions { FitArcs = 0.05 }).Value!.Single();
+        Assert.That(fitted.HasArcs, Is.True);
+        Assert.That(fitted.Length, Is.EqualTo(kept.Length).Within(0.1));
+    }
+
+    [Test]
+    public void Touching_curves_are_joined_when_asked()
+    {
+        var curves = new[] { new UserCurve(new LineCurve(Vec3.Zero, Vec3.UnitX)), new UserCurve(new LineCurve(Vec3.UnitX, new Vec3(1, 1))) };
+        Assert.That(CurvePaths.ToPaths(curves).Value, Has.Count.EqualTo(2));
+        Assert.That(CurvePaths.ToPaths(curves, new CurveOptions { MergeTolerance = 0.01 }).Value, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public void Bad_curves_are_reported()
+    {
+        var line = new LineCurve(Vec3.Zero, Vec3.UnitX);
+        Diagnostic Problem(UserCurve curve) => CurvePaths.ToPaths([curve]).Diagnostics[0];
+        Assert.That(Problem(new UserCurve(line) { Area = -1 }).Code, Is.EqualTo("curves.bead"));
+        Assert.That(Problem(new UserCurve(line) { Width = double.NaN }).Severity, Is.EqualTo(Severity.Error));
+        Assert.That(Problem(new UserCurve(line) { Along = new PointValues(areas: [0.1, -0.1]) }).Code, Is.EqualTo("curves.bead"));
+        var below = CurvePaths.ToPaths([new UserCurve(new LineCurve(Vec3.Zero, new Vec3(5, 0, -1)))]);
+        Assert.That(below.Value, Has.Count.EqualTo(1));
+        Assert.That(below.Diagnostics[0].Code, Is.EqualTo("curves.below_bed"));
+        Assert.That(below.Diagnostics[0].Message, Does.Contain("Z -1 mm"));
+        var point = CurvePaths.ToPaths([new UserCurve(new PolylineCurve([Vec3.UnitX, Vec3.UnitX])), new UserCurve(line)]);
+        Assert.That(point.Value, Has.Count.EqualTo(1));
+        Assert.That(point.Diagnostics[0].Code, Is.EqualTo("curves.too_short"));
+        Assert.That(CurvePaths.ToPaths([]).Diagnostics[0].Code, Is.EqualTo("curves.empty"));
+        Assert.That(() => new PointValues(areas: [1, 2], speeds: [1, 2, 3]), Throws.ArgumentException);
+    }
+
+    [Test]
+    public void Repeated_points_and_crossings_are_printed_as_drawn()
+    {
+        var eight = new PolylineCurve([new(0, 0), new(4, 4), new(4, 4), new(4, 0), new(0, 4), new(0, 4), new(2, 2)]);
+        var path = CurvePaths.ToPaths([new UserCurve(eight)]).Value!.Single();
+        Assert.That(path.Points, Is.EqualTo(new Vec3[] { new(0, 0), new(4, 4), new(4, 0), new(0, 4), new(2, 2) }));
+        var withValues = new UserCurve(eight) { Along = new PointValues(areas: [.1, .1, .1, .1, .1, .2, .2]) };
+        Assert.That(CurvePaths.ToPaths([withValues]).Value!.Single().Length, Is.EqualTo(path.Length).Within(1e-12));
+    }
+
+    private static Vec3 Point(Random random) => new(random.NextDouble() * 100, random.NextDouble() * 100, random.NextDouble());
+}
