@@ -23,10 +23,12 @@ public class GCodeBenchmarks
     }
 
     [Benchmark]
-    public DecodedGCode DecodeOnOneThread() => GCodeDecoder.Decode(GCodeDocument.FromBytes(_bytes), new DecodeOptions { Threads = 1 }).Value ?? throw new InvalidOperationException();
+    public DecodedGCode DecodeOnOneThread()
+        => GCodeDecoder.Decode(GCodeDocument.FromBytes(_bytes), new DecodeOptions { Threads = 1 }).Value ?? throw new InvalidOperationException();
 
     [Benchmark]
-    public DecodedGCode DecodeOnTwoThreads() => GCodeDecoder.Decode(GCodeDocument.FromBytes(_bytes), new DecodeOptions { Threads = 2 }).Value ?? throw new InvalidOperationException();
+    public DecodedGCode DecodeOnTwoThreads()
+        => GCodeDecoder.Decode(GCodeDocument.FromBytes(_bytes), new DecodeOptions { Threads = 2 }).Value ?? throw new InvalidOperationException();
 
     [Benchmark]
     public object DecodeAndWriteUnedited()
@@ -37,7 +39,8 @@ public class GCodeBenchmarks
 
     [Benchmark]
     public object EditOneLayerAndWrite()
-        => GCodeEditor.Write(_decoding!, _decoding!.Toolpath.ScaleSpeed(new MoveFilter { FirstLayer = 20, LastLayer = 20, Kinds = [MoveKind.Print] }, 0.5), Stream.Null);
+        => GCodeEditor.Write(_decoding!, _decoding!.Toolpath.ScaleSpeed(new MoveFilter { FirstLayer = 20, LastLayer = 20, Kinds = [MoveKind.Print] }, 0.5),
+            Stream.Null);
 
     [Benchmark]
     public object ConvertToRelativeE() => GCodeConverter.Convert(_decoding!, new ConvertOptions { RelativeE = true }, Stream.Null);
@@ -51,7 +54,8 @@ public class GCodeBenchmarks
         for (var i = 0; i < lines; i++)
         {
             if (i % 3000 == 0) text.Append(";LAYER_CHANGE\n;Z:").Append(i / 3000 * 2 + 2).Append("e-1\nG1 Z").Append(i / 3000 * 2 + 2).Append(" F7800\n");
-            text.Append("G1 X").Append(i % 97).Append('.').Append(i % 1000).Append(" Y").Append(i % 89).Append('.').Append(i % 991).Append(" E").Append(i / 50).Append('.').Append((i % 50) * 2 + 10).Append('\n');
+            text.Append("G1 X").Append(i % 97).Append('.').Append(i % 1000).Append(" Y").Append(i % 89).Append('.').Append(i % 991).Append(" E").Append(i / 50)
+                .Append('.').Append((i % 50) * 2 + 10).Append('\n');
         }
         return Encoding.ASCII.GetBytes(text.ToString());
     }

@@ -4,8 +4,8 @@ using System.IO;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// Writes the example models: <c>dotnet run --project examples/make [FOLDER]</c>; without a folder into examples/models of the repository. With <c>--pictures FOLDER</c> it draws the
-/// examples instead.
+/// Writes the example models: <c>dotnet run --project examples/make [FOLDER]</c>; without a folder into examples/models of the repository. With <c>--pictures
+/// FOLDER</c> it draws the examples instead.
 /// </summary>
 internal static class Program
 {

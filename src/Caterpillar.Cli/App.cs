@@ -14,12 +14,14 @@ internal static class App
     {
         // A file that was cut off is an error, not a shorter file.
         AppContext.SetSwitch("System.IO.Compression.UseStrictValidation", true);
-        var root = new Command("caterpillar", "Turns designs into 3D-printer motion, and G-code back into toolpaths.") { new HelpOption(), new VersionOption() };
+        var root = new Command("caterpillar", "Turns designs into 3D-printer motion, and G-code back into toolpaths.") { new HelpOption(),
+            new VersionOption() };
         foreach (var verb in Verbs.All()) root.Subcommands.Add(verb);
         try
         {
             var parsed = root.Parse(words);
-            if (UnknownOption(parsed) is { } unknown) throw new CliException(ExitCode.Usage, $"There is no option {unknown}; for a file of this name write ./{unknown}");
+            if (UnknownOption(parsed) is { } unknown) throw new CliException(ExitCode.Usage,
+                $"There is no option {unknown}; for a file of this name write ./{unknown}");
             if (parsed.CommandResult.Command is Verb verb && parsed.Action is null && parsed.Errors.Count == 0) return verb.Run(parsed, session);
             return Answer(parsed, session);
         }
@@ -50,7 +52,8 @@ internal static class App
     private static string? UnknownOption(ParseResult parsed)
     {
         if (parsed.Tokens.Any(t => t.Type == TokenType.DoubleDash)) return null;
-        return parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value).FirstOrDefault(v => v.Length > 1 && v[0] == '-');
+        return parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value)
+            .FirstOrDefault(v => v.Length > 1 && v[0] == '-');
     }
 
     // Help and version, or wrong usage.

@@ -18,7 +18,8 @@ internal static class DecodeSummary
         var rows = new[]
         {
             ["  Printed", $"{Mm(report.PrintLength)} in {Count(report.PrintSegments + report.PrintArcs)} moves, {Count(moves.Layers.Count)} layers"],
-            ["  Traveled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs)} moves, {Count(report.Retracts + report.FirmwareRetracts)} retractions"],
+            ["  Traveled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs)} moves, "
+                + $"{Count(report.Retracts + report.FirmwareRetracts)} retractions"],
             ["  Extruded", report.HasAmounts ? $"{Mm(report.EUsed)} of E, net {Mm(report.ENet)}" : "no amounts of E"],
             ["  Printed box", Box(report.PrintBounds)],
             new[] { "  All moves", Box(report.AllBounds) },
@@ -28,7 +29,8 @@ internal static class DecodeSummary
         if (decoding.Ignored.Count > 0)
         {
             var ignored = decoding.Ignored.OrderByDescending(p => p.Value).ThenBy(p => p.Key, System.StringComparer.Ordinal).ToArray();
-            text.WriteLine("  Without effect on the way: " + string.Join(", ", ignored.Take(12).Select(p => $"{p.Key} ×{Count(p.Value)}")) + (ignored.Length > 12 ? ", …" : ""));
+            text.WriteLine("  Without effect on the way: " + string.Join(", ", ignored.Take(12).Select(p => $"{p.Key} ×{Count(p.Value)}"))
+                + (ignored.Length > 12 ? ", …" : ""));
         }
     }
 

@@ -27,7 +27,9 @@ internal sealed class MoveTable
     {
         var table = new MoveTable(stream);
         var several = toolpaths.Count > 1;
-        table.Text((several ? "file," : "") + "move,line,kind,x,y,z,e,deposited_e,speed_mm_s,role,layer,tool,length_mm,arc_center_x,arc_center_y,arc_center_z,arc_sweep_deg,area_mm2,width_mm\n");
+        table.Text((several ? "file," : "")
+            + "move,line,kind,x,y,z,e,deposited_e,speed_mm_s,role,layer,tool,length_mm,arc_center_x,arc_center_y,"
+            + "arc_center_z,arc_sweep_deg,area_mm2,width_mm\n");
         foreach (var (file, toolpath) in toolpaths)
         {
             var prefix = several ? Quoted(file) + "," : "";
@@ -134,7 +136,8 @@ internal sealed class MoveTable
         _at = 0;
     }
 
-    private static string Quoted(string text) => text.AsSpan().IndexOfAny(",\"\n\r") >= 0 ? "\"" + text.Replace("\"", "\"\"", StringComparison.Ordinal) + "\"" : text;
+    private static string Quoted(string text)
+        => text.AsSpan().IndexOfAny(",\"\n\r") >= 0 ? "\"" + text.Replace("\"", "\"\"", StringComparison.Ordinal) + "\"" : text;
 
     private static string Snake(string name)
         => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? "_" + char.ToLowerInvariant(c) : char.ToLowerInvariant(c).ToString()));

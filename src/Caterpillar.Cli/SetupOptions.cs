@@ -7,13 +7,17 @@ namespace Caterpillar.Cli;
 /// <summary>The options that choose printer, material and settings; for every verb that needs them.</summary>
 internal sealed class SetupOptions
 {
-    public Option<string> Printer { get; } = new("--printer", "-p") { Description = "Printer profile: a name (see \"caterpillar printers\") or a JSON file.", HelpName = "NAME|FILE", DefaultValueFactory = _ => "generic" };
+    public Option<string> Printer { get; } = new("--printer", "-p") { Description = "Printer profile: a name (see \"caterpillar printers\") or a JSON file.",
+        HelpName = "NAME|FILE", DefaultValueFactory = _ => "generic" };
 
-    public Option<string?> Material { get; } = new("--material", "-m") { Description = "Material profile; the printer's own without it.", HelpName = "NAME|FILE" };
+    public Option<string?> Material { get; } = new("--material", "-m") { Description = "Material profile; the printer's own without it.",
+        HelpName = "NAME|FILE" };
 
-    public Option<string?> Settings { get; } = new("--settings", "-s") { Description = "Print settings; the printer's own without them.", HelpName = "NAME|FILE" };
+    public Option<string?> Settings { get; } = new("--settings", "-s") { Description = "Print settings; the printer's own without them.",
+        HelpName = "NAME|FILE" };
 
-    public Option<string[]> Set { get; } = new("--set") { Description = "Another value for any key of the three profiles, for example layer_height_mm=0.3.", HelpName = "KEY=VALUE" };
+    public Option<string[]> Set { get; } = new("--set") { Description = "Another value for any key of the three profiles, for example layer_height_mm=0.3.",
+        HelpName = "KEY=VALUE" };
 
     public void AddTo(Verb verb)
     {

@@ -15,7 +15,8 @@ internal sealed class WriteOptions
 {
     private readonly Option<string?> _output = new("--output", "-o")
     {
-        Description = "The G-code file, binary where its name ends in .bgcode, or - for standard output. Without it the name of the first input with .gcode, in the current folder.",
+        Description = "The G-code file, binary where its name ends in .bgcode, or - for standard output. Without it the name of the first input with .gcode, "
+            + "in the current folder.",
         HelpName = "FILE",
     };
 
@@ -41,7 +42,8 @@ internal sealed class WriteOptions
         var name = Path.GetFileName(input);
         if (name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)) name = Path.GetFileNameWithoutExtension(name);
         var file = Path.GetFileNameWithoutExtension(name) + ".gcode";
-        return Path.GetFullPath(file) != Path.GetFullPath(input) ? file : throw new CliException(ExitCode.Usage, $"{input} would be overwritten: say where to write with -o.");
+        return Path.GetFullPath(file) != Path.GetFullPath(input) ? file
+            : throw new CliException(ExitCode.Usage, $"{input} would be overwritten: say where to write with -o.");
     }
 
     /// <summary>Checks and writes a toolpath, and says what was written.</summary>
@@ -54,7 +56,8 @@ internal sealed class WriteOptions
 
     /// <summary>The same, for what wants to know more about the file; one of more than <paramref name="mostBytes"/> is not written.</summary>
     /// <exception cref="CliException">A check refused, or the file would be too large.</exception>
-    public WrittenGCode WriteGCode(ParseResult arguments, Session session, Toolpath toolpath, PrintSetup setup, string file, double mostBytes = double.PositiveInfinity)
+    public WrittenGCode WriteGCode(ParseResult arguments, Session session, Toolpath toolpath, PrintSetup setup, string file,
+        double mostBytes = double.PositiveInfinity)
     {
         WrittenGCode? written = null;
         session.Write(file, stream =>
@@ -69,7 +72,8 @@ internal sealed class WriteOptions
             session.Print(result.Diagnostics);
             written = result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
             if (written.Bytes > mostBytes)
-                throw new CliException(ExitCode.Refused, $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than allowed; nothing was written.");
+                throw new CliException(ExitCode.Refused,
+                    $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than allowed; nothing was written.");
             if (text is not null) BinaryGCode.Write(GCodeDocument.FromBytes(text.ToArray()), stream, null, session.Cancel);
         });
         if (file != "-") session.Messages.WriteLine($"{file}: {Count(written!.Lines)} lines, {Count(written.Bytes)} bytes");

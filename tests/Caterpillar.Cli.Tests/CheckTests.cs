@@ -10,7 +10,8 @@ public class CheckTests : CliFixture
     public void What_was_written_for_a_printer_passes_its_check()
     {
         File.WriteAllText("part.stl", Box(20, 10, 2));
-        foreach (var printer in new[] { "generic", "ender3", "prusa_mk3s", "klipper_256", "rrf_delta", "potter_super", "lutum", "wasp_2040_clay", "pen_plotter" })
+        foreach (var printer in new[] { "generic", "ender3", "prusa_mk3s", "klipper_256", "rrf_delta", "potter_super", "lutum", "wasp_2040_clay",
+            "pen_plotter" })
         {
             Assert.That(Run("slice", "part.stl", "-p", printer).Code, Is.Zero, printer);
             var check = Run("check", "part.gcode", "-p", printer);

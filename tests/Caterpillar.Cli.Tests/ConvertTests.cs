@@ -60,7 +60,8 @@ public class ConvertTests : CliFixture
     [Test]
     public void Layers_move_turn_and_scale_and_the_start_code_stays()
     {
-        const string Square = "G21\nG90\nM83\nG1 X0 Y-3 E5 F600\n;LAYER:0\nG0 X10 Y10 Z0.2 F6000\nG1 X30 E2 F1200\nG1 Y20 E1\n;LAYER:1\nG0 X10 Y10 Z0.4 F6000\nG1 X30 E2 F1200\nG1 Y20 E1\n";
+        const string Square = "G21\nG90\nM83\nG1 X0 Y-3 E5 F600\n;LAYER:0\nG0 X10 Y10 Z0.2 F6000\nG1 X30 E2 F1200\nG1 Y20 E1\n;LAYER:1\nG0 X10 Y10 Z0.4 "
+            + "F6000\nG1 X30 E2 F1200\nG1 Y20 E1\n";
         File.WriteAllText("a.gcode", Square);
         Assert.That(Run("convert", "a.gcode", "-o", "-", "--move", "1,2,0.1").Text, Is.EqualTo(
             Square.Replace("X10 Y10 Z0.2", "X11 Y12 Z0.3").Replace("X10 Y10 Z0.4", "X11 Y12 Z0.5").Replace("X30", "X31").Replace("Y20", "Y22")));

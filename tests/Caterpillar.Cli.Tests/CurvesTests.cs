@@ -29,7 +29,8 @@ public class CurvesTests : CliFixture
     public void Percentages_and_shapes_set_the_strand()
     {
         File.WriteAllText("line.csv", "0,0,0.4\n100,0,0.4\n");
-        Run("curves", "line.csv", "--move", "10,10", "--width", "200%", "--height", "0.4", "--shape", "rectangle", "--multiplier", "101.7%", "--speed", "20", "--set", "nozzle_diameter_mm=0.4");
+        Run("curves", "line.csv", "--move", "10,10", "--width", "200%", "--height", "0.4", "--shape", "rectangle", "--multiplier", "101.7%", "--speed", "20",
+            "--set", "nozzle_diameter_mm=0.4");
         // The E per mm of the sample in the Caterpillar paper.
         var e = Prints("line.gcode").Single().Split(' ').Single(w => w[0] == 'E');
         Assert.That(double.Parse(e[1..], System.Globalization.CultureInfo.InvariantCulture) / 100, Is.EqualTo(0.1353).Within(1e-4));

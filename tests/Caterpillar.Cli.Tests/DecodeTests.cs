@@ -51,7 +51,8 @@ public class DecodeTests : CliFixture
         var columns = rows[0].Split(',');
         var print = rows.Skip(1).Select(r => r.Split(',')).Where(r => r[2] == "print").ToArray();
         Assert.That(print.Select(r => r[1]), Is.EqualTo(new[] { "5", "6" }));
-        Assert.That(print[1].Zip(columns, (v, k) => k + "=" + v), Is.SupersetOf(new[] { "x=30", "y=25", "z=0.2", "e=1", "deposited_e=1", "speed_mm_s=50", "length_mm=15" }));
+        Assert.That(print[1].Zip(columns, (v, k) => k + "=" + v),
+            Is.SupersetOf(new[] { "x=30", "y=25", "z=0.2", "e=1", "deposited_e=1", "speed_mm_s=50", "length_mm=15" }));
         Assert.That(rows.Select(r => r.Split(',').Length), Is.All.EqualTo(columns.Length));
         Assert.That(Run("decode", "a.gcode", "a.gcode", "--csv").Text.Split('\n')[1], Does.StartWith("a.gcode,0,"));
     }
@@ -107,7 +108,8 @@ public class DecodeTests : CliFixture
         }
     }
 
-    private static IEnumerable<string> Keys(JsonElement value) => value.EnumerateObject().Select(p => p.Name).Where(n => !n.StartsWith("e_total", StringComparison.Ordinal));
+    private static IEnumerable<string> Keys(JsonElement value)
+        => value.EnumerateObject().Select(p => p.Name).Where(n => !n.StartsWith("e_total", StringComparison.Ordinal));
 
     private static byte[] Packed(string text)
     {

@@ -45,7 +45,8 @@ public class PackedFileTests : CliFixture
                 var verbs = name.StartsWith('p') ? ["slice", "sections"] : new[] { "decode", "check", "convert", "picture" };
                 foreach (var verb in verbs)
                 {
-                    var run = Run(verb == "sections" ? [verb, name, "--heights", "1", "--json"] : verb is "convert" or "slice" ? [verb, name, "-o", "out"] : [verb, name]);
+                    var run = Run(verb == "sections" ? [verb, name, "--heights", "1", "--json"] : verb is "convert" or "slice" ? [verb, name, "-o", "out"]
+                        : [verb, name]);
                     Assert.That(run.Code, Is.EqualTo(1), $"{verb} {name} -{missing}");
                     Assert.That(run.Messages, Does.Contain(name).And.Contain("cut off"), verb);
                     Assert.That(run.Output, Is.Empty);
@@ -74,14 +75,16 @@ public class PackedFileTests : CliFixture
         File.WriteAllText("a.gcode", Code);
         Assert.That(Run("convert", "a.gcode", "-o", "a.bgcode").Code, Is.Zero);
         Assert.That(File.ReadAllText("a.bgcode"), Does.StartWith("GCDE"));
-        Assert.That(Run("decode", "a.bgcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2)), Is.EqualTo(Run("decode", "a.gcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2))));
+        Assert.That(Run("decode", "a.bgcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2)),
+            Is.EqualTo(Run("decode", "a.gcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2))));
         Assert.That(Run("convert", "a.bgcode", "-o", "b.gcode").Code, Is.Zero);
         Assert.That(File.ReadAllText("b.gcode"), Is.EqualTo("\n" + Code));
         File.WriteAllText("part.stl", Box(20, 10, 2));
         Assert.That(Run("slice", "part.stl", "-o", "part.gcode").Code, Is.Zero);
         Assert.That(Run("slice", "part.stl", "-o", "part.bgcode").Code, Is.Zero);
         Assert.That(new FileInfo("part.bgcode").Length, Is.LessThan(new FileInfo("part.gcode").Length / 2));
-        Assert.That(Run("decode", "part.bgcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2)), Is.EqualTo(Run("decode", "part.gcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2))));
+        Assert.That(Run("decode", "part.bgcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2)),
+            Is.EqualTo(Run("decode", "part.gcode", "--csv").Text.Split('\n').Select(l => l.Split(',').Skip(2))));
         Assert.That(Files(), Is.EquivalentTo(new[] { "a.gcode", "a.bgcode", "b.gcode", "part.stl", "part.gcode", "part.bgcode" }));
     }
 

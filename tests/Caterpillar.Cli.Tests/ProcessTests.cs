@@ -48,5 +48,6 @@ public class ProcessTests : CliFixture
     }
 
     private static ProcessStartInfo Info(string arguments)
-        => new("dotnet", "\"" + typeof(App).Assembly.Location + "\" " + arguments) { RedirectStandardInput = true, RedirectStandardOutput = true, RedirectStandardError = true, StandardOutputEncoding = System.Text.Encoding.UTF8 };
+        => new("dotnet", "\"" + typeof(App).Assembly.Location + "\" " + arguments) { RedirectStandardInput = true, RedirectStandardOutput = true,
+            RedirectStandardError = true, StandardOutputEncoding = System.Text.Encoding.UTF8 };
 }

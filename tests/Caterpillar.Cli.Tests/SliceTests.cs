@@ -42,7 +42,8 @@ public class SliceTests : CliFixture
     public void Settings_and_values_reach_the_file()
     {
         File.WriteAllText("part.stl", Box(20, 10, 2));
-        Run("slice", "part.stl", "--printer", "ender3", "--material", "petg", "--set", "nozzle_temperature_c=233", "--set", "first_layer_nozzle_temperature_c=0", "--set", "layer_height_mm=0.4");
+        Run("slice", "part.stl", "--printer", "ender3", "--material", "petg", "--set", "nozzle_temperature_c=233", "--set",
+            "first_layer_nozzle_temperature_c=0", "--set", "layer_height_mm=0.4");
         var text = File.ReadAllText("part.gcode");
         Assert.That(text, Does.Contain("M109 S233").And.Contain("M190 S80").And.Contain("M82"));
         Assert.That(text.Split('\n').Count(l => l.StartsWith(";LAYER_CHANGE", StringComparison.Ordinal)), Is.InRange(5, 6));

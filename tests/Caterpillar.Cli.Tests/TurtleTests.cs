@@ -27,7 +27,8 @@ public class TurtleTests : CliFixture
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(Prints(run.Text).First(), Is.EqualTo("G1 X70 E1 F600"), "the E factor is mm of filament, whatever its diameter");
         byte[] random = Encoding.UTF8.GetBytes("start 50 50 0.2\nrepeat 3 [ forward random(1, 9) ]");
-        Assert.That(Run(random, ["turtle", "-", "--seed", "3"]).Output, Is.EqualTo(Run(random, ["turtle", "-", "--seed", "3"]).Output).And.Not.EqualTo(Run(random, ["turtle", "-"]).Output));
+        Assert.That(Run(random, ["turtle", "-", "--seed", "3"]).Output,
+            Is.EqualTo(Run(random, ["turtle", "-", "--seed", "3"]).Output).And.Not.EqualTo(Run(random, ["turtle", "-"]).Output));
     }
 
     [Test]
@@ -80,5 +81,6 @@ public class TurtleTests : CliFixture
 
     // Between the start and the end code.
     private static string[] Prints(string gcode)
-        => gcode.Split('\n').SkipWhile(l => l != ";TYPE:Unspecified").TakeWhile(l => l != ";TYPE:Custom").Where(l => l.StartsWith("G1 ", System.StringComparison.Ordinal)).ToArray();
+        => gcode.Split('\n').SkipWhile(l => l != ";TYPE:Unspecified").TakeWhile(l => l != ";TYPE:Custom")
+            .Where(l => l.StartsWith("G1 ", System.StringComparison.Ordinal)).ToArray();
 }

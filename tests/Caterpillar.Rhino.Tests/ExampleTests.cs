@@ -28,7 +28,8 @@ public sealed class ExampleTests : RhinoTestFixture
         var document = io.Document;
         document.Enabled = true;
         document.NewSolution(false);
-        var errors = document.Objects.OfType<IGH_ActiveObject>().SelectMany(o => o.RuntimeMessages(GH_RuntimeMessageLevel.Error).Select(m => o.NickName + ": " + m));
+        var errors = document.Objects.OfType<IGH_ActiveObject>()
+            .SelectMany(o => o.RuntimeMessages(GH_RuntimeMessageLevel.Error).Select(m => o.NickName + ": " + m));
         Assert.That(errors, Is.Empty);
         Assert.That(document.Objects.OfType<IGH_Component>().Count(c => c.Category == "Caterpillar"), Is.GreaterThan(0));
     }

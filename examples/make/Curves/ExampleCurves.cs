@@ -28,7 +28,8 @@ internal static class ExampleCurves
             var row = layer / 6;
             var pimpled = layer % 6 >= 3;
             var turn = row % 2 == 0 ? 0 : 180.0 / PathSamples;
-            text.Append("    {\"name\": \"ring ").Append(NumberFormatter.Format(layer)).Append("\", \"layer\": ").Append(NumberFormatter.Format(layer)).Append(", ");
+            text.Append("    {\"name\": \"ring ").Append(NumberFormatter.Format(layer)).Append("\", \"layer\": ").Append(NumberFormatter.Format(layer))
+                .Append(", ");
             if (!pimpled)
             {
                 text.Append(Arc(0, 0, z, Radius, turn, 360)).Append(layer + 1 < Layers ? "},\n" : "}\n");
@@ -62,7 +63,8 @@ internal static class ExampleCurves
             var (sin, cos) = Angle.SinCos(360.0 * (i % Around) / Around);
             var radius = 22 + 9 * Math.Sqrt(turns / Turns) + 0.8 * Angle.Sin(360.0 * 6 * i / Around / 1.02);
             var gap = Math.Min(Height, 0.4 + (Height - 0.4) * turns);
-            text.Append(Text(radius * cos)).Append(',').Append(Text(radius * sin)).Append(',').Append(Text(0.4 + Height * turns)).Append(",2.4,").Append(Text(gap)).Append(",1.3,2.5\n");
+            text.Append(Text(radius * cos)).Append(',').Append(Text(radius * sin)).Append(',').Append(Text(0.4 + Height * turns)).Append(",2.4,")
+                .Append(Text(gap)).Append(",1.3,2.5\n");
         }
         return text.ToString();
     }

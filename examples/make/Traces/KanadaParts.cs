@@ -9,7 +9,9 @@ using Caterpillar.Traces;
 
 namespace Caterpillar.Examples;
 
-/// <summary>The worked examples of Kanada's papers (2014 to 2016) as traces that are deformed and modulated. What the papers leave open stands beside each.</summary>
+/// <summary>
+/// The worked examples of Kanada's papers (2014 to 2016) as traces that are deformed and modulated. What the papers leave open stands beside each.
+/// </summary>
 public static class KanadaParts
 {
     /// <summary>A strand of 0.5 mm, mm².</summary>
@@ -46,7 +48,9 @@ public static class KanadaParts
     private static IReadOnlyList<PrintPath> Sphere() => Shape(new Trace(Area).SetSpeed(36).Helix(Vec3.Zero, 25, Math.PI / 2 * 25, 0.2).ToPaths(), SphereOf(25)
         .Then(Deformation.Cylindrical(p => p + new Vec3(0, 0, 0.4), (c, _) => 2 * c, (v, p) => 0.6 * (Math.Pow(p.X / 25, 1.5) + 0.2) * v)));
 
-    /// <summary>x' = x + b z √(|y|/r) with b z from 0 to 12 mm (2016, section 4.1), optionally twisted over the height; small waves give its surface a glitter.</summary>
+    /// <summary>
+    /// x' = x + b z √(|y|/r) with b z from 0 to 12 mm (2016, section 4.1), optionally twisted over the height; small waves give its surface a glitter.
+    /// </summary>
     private static IReadOnlyList<PrintPath> Heart(double twist)
     {
         const double Radius = 25, Height = 30;
@@ -82,7 +86,10 @@ public static class KanadaParts
         return Modulated(bowl, new Modulation(ModulationMode.Speed, field, 1, 0.65) { Resolution = 0.4 });
     }
 
-    /// <summary>A globe: 150 turns of 300 strings, one for each dot of a 300 × 150 map; land slower and so thicker, 1 to 0.65 (2016, section 3.5). Short strings near the poles are merged.</summary>
+    /// <summary>
+    /// A globe: 150 turns of 300 strings, one for each dot of a 300 × 150 map; land slower and so thicker, 1 to 0.65 (2016, section 3.5). Short strings near
+    /// the poles are merged.
+    /// </summary>
     private static IReadOnlyList<PrintPath> Globe()
     {
         const double Radius = 30, Height = Math.PI / 2 * Radius;

@@ -33,6 +33,7 @@ internal static class TracePictures
     }
 
     private static Toolpath Drawn(IReadOnlyList<PrintPath> paths)
-        => Planner.Plan(paths.Select(path => (Step)path).ToArray(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn, Start = paths[0].Start }).Value
+        => Planner.Plan(paths.Select(path => (Step)path).ToArray(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn, Start = paths[0].Start })
+            .Value
             ?? throw new InvalidOperationException("The example cannot be planned.");
 }

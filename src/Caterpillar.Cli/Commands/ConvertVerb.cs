@@ -14,17 +14,22 @@ namespace Caterpillar.Cli.Commands;
 internal sealed class ConvertVerb : Verb
 {
     private readonly Argument<string> _file = new("FILE") { Description = "G-code file, also binary (.bgcode) or packed with gzip, or - for standard input." };
-    private readonly Option<string> _out = new("--output", "-o") { Description = "File to write, binary where its name ends in .bgcode; - is standard output.", HelpName = "FILE", Required = true };
-    private readonly Option<string?> _from = new("--from") { Description = "The firmware the file is for; detected from the file without it.", HelpName = "DIALECT" };
+    private readonly Option<string> _out = new("--output", "-o") { Description = "File to write, binary where its name ends in .bgcode; - is standard output.",
+        HelpName = "FILE", Required = true };
+    private readonly Option<string?> _from = new("--from") { Description = "The firmware the file is for; detected from the file without it.",
+        HelpName = "DIALECT" };
     private readonly Option<string?> _to = new("--dialect") { Description = "The firmware to write for.", HelpName = "DIALECT" };
     private readonly Option<string?> _e = new("--e") { Description = "E as increments or as sums.", HelpName = "relative|absolute" };
     private readonly Option<string?> _unit = new("--e-unit") { Description = "E in mm of filament or in mm³.", HelpName = "mm|mm3" };
     private readonly Option<double?> _diameter = new("--filament-diameter") { Description = "Diameter in mm where the file does not say.", HelpName = "MM" };
     private readonly Option<string?> _arcs = new("--arcs") { Description = "Fit arcs to strands, or expand arcs to chords.", HelpName = "fit|expand" };
-    private readonly Option<double> _tolerance = new("--tolerance") { Description = "Largest deviation of fitted arcs and of chords.", HelpName = "MM", DefaultValueFactory = _ => 0.02 };
+    private readonly Option<double> _tolerance = new("--tolerance") { Description = "Largest deviation of fitted arcs and of chords.", HelpName = "MM",
+        DefaultValueFactory = _ => 0.02 };
     private readonly Option<bool> _millimeters = new("--mm") { Description = "Inches become millimeters." };
-    private readonly Option<double> _retraction = new("--retraction") { Description = "Retraction in units of E that stands for G10 and G11 where the target has none.", HelpName = "E" };
-    private readonly Option<string?> _decimals = new("--decimals") { Description = "The most decimals of X, Y and Z, of E and of F, as 3,5,0; later ones may be left out.", HelpName = "XYZ,E,F" };
+    private readonly Option<double> _retraction =
+        new("--retraction") { Description = "Retraction in units of E that stands for G10 and G11 where the target has none.", HelpName = "E" };
+    private readonly Option<string?> _decimals =
+        new("--decimals") { Description = "The most decimals of X, Y and Z, of E and of F, as 3,5,0; later ones may be left out.", HelpName = "XYZ,E,F" };
     private readonly ToolpathEditOptions _edits = new();
     private readonly SetupOptions _setup = new();
     private readonly Option<string?> _reason = WriteOptions.Override();
@@ -58,10 +63,12 @@ internal sealed class ConvertVerb : Verb
         }
         catch (InvalidDataException broken)
         {
-            session.Print([new Diagnostic(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message, new SourceLocation(Session.NameOf(file)))]);
+            session.Print([new Diagnostic(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message,
+                new SourceLocation(Session.NameOf(file)))]);
             return ExitCode.BadInput;
         }
-        var decoding = session.Need(session.Long("Reading", p => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = from, FilamentDiameter = arguments.GetValue(_diameter) }, p, session.Cancel)));
+        var decoding = session.Need(session.Long("Reading",
+            p => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = from, FilamentDiameter = arguments.GetValue(_diameter) }, p, session.Cancel)));
         var edited = _edits.Edit(decoding.Toolpath, Tolerance(arguments), arguments, session);
         if (arguments.GetValue(_arcs) == "fit") edited = edited.FitArcs(new ArcFitOptions { Tolerance = Tolerance(arguments) });
         var code = _edits.Code(arguments);
@@ -88,10 +95,12 @@ internal sealed class ConvertVerb : Verb
     private GCodeDocument Checked(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
     {
         if (!_setup.IsGiven(arguments))
-            return arguments.GetValue(_reason) is null ? text : throw new CliException(ExitCode.Usage, "--override needs --printer: without it nothing is checked.");
+            return arguments.GetValue(_reason) is null ? text
+                : throw new CliException(ExitCode.Usage, "--override needs --printer: without it nothing is checked.");
         var setup = _setup.Resolve(arguments, session);
         var decoding = Again(text, dialect, arguments, session);
-        return session.Need(session.Long("Checking", p => SafeEditor.ToDocument(decoding, decoding.Toolpath, setup, arguments.GetValue(_reason), null, p, session.Cancel)), ExitCode.Refused);
+        return session.Need(session.Long("Checking",
+            p => SafeEditor.ToDocument(decoding, decoding.Toolpath, setup, arguments.GetValue(_reason), null, p, session.Cancel)), ExitCode.Refused);
     }
 
     // Null where nothing is to be converted.
@@ -112,7 +121,8 @@ internal sealed class ConvertVerb : Verb
             DecimalsE = decimals[1],
             DecimalsF = decimals[2],
         };
-        return decimals[0] is null && target.Dialect is null && target.RelativeE is null && target.Volumetric is null && !target.ExpandArcs && !target.Millimeters ? null : target;
+        return decimals[0] is null && target.Dialect is null && target.RelativeE is null && target.Volumetric is null && !target.ExpandArcs
+            && !target.Millimeters ? null : target;
     }
 
     private int?[] Decimals(ParseResult arguments)
@@ -123,12 +133,14 @@ internal sealed class ConvertVerb : Verb
         if (parts.Length > 3) throw new CliException(ExitCode.Usage, "--decimals takes at most three numbers: of X, Y and Z, of E and of F.");
         for (var i = 0; i < parts.Length; i++)
         {
-            if (!NumberReader.TryParseInt(parts[i].Trim(), out var count) || count is < 0 or > 9) throw new CliException(ExitCode.Usage, "--decimals needs whole numbers from 0 to 9, as 3,5,0.");
+            if (!NumberReader.TryParseInt(parts[i].Trim(), out var count)
+                || count is < 0 or > 9) throw new CliException(ExitCode.Usage, "--decimals needs whole numbers from 0 to 9, as 3,5,0.");
             decimals[i] = count;
         }
         return decimals;
     }
 
     private double Tolerance(ParseResult arguments)
-        => arguments.GetValue(_tolerance) is > 0 and < 1000 and var tolerance ? tolerance : throw new CliException(ExitCode.Usage, "--tolerance needs a positive number of mm.");
+        => arguments.GetValue(_tolerance) is > 0 and < 1000 and var tolerance ? tolerance
+            : throw new CliException(ExitCode.Usage, "--tolerance needs a positive number of mm.");
 }

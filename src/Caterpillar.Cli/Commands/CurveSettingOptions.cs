@@ -12,11 +12,13 @@ internal sealed class CurveSettingOptions
 
     private readonly Option<string?> _height = new("--height") { Description = "Height of the strand: mm, or percent of the layer height.", HelpName = "MM|%" };
 
-    private readonly Option<string?> _multiplier = new("--multiplier") { Description = "Scales what is extruded; 1 or 100% for the plain bead.", HelpName = "NUMBER|%" };
+    private readonly Option<string?> _multiplier = new("--multiplier") { Description = "Scales what is extruded; 1 or 100% for the plain bead.",
+        HelpName = "NUMBER|%" };
 
     private readonly Option<string?> _speed = new("--speed") { Description = "Printing speed: mm/s, or percent of that of the settings.", HelpName = "MM/S|%" };
 
-    private readonly Option<string?> _shape = new("--shape") { Description = "Cross-section of width and height: rectangle (the Caterpillar paper), stadium or circle.", HelpName = "SHAPE" };
+    private readonly Option<string?> _shape =
+        new("--shape") { Description = "Cross-section of width and height: rectangle (the Caterpillar paper), stadium or circle.", HelpName = "SHAPE" };
 
     private readonly Option<bool> _strokes = new("--strokes") { Description = "Draw without extruding: pen, brush, bare hot tool." };
 

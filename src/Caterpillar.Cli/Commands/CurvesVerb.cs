@@ -14,7 +14,8 @@ namespace Caterpillar.Cli.Commands;
 /// <summary>Prints curves as they are drawn, in their order.</summary>
 internal sealed class CurvesVerb : Verb
 {
-    private readonly Argument<string> _file = new("FILE") { Description = "Curves: points as CSV or JSON, lines of OBJ, paths of SVG, also gzipped; - is standard input." };
+    private readonly Argument<string> _file =
+        new("FILE") { Description = "Curves: points as CSV or JSON, lines of OBJ, paths of SVG, also gzipped; - is standard input." };
 
     private readonly CurveSettingOptions _strand = new();
     private readonly DivisionOptions _division = new();
@@ -24,18 +25,23 @@ internal sealed class CurvesVerb : Verb
         Description = "Order: none (as given), orient (only turned around), nearest, layer, z or tour.", DefaultValueFactory = _ => "none",
     };
 
-    private readonly Option<string?> _move = new("--move") { Description = "Shifts the curves, mm; or \"center\" puts them in the middle of the bed.", HelpName = "X,Y[,Z]|center" };
+    private readonly Option<string?> _move = new("--move") { Description = "Shifts the curves, mm; or \"center\" puts them in the middle of the bed.",
+        HelpName = "X,Y[,Z]|center" };
 
     private readonly Option<string[]> _map = new("--map")
     {
-        Description = "Lets a coordinate drive another word, scaled: X=A*2.86 turns A by 2.86 degrees for a mm of X; Y=Y*0.5 scales Y. Done last.", HelpName = "AXIS=WORD*SCALE",
+        Description = "Lets a coordinate drive another word, scaled: X=A*2.86 turns A by 2.86 degrees for a mm of X; Y=Y*0.5 scales Y. Done last.",
+            HelpName = "AXIS=WORD*SCALE",
     };
 
-    private readonly Option<string> _plan = new("--plan") { Description = "\"printer\": with the printer's retraction and lifts; \"drawn\": nothing but the curves.", DefaultValueFactory = _ => "printer" };
+    private readonly Option<string> _plan =
+        new("--plan") { Description = "\"printer\": with the printer's retraction and lifts; \"drawn\": nothing but the curves.",
+        DefaultValueFactory = _ => "printer" };
 
     private readonly Option<bool> _json = new("--json") { Description = "Print what was planned and written as JSON." };
 
-    private readonly Option<string?> _maxSize = new("--max-size") { Description = "Largest file that the printer takes, in MB; a larger one is not written.", HelpName = "MB" };
+    private readonly Option<string?> _maxSize = new("--max-size") { Description = "Largest file that the printer takes, in MB; a larger one is not written.",
+        HelpName = "MB" };
 
     private readonly SetupOptions _setup = new();
     private readonly WriteOptions _write = new();
@@ -87,7 +93,8 @@ internal sealed class CurvesVerb : Verb
     }
 
     // What each stage holds is free for the next one: files can be large.
-    private static (IReadOnlyList<Step> Steps, int Count) Steps(string file, CurveReadOptions reading, CurveOptions options, string? move, PrintSetup setup, Session session)
+    private static (IReadOnlyList<Step> Steps, int Count) Steps(string file, CurveReadOptions reading, CurveOptions options, string? move, PrintSetup setup,
+        Session session)
     {
         var curves = Moved(Curves(file, reading, session), move, setup.Printer);
         return (session.Long("Dividing", progress => session.Need(CurvePaths.ToSteps(curves, options, progress, session.Cancel))), curves.Count);

@@ -13,7 +13,8 @@ namespace Caterpillar.Cli.Commands;
 /// <summary>What G-code files do.</summary>
 internal sealed class DecodeVerb : Verb
 {
-    private readonly Argument<string[]> _files = new("FILE") { Description = "G-code files, also binary (.bgcode) or packed with gzip, or - for standard input.", Arity = ArgumentArity.OneOrMore };
+    private readonly Argument<string[]> _files =
+        new("FILE") { Description = "G-code files, also binary (.bgcode) or packed with gzip, or - for standard input.", Arity = ArgumentArity.OneOrMore };
     private readonly Option<bool> _json = new("--json") { Description = "Print a JSON array with an object for each file." };
     private readonly Option<bool> _csv = new("--csv") { Description = "Print a table with a row for each move." };
     private readonly Option<string?> _dialect = CommonOptions.Dialect();
@@ -45,7 +46,8 @@ internal sealed class DecodeVerb : Verb
         {
             Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
             Rule = arguments.GetValue(_rule) == "rising" ? ExtrusionRule.Rising : ExtrusionRule.Balance,
-            FilamentDiameter = arguments.GetValue(_diameter) is not { } d ? null : d > 0 && d < 1e6 ? d : throw new CliException(ExitCode.Usage, "--filament-diameter needs a positive number of mm."),
+            FilamentDiameter = arguments.GetValue(_diameter) is not { } d ? null : d > 0
+                && d < 1e6 ? d : throw new CliException(ExitCode.Usage, "--filament-diameter needs a positive number of mm."),
             Threads = arguments.GetValue(_threads),
         };
         var json = arguments.GetValue(_json);
@@ -69,7 +71,8 @@ internal sealed class DecodeVerb : Verb
             if (json) text.Write("[\n " + string.Join(",\n ", decoded.Select(d => d.Report.ToJson(" "))) + "\n]\n");
             else if (!arguments.GetValue(_csv)) foreach (var (_, decoding, report) in decoded) DecodeSummary.Write(text, decoding, report);
         });
-        if (arguments.GetValue(_csv)) session.Write("-", stream => MoveTable.Write(stream, decoded.Select(d => (d.File, d.DecodedGCode.Toolpath)).ToArray(), session.Cancel));
+        if (arguments.GetValue(_csv)) session.Write("-",
+            stream => MoveTable.Write(stream, decoded.Select(d => (d.File, d.DecodedGCode.Toolpath)).ToArray(), session.Cancel));
         return ExitCode.Done;
     }
 

@@ -8,7 +8,8 @@ namespace Caterpillar.Cli.Commands;
 /// <summary>The options that say how curved parts are divided and what becomes an arc.</summary>
 internal sealed class DivisionOptions
 {
-    private readonly Option<string?> _distance = new("--distance") { Description = "Divide curved parts by distance; the settings' subdivision_distance_mm where nothing is asked.", HelpName = "MM" };
+    private readonly Option<string?> _distance =
+        new("--distance") { Description = "Divide curved parts by distance; the settings' subdivision_distance_mm where nothing is asked.", HelpName = "MM" };
 
     private readonly Option<string?> _tolerance = new("--tolerance") { Description = "Divide curved parts so that chords keep this close.", HelpName = "MM" };
 
@@ -18,7 +19,8 @@ internal sealed class DivisionOptions
 
     private readonly Option<string?> _max = new("--max-length") { Description = "Longest segment of a curved part.", HelpName = "MM" };
 
-    private readonly Option<bool> _full = new("--full-steps") { Description = "Walk with the full step and leave a shorter last segment, instead of dividing evenly." };
+    private readonly Option<bool> _full =
+        new("--full-steps") { Description = "Walk with the full step and leave a shorter last segment, instead of dividing evenly." };
 
     private readonly Option<bool> _arcs = new("--arcs") { Description = "Keep horizontal arcs and circles as G2 and G3." };
 

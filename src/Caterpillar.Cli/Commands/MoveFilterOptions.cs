@@ -9,9 +9,11 @@ namespace Caterpillar.Cli.Commands;
 /// <summary>Options that choose moves of a decoded file.</summary>
 internal sealed class MoveFilterOptions
 {
-    private readonly Option<int?> _first = new("--first-layer") { Description = "First layer that is edited, by its number in the file or from 0.", HelpName = "N" };
+    private readonly Option<int?> _first = new("--first-layer") { Description = "First layer that is edited, by its number in the file or from 0.",
+        HelpName = "N" };
     private readonly Option<int?> _last = new("--last-layer") { Description = "Last layer that is edited.", HelpName = "N" };
-    private readonly Option<string[]> _roles = new("--role") { Description = "Edit strands of this role only (OuterWall, Infill …); may be repeated.", HelpName = "ROLE" };
+    private readonly Option<string[]> _roles = new("--role") { Description = "Edit strands of this role only (OuterWall, Infill …); may be repeated.",
+        HelpName = "ROLE" };
     private readonly Option<string[]> _objects = new("--object") { Description = "Edit this object only; may be repeated.", HelpName = "NAME" };
     private readonly Option<int?> _tool = new("--tool") { Description = "Edit what this tool makes only.", HelpName = "N" };
     private readonly Option<string?> _box = new("--box") { Description = "Edit moves that end in this box only: two corners in mm.", HelpName = "X,Y,Z,X,Y,Z" };
@@ -23,7 +25,8 @@ internal sealed class MoveFilterOptions
 
     /// <summary>True when something is chosen.</summary>
     public bool IsGiven(ParseResult arguments)
-        => arguments.GetValue(_first) is not null || arguments.GetValue(_last) is not null || arguments.GetValue(_roles) is { Length: > 0 } || arguments.GetValue(_objects) is { Length: > 0 }
+        => arguments.GetValue(_first) is not null || arguments.GetValue(_last) is not null || arguments.GetValue(_roles) is { Length: > 0 }
+            || arguments.GetValue(_objects) is { Length: > 0 }
             || arguments.GetValue(_tool) is not null || arguments.GetValue(_box) is not null;
 
     /// <summary>True when single strands are chosen, and not whole layers or objects with their travel.</summary>
@@ -37,7 +40,8 @@ internal sealed class MoveFilterOptions
         foreach (var name in objects ?? [])
         {
             if (toolpath.Layers.All(l => l.Object != name))
-                throw new CliException(ExitCode.Usage, $"There is no object \"{name}\"; there are " + string.Join(", ", toolpath.Layers.Select(l => $"\"{l.Object}\"").Distinct().Take(20)) + ".");
+                throw new CliException(ExitCode.Usage, $"There is no object \"{name}\"; there are "
+                    + string.Join(", ", toolpath.Layers.Select(l => $"\"{l.Object}\"").Distinct().Take(20)) + ".");
         }
         var filter = new MoveFilter
         {

@@ -37,12 +37,14 @@ internal static class Numbers
     public static (int Number, string Text) Pair(string text, string option)
     {
         var at = text.IndexOf('=');
-        return at > 0 && Whole(text[..at]) is { } number ? (number, text[(at + 1)..]) : throw new CliException(ExitCode.Usage, $"{option} needs N=…, \"{text}\" is none.");
+        return at > 0 && Whole(text[..at]) is { } number ? (number, text[(at + 1)..])
+            : throw new CliException(ExitCode.Usage, $"{option} needs N=…, \"{text}\" is none.");
     }
 
     /// <summary>A whole number, or null.</summary>
     public static int? Whole(string text) => NumberReader.TryParseInt(text, out var number) ? number : null;
 
     private static double Number(string text, string option)
-        => NumberReader.TryParse(text.Trim(), out var value) && double.IsFinite(value) ? value : throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is no number.");
+        => NumberReader.TryParse(text.Trim(), out var value)
+            && double.IsFinite(value) ? value : throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is no number.");
 }

@@ -12,19 +12,22 @@ internal sealed class PictureVerb : Verb
 {
     private readonly Argument<string> _file = new("FILE") { Description = "G-code, also binary (.bgcode) or packed with gzip; - is standard input." };
 
-    private readonly Option<string?> _out = new("--output", "-o") { Description = "Picture (PNG); - is standard output. Without it the file's name with .png in the current folder.", HelpName = "FILE.png" };
+    private readonly Option<string?> _out = new("--output",
+        "-o") { Description = "Picture (PNG); - is standard output. Without it the file's name with .png in the current folder.", HelpName = "FILE.png" };
 
     private readonly Option<int?> _layer = new("--layer") { Description = "Only this layer, counted from 0.", HelpName = "N" };
 
     private readonly Option<int?> _upTo = new("--to-layer") { Description = "Only the layers up to this one.", HelpName = "N" };
 
-    private readonly Option<string> _view = new("--view") { Description = "From where it is seen: top, front, or azimuth,elevation in degrees.", DefaultValueFactory = _ => "-60,28" };
+    private readonly Option<string> _view = new("--view") { Description = "From where it is seen: top, front, or azimuth,elevation in degrees.",
+        DefaultValueFactory = _ => "-60,28" };
 
     private readonly Option<ColorBy> _color = new("--color") { Description = "What colors mean.", DefaultValueFactory = _ => ColorBy.Role };
 
     private readonly Option<bool> _travel = new("--travel") { Description = "Draw travels as thin lines." };
 
-    private readonly Option<int> _width = new("--width") { Description = "Width in pixels; the height is three quarters of it.", DefaultValueFactory = _ => 960 };
+    private readonly Option<int> _width = new("--width") { Description = "Width in pixels; the height is three quarters of it.",
+        DefaultValueFactory = _ => 960 };
 
     public PictureVerb()
         : base("picture", "A picture of paths or a layer.")
@@ -46,7 +49,8 @@ internal sealed class PictureVerb : Verb
         if (width is < 16 or > 8000) throw new CliException(ExitCode.Usage, "--width: 16 to 8000 pixels.");
         var view = ViewOf(arguments.GetValue(_view)!);
         using var stream = session.OpenRead(file);
-        var toolpath = session.Need(session.Long("Decoding", progress => GCodeDecoder.DecodeStream(stream, null, Session.NameOf(file), progress, session.Cancel))).Toolpath;
+        var toolpath = session.Need(session.Long("Decoding",
+            progress => GCodeDecoder.DecodeStream(stream, null, Session.NameOf(file), progress, session.Cancel))).Toolpath;
         var options = new PictureOptions
         {
             Width = width,
@@ -58,7 +62,8 @@ internal sealed class PictureVerb : Verb
         };
         var picture = session.Long("Drawing", progress => Picture.Draw(toolpath, options, progress, session.Cancel));
         var png = PngWriter.ToBytes(picture);
-        session.Write(arguments.GetValue(_out) ?? Path.GetFileNameWithoutExtension(file == "-" ? "picture" : file) + ".png", stream => stream.Write(png, 0, png.Length));
+        session.Write(arguments.GetValue(_out)
+            ?? Path.GetFileNameWithoutExtension(file == "-" ? "picture" : file) + ".png", stream => stream.Write(png, 0, png.Length));
         return ExitCode.Done;
     }
 
@@ -67,7 +72,8 @@ internal sealed class PictureVerb : Verb
         var (only, upTo) = (arguments.GetValue(_layer), arguments.GetValue(_upTo));
         if (only is null && upTo is null) return null;
         var last = only ?? upTo!.Value;
-        if (last < 0 || last >= toolpath.Layers.Count) throw new CliException(ExitCode.BadInput, $"There is no layer {last}; the file has {toolpath.Layers.Count}, counted from 0.");
+        if (last < 0 || last >= toolpath.Layers.Count) throw new CliException(ExitCode.BadInput,
+            $"There is no layer {last}; the file has {toolpath.Layers.Count}, counted from 0.");
         return (only ?? 0, last);
     }
 
@@ -76,7 +82,8 @@ internal sealed class PictureVerb : Verb
         if (text == "top") return View.Top;
         if (text == "front") return View.Front;
         var parts = text.Split(',');
-        if (parts.Length == 2 && Basics.NumberReader.TryParse(parts[0].Trim(), out var azimuth) && Basics.NumberReader.TryParse(parts[1].Trim(), out var elevation)) return new View(azimuth, elevation);
+        if (parts.Length == 2 && Basics.NumberReader.TryParse(parts[0].Trim(), out var azimuth)
+            && Basics.NumberReader.TryParse(parts[1].Trim(), out var elevation)) return new View(azimuth, elevation);
         throw new CliException(ExitCode.Usage, $"--view {text}: write top, front, or azimuth,elevation in degrees.");
     }
 }

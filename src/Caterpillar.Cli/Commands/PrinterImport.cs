@@ -15,15 +15,18 @@ internal static class PrinterImport
         // A dash for the header is standard input; a second one is nothing.
         var footerText = footer == "-" ? "" : Text(footer, session);
         var imported = session.Need(HeaderImport.Read(
-            Text(header, session), footerText, string.IsNullOrWhiteSpace(name) || name == "-" ? "imported" : name, similar, Session.NameOf(header), footer == "-" ? "footer" : footer));
+            Text(header, session), footerText, string.IsNullOrWhiteSpace(name)
+                || name == "-" ? "imported" : name, similar, Session.NameOf(header), footer == "-" ? "footer" : footer));
         session.WriteText(output, text => text.Write(ProfileWriter.Write(imported.Printer)));
         if (materialOutput is not null) session.WriteText(materialOutput, text => text.Write(ProfileWriter.Write(imported.Material)));
         else if (imported.Material.NozzleTemperature > 0)
         {
             session.Messages.WriteLine(
-                $"The header heats to {Number(imported.Material.NozzleTemperature)} °C and the bed to {Number(imported.Material.BedTemperature)} °C; --material-output writes a material of that.");
+                $"The header heats to {Number(imported.Material.NozzleTemperature)} °C and the bed to {Number(imported.Material.BedTemperature)} °C; "
+                    + $"--material-output writes a material of that.");
         }
-        if (imported.Start is { } start) session.Messages.WriteLine($"The header leaves the nozzle at X {Number(start.X)}, Y {Number(start.Y)}, Z {Number(start.Z)} mm.");
+        if (imported.Start is { } start) session.Messages.WriteLine($"The header leaves the nozzle at X {Number(start.X)}, Y {Number(start.Y)}, Z "
+            + $"{Number(start.Z)} mm.");
     }
 
     private static string Text(string file, Session session) => Encoding.UTF8.GetString(session.ReadBytes(file));

@@ -26,11 +26,14 @@ internal sealed class PrintersVerb : Verb
         AllowMultipleArgumentsPerToken = true,
     };
 
-    private readonly Option<string?> _like = new("--like") { Description = "With --import: a similar printer for all that the files do not tell.", HelpName = "NAME|FILE" };
+    private readonly Option<string?> _like = new("--like") { Description = "With --import: a similar printer for all that the files do not tell.",
+        HelpName = "NAME|FILE" };
 
-    private readonly Option<string> _output = new("--output", "-o") { Description = "Where the JSON goes; standard output without it.", HelpName = "FILE.json", DefaultValueFactory = _ => "-" };
+    private readonly Option<string> _output = new("--output", "-o") { Description = "Where the JSON goes; standard output without it.", HelpName = "FILE.json",
+        DefaultValueFactory = _ => "-" };
 
-    private readonly Option<string?> _material = new("--material-output") { Description = "With --import: a material profile with the temperatures of the header.", HelpName = "FILE.json" };
+    private readonly Option<string?> _material =
+        new("--material-output") { Description = "With --import: a material profile with the temperatures of the header.", HelpName = "FILE.json" };
 
     public PrintersVerb()
         : base("printers", "Profiles of printers, materials and settings.")
@@ -47,8 +50,10 @@ internal sealed class PrintersVerb : Verb
     {
         var name = arguments.GetValue(_name);
         var output = arguments.GetValue(_output)!;
-        if (arguments.GetValue(_import) is { Length: 2 } files) PrinterImport.Run(files[0], files[1], arguments.GetValue(_like), output, arguments.GetValue(_material), session);
-        else if (arguments.GetValue(_like) is not null || arguments.GetValue(_material) is not null) throw new CliException(ExitCode.Usage, "--like and --material-output go with --import.");
+        if (arguments.GetValue(_import) is { Length: 2 } files) PrinterImport.Run(files[0], files[1], arguments.GetValue(_like), output,
+            arguments.GetValue(_material), session);
+        else if (arguments.GetValue(_like) is not null
+            || arguments.GetValue(_material) is not null) throw new CliException(ExitCode.Usage, "--like and --material-output go with --import.");
         else if (arguments.GetValue(_keys)) session.WriteText(output, WriteKeys);
         else if (name is not null) Show(name, output, session);
         else return List(output, session);
@@ -72,14 +77,16 @@ internal sealed class PrintersVerb : Verb
         {
             if (Read(profiles.Printer(name)) is not { } printer) continue;
             var size = printer.BuildVolume;
-            rows.Add([name, $"{Number(size.X)} × {Number(size.Y)} × {Number(size.Z)} mm", Number(printer.NozzleDiameter) + " mm", printer.Dialect.Name, printer.Title]);
+            rows.Add([name, $"{Number(size.X)} × {Number(size.Y)} × {Number(size.Z)} mm", Number(printer.NozzleDiameter) + " mm", printer.Dialect.Name,
+                printer.Title]);
         }
         rows.Add([]);
         rows.Add(["MATERIAL", "NOZZLE, BED", "FILAMENT", "", ""]);
         foreach (var name in profiles.MaterialNames)
         {
             if (Read(profiles.Material(name)) is not { } material) continue;
-            rows.Add([name, $"{Number(material.NozzleTemperature)}, {Number(material.BedTemperature)} °C", Number(material.FilamentDiameter) + " mm", "", material.Title]);
+            rows.Add([name, $"{Number(material.NozzleTemperature)}, {Number(material.BedTemperature)} °C", Number(material.FilamentDiameter) + " mm", "",
+                material.Title]);
         }
         rows.Add([]);
         rows.Add(["SETTINGS", "LAYER, LINE", "SPEED", "", ""]);

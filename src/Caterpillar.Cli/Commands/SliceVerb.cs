@@ -17,11 +17,13 @@ internal sealed class SliceVerb : Verb
 {
     private readonly Argument<string[]> _models = new("MODEL")
     {
-        Description = "Mesh files (STL, OBJ, PLY, 3MF, also packed with gzip), or - for standard input. Several are parts of one print and keep their places to each other.",
+        Description = "Mesh files (STL, OBJ, PLY, 3MF, also packed with gzip), or - for standard input. Several are parts of one print and keep their places "
+            + "to each other.",
         Arity = ArgumentArity.OneOrMore,
     };
 
-    private readonly Option<bool> _keepPosition = new("--keep-position") { Description = "Print where the model stands in its file, instead of the middle of the bed." };
+    private readonly Option<bool> _keepPosition =
+        new("--keep-position") { Description = "Print where the model stands in its file, instead of the middle of the bed." };
 
     private readonly Option<bool> _json = new("--json") { Description = "Print what was planned and written as JSON." };
     private readonly SetupOptions _setup = new();

@@ -15,21 +15,29 @@ internal sealed class ToolpathEditOptions
     private readonly Option<double?> _speed = new("--speed") { Description = "Multiply the speed of the chosen strands.", HelpName = "FACTOR" };
     private readonly Option<double?> _flow = new("--flow") { Description = "Multiply the material of the chosen strands.", HelpName = "FACTOR" };
     private readonly Option<string?> _scale = new("--scale") { Description = "Scale what is chosen about the middle of its foot.", HelpName = "FACTOR|X,Y,Z" };
-    private readonly Option<double?> _turn = new("--turn") { Description = "Turn what is chosen about its middle, counter-clockwise from above.", HelpName = "DEGREES" };
+    private readonly Option<double?> _turn = new("--turn") { Description = "Turn what is chosen about its middle, counter-clockwise from above.",
+        HelpName = "DEGREES" };
     private readonly Option<string?> _move = new("--move") { Description = "Move what is chosen.", HelpName = "X,Y,Z" };
-    private readonly Option<string?> _deform = new("--deform") { Description = "Bend what is chosen: the new x, y, z in mm as formulas of the old.", HelpName = "FORMULAS" };
-    private readonly Option<string?> _axis = new("--axis") { Description = "The formulas are of r, theta (degrees), z about this vertical axis.", HelpName = "X,Y|middle" };
+    private readonly Option<string?> _deform = new("--deform") { Description = "Bend what is chosen: the new x, y, z in mm as formulas of the old.",
+        HelpName = "FORMULAS" };
+    private readonly Option<string?> _axis = new("--axis") { Description = "The formulas are of r, theta (degrees), z about this vertical axis.",
+        HelpName = "X,Y|middle" };
     private readonly Option<bool> _remove = new("--remove") { Description = "Cut out what is chosen." };
     private readonly Option<int[]> _pauses = new("--pause-at-layer") { Description = "Put a pause in front of a layer; may be repeated.", HelpName = "N" };
-    private readonly Option<string[]> _tools = new("--tool-at-layer") { Description = "Change the tool in front of a layer; may be repeated.", HelpName = "N=TOOL" };
-    private readonly Option<string[]> _lines = new("--line-at-layer") { Description = "Put a line of G-code in front of a layer; may be repeated.", HelpName = "N=LINE" };
-    private readonly Option<string?> _start = new("--start-code") { Description = "File with lines in place of everything before the first layer.", HelpName = "FILE" };
-    private readonly Option<string?> _end = new("--end-code") { Description = "File with lines in place of everything behind the last layer.", HelpName = "FILE" };
+    private readonly Option<string[]> _tools = new("--tool-at-layer") { Description = "Change the tool in front of a layer; may be repeated.",
+        HelpName = "N=TOOL" };
+    private readonly Option<string[]> _lines = new("--line-at-layer") { Description = "Put a line of G-code in front of a layer; may be repeated.",
+        HelpName = "N=LINE" };
+    private readonly Option<string?> _start = new("--start-code") { Description = "File with lines in place of everything before the first layer.",
+        HelpName = "FILE" };
+    private readonly Option<string?> _end = new("--end-code") { Description = "File with lines in place of everything behind the last layer.",
+        HelpName = "FILE" };
 
     public void AddTo(Verb verb)
     {
         _filter.AddTo(verb);
-        foreach (var option in new Option[] { _speed, _flow, _scale, _turn, _move, _deform, _axis, _remove, _pauses, _tools, _lines, _start, _end }) verb.Options.Add(option);
+        foreach (var option in new Option[] { _speed, _flow, _scale, _turn, _move, _deform, _axis, _remove, _pauses, _tools, _lines, _start,
+            _end }) verb.Options.Add(option);
     }
 
     /// <summary>The edited toolpath; the same one where nothing is asked for.</summary>
@@ -54,7 +62,8 @@ internal sealed class ToolpathEditOptions
         foreach (var text in arguments.GetValue(_tools) ?? [])
         {
             var (layer, tool) = Numbers.Pair(text, "--tool-at-layer");
-            if (Numbers.Whole(tool) is not (>= 0 and < 100 and var number)) throw new CliException(ExitCode.Usage, $"--tool-at-layer: \"{tool}\" is no number of a tool.");
+            if (Numbers.Whole(tool) is not (>= 0 and < 100 and var number)) throw new CliException(ExitCode.Usage,
+                $"--tool-at-layer: \"{tool}\" is no number of a tool.");
             toolpath = AtLayer(toolpath, layer, new ToolEvent(number));
         }
         foreach (var text in arguments.GetValue(_lines) ?? [])
@@ -88,7 +97,9 @@ internal sealed class ToolpathEditOptions
         var foot = Foot(toolpath, strands);
         var map = Affine.Move(-foot);
         if (scale is { } s) map = map.Then(Affine.Scale(s.X, s.Y, s.Z));
-        if (turn is { } degrees) map = map.Then(Affine.Rotate(Vec3.UnitZ, double.IsFinite(degrees) ? degrees : throw new CliException(ExitCode.Usage, "--turn needs a number of degrees.")));
+        if (turn is { } degrees) map =
+            map.Then(Affine.Rotate(Vec3.UnitZ, double.IsFinite(degrees) ? degrees
+            : throw new CliException(ExitCode.Usage, "--turn needs a number of degrees.")));
         return scale is null && turn is null ? Affine.Move(move!.Value) : map.Then(Affine.Move(foot + (move ?? Vec3.Zero)));
     }
 

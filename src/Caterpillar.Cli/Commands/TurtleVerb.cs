@@ -11,13 +11,16 @@ namespace Caterpillar.Cli.Commands;
 /// <summary>Runs a turtle program and writes its G-code.</summary>
 internal sealed class TurtleVerb : Verb
 {
-    private readonly Argument<string> _script = new("SCRIPT") { Description = "Turtle program (docs/turtle.md is the manual of the language); - is standard input." };
+    private readonly Argument<string> _script =
+        new("SCRIPT") { Description = "Turtle program (docs/turtle.md is the manual of the language); - is standard input." };
 
     private readonly Option<string[]> _values = new("--var") { Description = "Value of a parameter of the script (param NAME = …).", HelpName = "NAME=VALUE" };
 
     private readonly Option<int> _seed = new("--seed") { Description = "Seed of random().", DefaultValueFactory = _ => 0 };
 
-    private readonly Option<string> _plan = new("--plan") { Description = "\"drawn\": exactly what the turtle did; \"printer\": with the printer's retraction and lifts.", DefaultValueFactory = _ => "drawn" };
+    private readonly Option<string> _plan =
+        new("--plan") { Description = "\"drawn\": exactly what the turtle did; \"printer\": with the printer's retraction and lifts.",
+        DefaultValueFactory = _ => "drawn" };
 
     private readonly Option<bool> _commands = new("--commands") { Description = "List the commands of the language." };
 
@@ -43,7 +46,8 @@ internal sealed class TurtleVerb : Verb
     {
         if (arguments.GetValue(_commands))
         {
-            session.WriteText("-", text => TextTable.Write(text, TurtleCommands.All.Select(c => new[] { c.Usage, c.Help, string.Join(" ", c.Aliases) }).ToList()));
+            session.WriteText("-", text => TextTable.Write(text,
+                TurtleCommands.All.Select(c => new[] { c.Usage, c.Help, string.Join(" ", c.Aliases) }).ToList()));
             return ExitCode.Done;
         }
         var file = arguments.GetValue(_script) ?? throw new CliException(ExitCode.Usage, "A script is missing. See: caterpillar turtle --help");
@@ -52,9 +56,11 @@ internal sealed class TurtleVerb : Verb
         var setup = _setup.Resolve(arguments, session);
         var script = session.Need(TurtleScript.Compile(Encoding.UTF8.GetString(session.ReadBytes(file)), Session.NameOf(file)));
         var options = new TurtleOptions { Extrusion = setup.Extrusion };
-        var turtle = session.Long("Turtle", progress => session.Need(script.Run(options, variables, arguments.GetValue(_seed), null, progress, session.Cancel)));
+        var turtle = session.Long("Turtle",
+            progress => session.Need(script.Run(options, variables, arguments.GetValue(_seed), null, progress, session.Cancel)));
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;
-        var toolpath = session.Long("Planning", progress => session.Need(Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = policy }, progress, session.Cancel)));
+        var toolpath = session.Long("Planning",
+            progress => session.Need(Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = policy }, progress, session.Cancel)));
         if (toolpath.Count == 0) throw new CliException(ExitCode.BadInput, $"{Session.NameOf(file)}: the program draws nothing.");
         return _write.Write(arguments, session, toolpath, setup, target);
     }
@@ -65,7 +71,8 @@ internal sealed class TurtleVerb : Verb
         foreach (var text in values)
         {
             var cut = text.IndexOf('=');
-            if (cut < 1 || !NumberReader.TryParse(text[(cut + 1)..].Trim(), out var value)) throw new CliException(ExitCode.Usage, $"--var {text}: write NAME=VALUE with a number.");
+            if (cut < 1 || !NumberReader.TryParse(text[(cut + 1)..].Trim(), out var value)) throw new CliException(ExitCode.Usage,
+                $"--var {text}: write NAME=VALUE with a number.");
             if (!variables.TryAdd(text[..cut].Trim(), value)) throw new CliException(ExitCode.Usage, $"--var {text}: this name has a value already.");
         }
         return variables;

@@ -9,8 +9,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// Looks for moves that the printer cannot or must not make: outside the space it can reach, below the bed, more material than the hot end can push, extrusion while cold, faster than
-/// its axes. Problems of one kind are one diagnostic, with the first move and a count.
+/// Looks for moves that the printer cannot or must not make: outside the space it can reach, below the bed, more material than the hot end can push, extrusion
+/// while cold, faster than its axes. Problems of one kind are one diagnostic, with the first move and a count.
 /// </summary>
 public static class LimitCheck
 {
@@ -19,7 +19,8 @@ public static class LimitCheck
 
     /// <summary>Checks a toolpath against a printer, material and settings.</summary>
     /// <returns>
-    /// Errors <c>bed.outside</c>, <c>bed.below</c>, <c>limit.flow</c>, <c>limit.cold_extrusion</c>, <c>limit.tool</c>; warnings (remarks for travels) <c>limit.speed</c>; the
+    /// Errors <c>bed.outside</c>, <c>bed.below</c>, <c>limit.flow</c>, <c>limit.cold_extrusion</c>, <c>limit.tool</c>; warnings (remarks for travels)
+    /// <c>limit.speed</c>; the
     /// source of each is the first such move and its step or line.
     /// </returns>
     public static IReadOnlyList<Diagnostic> Run(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -56,7 +57,8 @@ public static class LimitCheck
     {
         var reachable = printer.CanReach(end, Tolerance);
         if (reachable && columns.TryGetArc(i, out var arc))
-            reachable = printer.BedShape == BedShape.Round ? ReachesAlong(arc, start, end, printer) : printer.BuildBounds.Contains(arc.Bounds(start, end), Tolerance);
+            reachable = printer.BedShape == BedShape.Round ? ReachesAlong(arc, start, end, printer)
+                : printer.BuildBounds.Contains(arc.Bounds(start, end), Tolerance);
         if (!reachable) ReportPlace(move, end, printer, findings);
     }
 
@@ -65,7 +67,8 @@ public static class LimitCheck
         if (end.Z < -Tolerance && printer.CanReach(end.WithZ(0), Tolerance))
             findings.Add(Severity.Error, "bed.below", move, () => $"A move goes to Z {NumberFormatter.Format(end.Z, 3)} mm, below the bed.");
         else
-            findings.Add(Severity.Error, "bed.outside", move, () => $"A move goes to {end}, outside the build volume of {printer.Title}: {printer.BuildBounds}{(printer.BedShape == BedShape.Round ? ", round" : "")}.");
+            findings.Add(Severity.Error, "bed.outside", move, () => $"A move goes to {end}, outside the build volume of {printer.Title}: "
+                + $"{printer.BuildBounds}{(printer.BedShape == BedShape.Round ? ", round" : "")}.");
     }
 
     private static bool ReachesAlong(Arc arc, Vec3 start, Vec3 end, Printer printer)
@@ -88,7 +91,8 @@ public static class LimitCheck
         if (length <= 0 || speed <= 0) return;
         var most = MostSpeed(way, length, printer.MaxSpeed);
         // Travels are slowed down without harm; a slow strand is not the one that was asked for.
-        if (speed > most * (1 + 1e-9)) ReportSpeed(columns.Kind[i] == MoveKind.Print ? Severity.Warning : Severity.Remark, speed, most, move, printer, findings);
+        if (speed > most * (1 + 1e-9)) ReportSpeed(columns.Kind[i] == MoveKind.Print ? Severity.Warning
+            : Severity.Remark, speed, most, move, printer, findings);
         var limit = setup.MaxFlow;
         if (columns.Kind[i] != MoveKind.Print || toolpath.VolumePerE(columns.Tool[i]) is not { } volume) return;
         var flow = columns.Deposited[i] * volume / length * Math.Min(speed, most);
@@ -101,7 +105,8 @@ public static class LimitCheck
 
     private static void ReportSpeed(Severity severity, double speed, double most, int move, Printer printer, Findings findings)
         => findings.Add(severity, "limit.speed", move,
-            () => $"A move asks for {NumberFormatter.Format(speed, 1)} mm/s; {printer.Title} moves there at {NumberFormatter.Format(most, 1)} mm/s and will slow down.");
+            () => $"A move asks for {NumberFormatter.Format(speed, 1)} mm/s; {printer.Title} moves there at {NumberFormatter.Format(most, 1)} mm/s and will "
+                + $"slow down.");
 
     private static void ReportFlow(double flow, double limit, int move, Findings findings)
         => findings.Add(Severity.Error, "limit.flow", move,
@@ -119,7 +124,8 @@ public static class LimitCheck
 
     private static void ReportCold(double celsius, int move, Printer printer, Findings findings)
         => findings.Add(Severity.Error, "limit.cold_extrusion", move,
-            () => $"A move extrudes at {NumberFormatter.Format(celsius, 0)} °C; {printer.Title} needs {NumberFormatter.Format(printer.MinExtrusionTemperature, 0)} °C.");
+            () => $"A move extrudes at {NumberFormatter.Format(celsius, 0)} °C; {printer.Title} needs "
+                + $"{NumberFormatter.Format(printer.MinExtrusionTemperature, 0)} °C.");
 
     // Messages are made for the first finding of a kind only.
     private sealed class Findings(Toolpath toolpath)

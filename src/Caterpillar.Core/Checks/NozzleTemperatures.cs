@@ -4,7 +4,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// Temperatures of the nozzles along a toolpath, °C. A command that names no tool is for the tool at work; where the file names none at all, its tools share a nozzle or are heated alike.
+/// Temperatures of the nozzles along a toolpath, °C. A command that names no tool is for the tool at work; where the file names none at all, its tools share a
+/// nozzle or are heated alike.
 /// </summary>
 internal sealed class NozzleTemperatures(Toolpath toolpath, double initial)
 {

@@ -8,7 +8,10 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>The guard in front of <see cref="GCodeEditor"/>: a decoded file is written again around its edits only where nothing in it would hurt the machine, or a reason says why all the same.</summary>
+/// <summary>
+/// The guard in front of <see cref="GCodeEditor"/>: a decoded file is written again around its edits only where nothing in it would hurt the machine, or a
+/// reason says why all the same.
+/// </summary>
 public static class SafeEditor
 {
     /// <summary>Checks an edited toolpath and writes the file that it was decoded from again: untouched lines byte for byte.</summary>
@@ -22,7 +25,8 @@ public static class SafeEditor
     /// <returns>The file, or none with the findings and <see cref="SafeWriter.Refused"/>.</returns>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     public static Result<GCodeDocument> ToDocument(
-        DecodedGCode decoding, Toolpath edited, PrintSetup setup, string? reason = null, EditOptions? code = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+        DecodedGCode decoding, Toolpath edited, PrintSetup setup, string? reason = null, EditOptions? code = null, IProgress<double>? progress = null,
+            CancellationToken cancel = default)
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
@@ -53,7 +57,10 @@ public static class SafeEditor
         return new Result<GCodeDocument>(written.Value, problems.ToList());
     }
 
-    /// <summary>The setup to check a file against that may heat by itself: one that does begins cold; one that leaves the heating to a macro of the firmware is taken as hot.</summary>
+    /// <summary>
+    /// The setup to check a file against that may heat by itself: one that does begins cold; one that leaves the heating to a macro of the firmware is taken as
+    /// hot.
+    /// </summary>
     public static PrintSetup ForFile(PrintSetup setup, Toolpath toolpath)
     {
         if (setup is null) throw new ArgumentNullException(nameof(setup));

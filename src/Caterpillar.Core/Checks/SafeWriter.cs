@@ -31,7 +31,8 @@ public static class SafeWriter
     public static Result<WrittenGCode> WriteFile(
         Toolpath toolpath, PrintSetup setup, string path, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        if (Prepare(toolpath, setup, reason, progress.Part(0, 0.2), cancel, out var problems, out var overridden) is not { } format) return new Result<WrittenGCode>(null, problems.ToList());
+        if (Prepare(toolpath, setup, reason, progress.Part(0, 0.2), cancel, out var problems,
+            out var overridden) is not { } format) return new Result<WrittenGCode>(null, problems.ToList());
         using var file = new AtomicFile(path);
         using var text = BinaryGCode.IsName(path) ? new MemoryStream() : null;
         var written = Write(toolpath, format, text ?? file.Stream, overridden, progress.Part(0.2, 1), cancel);
@@ -46,7 +47,8 @@ public static class SafeWriter
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
-        if (Prepare(toolpath, setup, reason, progress.Part(0, 0.2), cancel, out var problems, out var overridden) is not { } format) return new Result<WrittenGCode>(null, problems.ToList());
+        if (Prepare(toolpath, setup, reason, progress.Part(0, 0.2), cancel, out var problems,
+            out var overridden) is not { } format) return new Result<WrittenGCode>(null, problems.ToList());
         return new Result<WrittenGCode>(Write(toolpath, format, stream, overridden, progress.Part(0.2, 1), cancel), problems.ToList());
     }
 
@@ -60,7 +62,8 @@ public static class SafeWriter
         return new Result<GCodeDocument>(written.Value is null ? null : GCodeDocument.FromBytes(memory.ToArray()), written.Diagnostics);
     }
 
-    private static WrittenGCode Write(Toolpath toolpath, GCodeFormat format, Stream stream, int overridden, IProgress<double>? progress, CancellationToken cancel)
+    private static WrittenGCode Write(Toolpath toolpath, GCodeFormat format, Stream stream, int overridden, IProgress<double>? progress,
+        CancellationToken cancel)
     {
         var writer = new GCodeWriter(toolpath, format);
         writer.WriteStart(stream);
@@ -76,7 +79,8 @@ public static class SafeWriter
     }
 
     private static GCodeFormat? Prepare(
-        Toolpath toolpath, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel, out DiagnosticList problems, out int overridden)
+        Toolpath toolpath, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel, out DiagnosticList problems,
+            out int overridden)
     {
         problems = new DiagnosticList();
         overridden = 0;
@@ -103,7 +107,8 @@ public static class SafeWriter
 
     internal static IEnumerable<string> Comments(IReadOnlyList<Diagnostic> errors, string reason)
     {
-        yield return "Written in spite of these findings. Reason: " + string.Join(" ", reason.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries));
+        yield return "Written in spite of these findings. Reason: "
+            + string.Join(" ", reason.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries));
         foreach (var error in errors) yield return error.ToString();
     }
 }

@@ -3,7 +3,8 @@ using System;
 namespace Caterpillar.Dialects;
 
 /// <summary>
-/// When an arc is refused because its end is not on the circle about its center: where the radii of start and end differ by more than <see cref="Largest"/> (mm), or by more than
+/// When an arc is refused because its end is not on the circle about its center: where the radii of start and end differ by more than <see cref="Largest"/>
+/// (mm), or by more than
 /// <see cref="Smallest"/> (mm) and by more than <see cref="Relative"/> of the radius.
 /// </summary>
 public sealed record ArcTolerance(double Smallest, double Largest, double Relative)

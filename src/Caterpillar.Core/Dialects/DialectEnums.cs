@@ -49,7 +49,8 @@ public enum HomingRule
     HomesToZero,
 
     /// <summary>
-    /// Goes over the point named to a stored position of the machine (G28.1 and G30.1 store it; taken as 0 where the file does not), in the named axes, or in all. Shifts by G92 stay.
+    /// Goes over the point named to a stored position of the machine (G28.1 and G30.1 store it; taken as 0 where the file does not), in the named axes, or in
+    /// all. Shifts by G92 stay.
     /// </summary>
     GoesToStoredPosition,
 }

@@ -14,7 +14,10 @@ public sealed partial record DialectRules
     /// <summary>R is understood in the plane XY only.</summary>
     public bool RadiusInXyOnly { get; init; }
 
-    /// <summary>How far half the chord of an arc by R may exceed the radius, as a share of the radius: such an arc is a half circle about the middle of its chord. Others are refused.</summary>
+    /// <summary>
+    /// How far half the chord of an arc by R may exceed the radius, as a share of the radius: such an arc is a half circle about the middle of its chord.
+    /// Others are refused.
+    /// </summary>
     public double ShortRadius { get; init; } = double.PositiveInfinity;
 
     /// <summary>The same in mm, in addition.</summary>

@@ -3,7 +3,8 @@ using System.Collections.Generic;
 namespace Caterpillar.Dialects;
 
 /// <summary>
-/// What the words of G-code mean to one firmware, as data. The decoder, the writer, the converter and <c>docs/gcode.md</c> all read it; none of them knows a firmware by name.
+/// What the words of G-code mean to one firmware, as data. The decoder, the writer, the converter and <c>docs/gcode.md</c> all read it; none of them knows a
+/// firmware by name.
 /// </summary>
 public sealed partial record DialectRules
 {

@@ -81,7 +81,8 @@ public static class Picture
     }
 
     private static bool IsShown(Move move, PictureOptions options)
-        => ((move.Kind == MoveKind.Print && (options.Purge || move.Role != Role.Purge)) || (options.Travel && move.Kind is MoveKind.Travel or MoveKind.Wipe or MoveKind.MovingRestore))
+        => ((move.Kind == MoveKind.Print && (options.Purge || move.Role != Role.Purge))
+            || (options.Travel && move.Kind is MoveKind.Travel or MoveKind.Wipe or MoveKind.MovingRestore))
             && (options.Layers is not { } layers || (move.Layer >= layers.First && move.Layer <= layers.Last));
 
     private static (Bounds Box, double Slow, double Fast, int LastLayer) Ranges(Toolpath toolpath, PictureOptions options)

@@ -4,7 +4,9 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Display;
 
-/// <summary>A parallel projection: where the eye stands around the part (azimuth, degrees from +X counter-clockwise) and above the bed (elevation, −90 to 90).</summary>
+/// <summary>
+/// A parallel projection: where the eye stands around the part (azimuth, degrees from +X counter-clockwise) and above the bed (elevation, −90 to 90).
+/// </summary>
 public sealed class View
 {
     private readonly Vec3 _right;

@@ -9,8 +9,9 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Points in rows: x, y and optionally z, or a line with the names of the columns first. Rows with another value in the column <c>curve</c>, or behind an empty line, begin a new curve. Lines
-/// with <c>#</c> are comments. Cells are separated by commas, semicolons, tabs or blanks; with semicolons and tabs a decimal comma is understood.
+/// Points in rows: x, y and optionally z, or a line with the names of the columns first. Rows with another value in the column <c>curve</c>, or behind an empty
+/// line, begin a new curve. Lines with <c>#</c> are comments. Cells are separated by commas, semicolons, tabs or blanks; with semicolons and tabs a decimal
+/// comma is understood.
 /// </summary>
 internal sealed class CsvCurves
 {
@@ -113,7 +114,8 @@ internal sealed class CsvCurves
             var setting = column - CurveColumn.Area;
             if (setting is >= 0 and < CurveColumns.Settings) _values[setting] = [];
         }
-        if (!(seen[(int)CurveColumn.X] && seen[(int)CurveColumn.Y])) Fail("curves.csv", "The first line must name the columns x and y, or hold numbers.", _starts[0]);
+        if (!(seen[(int)CurveColumn.X] && seen[(int)CurveColumn.Y])) Fail("curves.csv", "The first line must name the columns x and y, or hold numbers.",
+            _starts[0]);
         return false;
     }
 
@@ -138,8 +140,10 @@ internal sealed class CsvCurves
             if (column is CurveColumn.Key or CurveColumn.Ignored) continue;
             if (!TryNumber(i, out var value, out var percent)) return Fail("curves.number", $"\"{Short(Cell(i))}\" is no number.", _starts[i]);
             if (double.IsNaN(value - value)) return Fail("curves.not_finite", "Values must be finite.", _starts[i]);
-            if (percent && !Resolve(column, ref value)) return Fail("curves.percent", "A percentage makes no sense here, or nothing was said that it refers to.", _starts[i]);
-            if (column > CurveColumn.Z && value < 0 && column != CurveColumn.Layer) return Fail("curves.bead", "Settings of a strand must be 0 or more.", _starts[i]);
+            if (percent && !Resolve(column, ref value)) return Fail("curves.percent",
+                "A percentage makes no sense here, or nothing was said that it refers to.", _starts[i]);
+            if (column > CurveColumn.Z && value < 0
+                && column != CurveColumn.Layer) return Fail("curves.bead", "Settings of a strand must be 0 or more.", _starts[i]);
             switch (column)
             {
                 case CurveColumn.X:
@@ -259,7 +263,8 @@ internal sealed class CsvCurves
     {
         value = 0;
         var comma = Array.IndexOf(_bytes, (byte)',', start, end - start);
-        if (comma < 0 || Array.IndexOf(_bytes, (byte)',', comma + 1, end - comma - 1) >= 0 || Array.IndexOf(_bytes, (byte)'.', start, end - start) >= 0) return false;
+        if (comma < 0 || Array.IndexOf(_bytes, (byte)',', comma + 1, end - comma - 1) >= 0
+            || Array.IndexOf(_bytes, (byte)'.', start, end - start) >= 0) return false;
         var copy = new byte[end - start];
         Array.Copy(_bytes, start, copy, 0, copy.Length);
         copy[comma - start] = (byte)'.';

@@ -53,7 +53,8 @@ internal static class CurveColumns
     }
 
     /// <summary>
-    /// The curve with settings from columns over its points (area, width, height, speed; null where not given): a column of equal values becomes a setting of the whole curve.
+    /// The curve with settings from columns over its points (area, width, height, speed; null where not given): a column of equal values becomes a setting of
+    /// the whole curve.
     /// </summary>
     public static UserCurve WithValues(UserCurve curve, double[]?[] columns)
     {

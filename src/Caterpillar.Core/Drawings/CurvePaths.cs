@@ -11,8 +11,8 @@ namespace Caterpillar.Drawings;
 public static class CurvePaths
 {
     /// <summary>
-    /// The steps that print curves in their order. Curves without length are left out with a warning. Errors (codes <c>curves.*</c>) are strands with negative or endless settings;
-    /// parts below the bed are a warning.
+    /// The steps that print curves in their order. Curves without length are left out with a warning. Errors (codes <c>curves.*</c>) are strands with negative
+    /// or endless settings; parts below the bed are a warning.
     /// </summary>
     /// <exception cref="ArgumentException">The subdivision is out of range, or a curve is null.</exception>
     public static Result<IReadOnlyList<Step>> ToSteps(
@@ -64,6 +64,7 @@ public static class CurvePaths
             return new Result<IReadOnlyList<PrintPath>>(null, diagnostics.ToList());
         }
         progress?.Report(1);
-        return new Result<IReadOnlyList<PrintPath>>(options.MergeTolerance > 0 ? PathMerging.Merge(paths, options.MergeTolerance) : paths, diagnostics.ToList());
+        return new Result<IReadOnlyList<PrintPath>>(options.MergeTolerance > 0 ? PathMerging.Merge(paths, options.MergeTolerance)
+            : paths, diagnostics.ToList());
     }
 }

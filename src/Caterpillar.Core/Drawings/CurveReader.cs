@@ -9,8 +9,9 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Reads files of curves: points as CSV (comma, semicolon, tab or blanks) or JSON with optional settings, the line elements of OBJ, and the paths and basic shapes of SVG; all of them also packed
-/// with gzip. The format is found from the name, else from the bytes. Bytes that cannot be read give errors with line and column, never exceptions.
+/// Reads files of curves: points as CSV (comma, semicolon, tab or blanks) or JSON with optional settings, the line elements of OBJ, and the paths and basic
+/// shapes of SVG; all of them also packed with gzip. The format is found from the name, else from the bytes. Bytes that cannot be read give errors with line
+/// and column, never exceptions.
 /// </summary>
 public static class CurveReader
 {
@@ -49,7 +50,8 @@ public static class CurveReader
                 CsvCurves.Read(source);
                 break;
         }
-        if (!diagnostics.HasErrors && source.Curves.Count == 0) diagnostics.Add(Severity.Error, "curves.empty", "There is no curve in the file.", new SourceLocation(name));
+        if (!diagnostics.HasErrors && source.Curves.Count == 0) diagnostics.Add(Severity.Error, "curves.empty", "There is no curve in the file.",
+            new SourceLocation(name));
         progress?.Report(1);
         return new Result<IReadOnlyList<UserCurve>>(diagnostics.HasErrors ? null : source.Curves, diagnostics.ToList());
     }

@@ -31,7 +31,8 @@ internal sealed class CurveSource(
     public void Error(string code, string message, SourceLocation place) => Diagnostics.Add(Severity.Error, code, message, place);
 
     /// <summary>A curve of fewer than two different points.</summary>
-    public void TooShort(SourceLocation place) => Diagnostics.Add(Severity.Warning, "curves.too_short", "Curves of fewer than two different points are left out.", place);
+    public void TooShort(SourceLocation place)
+        => Diagnostics.Add(Severity.Warning, "curves.too_short", "Curves of fewer than two different points are left out.", place);
 
     /// <summary>A polyline; null, reported, where it has no length. The points are finite. A last point equal to the first closes it.</summary>
     public PolylineCurve? Polyline(Vec3[] points, bool closed, SourceLocation place, out bool endDropped)

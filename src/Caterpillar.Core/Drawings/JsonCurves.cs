@@ -13,17 +13,21 @@ using Newtonsoft.Json.Linq;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Curves as JSON: <c>[[x,y,z], …]</c> is one curve, a list of such lists several, and <c>{"curves": […], "units": "mm"}</c> the full form. A curve is a list of points or an object:
-/// <c>points</c>, <c>closed</c>; or <c>degree</c>, <c>points</c>, <c>knots</c>, <c>weights</c>, <c>periodic</c> for NURBS; or <c>center</c>, <c>radius</c>, <c>start</c>, <c>sweep</c> for a horizontal arc or
-/// circle; or <c>pieces</c> for joined curves; with <c>name</c>, <c>area</c>, <c>width</c>, <c>height</c>, <c>multiplier</c>, <c>speed</c>, <c>tool</c> and <c>layer</c>. Settings outside of
-/// <c>curves</c> hold for all. A point is a list of two or three numbers, or an object with x, y, z and its own area, width, height and speed. Percentages are texts like <c>"80%"</c>.
+/// Curves as JSON: <c>[[x,y,z], …]</c> is one curve, a list of such lists several, and <c>{"curves": […], "units": "mm"}</c> the full form. A curve is a list
+/// of points or an object:
+/// <c>points</c>, <c>closed</c>; or <c>degree</c>, <c>points</c>, <c>knots</c>, <c>weights</c>, <c>periodic</c> for NURBS; or <c>center</c>, <c>radius</c>,
+/// <c>start</c>, <c>sweep</c> for a horizontal arc or circle; or <c>pieces</c> for joined curves; with <c>name</c>, <c>area</c>, <c>width</c>, <c>height</c>,
+/// <c>multiplier</c>, <c>speed</c>, <c>tool</c> and <c>layer</c>. Settings outside of
+/// <c>curves</c> hold for all. A point is a list of two or three numbers, or an object with x, y, z and its own area, width, height and speed. Percentages are
+/// texts like <c>"80%"</c>.
 /// </summary>
 internal sealed class JsonCurves
 {
     private static readonly string[] Settings = ["area", "width", "height", "speed", "multiplier"];
 
     private static readonly string[] Known =
-        ["curves", "units", "points", "closed", "degree", "knots", "weights", "periodic", "center", "radius", "start", "sweep", "pieces", "name", "tool", "layer", .. Settings];
+        ["curves", "units", "points", "closed", "degree", "knots", "weights", "periodic", "center", "radius", "start", "sweep", "pieces", "name", "tool",
+            "layer", .. Settings];
 
     private readonly CurveSource _source;
     private double _unit;
@@ -38,14 +42,16 @@ internal sealed class JsonCurves
     {
         var at = ByteOrderMark.Length(source.Bytes);
         using var text = new StreamReader(new MemoryStream(source.Bytes, at, source.Bytes.Length - at, false), new UTF8Encoding(false), false);
-        using var reader = new JsonTextReader(text) { FloatParseHandling = FloatParseHandling.Decimal, DateParseHandling = DateParseHandling.None, MaxDepth = 64 };
+        using var reader = new JsonTextReader(text) { FloatParseHandling = FloatParseHandling.Decimal, DateParseHandling = DateParseHandling.None,
+            MaxDepth = 64 };
         JToken root;
         try
         {
             root = JToken.Load(reader, new JsonLoadSettings { LineInfoHandling = LineInfoHandling.Load });
             while (reader.Read())
             {
-                if (reader.TokenType != JsonToken.Comment) throw new JsonReaderException("There is more behind the end of the data.", "", reader.LineNumber, reader.LinePosition, null);
+                if (reader.TokenType != JsonToken.Comment) throw new JsonReaderException("There is more behind the end of the data.", "", reader.LineNumber,
+                    reader.LinePosition, null);
             }
         }
         catch (JsonReaderException e)
@@ -236,7 +242,8 @@ internal sealed class JsonCurves
             var column = c;
             var given = rows.Count(r => r[column] is not null);
             if (given == 0) continue;
-            if (given < rows.Length) return Fail<Curve>("curves.json", $"Either all points of a curve have \"{Settings[c]}\" or none.", list[Array.FindIndex(rows, r => r[column] is null)]);
+            if (given < rows.Length) return Fail<Curve>("curves.json", $"Either all points of a curve have \"{Settings[c]}\" or none.",
+                list[Array.FindIndex(rows, r => r[column] is null)]);
             values[c] = rows.Take(rows.Length - (endDropped ? 1 : 0)).Select(r => r[column]!.Value).ToArray();
         }
         return curve;
@@ -342,7 +349,9 @@ internal sealed class JsonCurves
         foreach (var property in holder.Properties())
         {
             if (Array.IndexOf(Known, property.Name) < 0)
-                _source.Diagnostics.Add(Severity.Warning, "curves.ignored", $"The key \"{(property.Name.Length > 30 ? property.Name.Substring(0, 30) : property.Name)}\" is not known and is left out.", Place(property));
+                _source.Diagnostics.Add(Severity.Warning, "curves.ignored",
+                    $"The key \"{(property.Name.Length > 30 ? property.Name.Substring(0, 30) : property.Name)}\" is not known and is left out.",
+                    Place(property));
         }
     }
 

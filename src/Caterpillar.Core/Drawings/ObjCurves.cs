@@ -51,7 +51,8 @@ internal sealed class ObjCurves
     private bool Vertex()
     {
         double x = 0, y = 0, z = 0;
-        var good = _cursor.SkipBlanks() && _cursor.ReadNumber(out x) && _cursor.SkipBlanks() && _cursor.ReadNumber(out y) && _cursor.SkipBlanks() && _cursor.ReadNumber(out z);
+        var good = _cursor.SkipBlanks() && _cursor.ReadNumber(out x) && _cursor.SkipBlanks() && _cursor.ReadNumber(out y) && _cursor.SkipBlanks()
+            && _cursor.ReadNumber(out z);
         if (!good)
         {
             _source.Error("curves.obj", "A vertex needs three numbers.", At(_cursor.At));

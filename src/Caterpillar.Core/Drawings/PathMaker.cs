@@ -142,7 +142,8 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         foreach (var p in path.RawPoints)
         {
             if (p.Z >= 0) continue;
-            diagnostics.Add(Severity.Warning, "curves.below_bed", $"A curve goes below the bed, to Z {NumberFormatter.Format(path.Bounds.Min.Z, 3)} mm.", source);
+            diagnostics.Add(Severity.Warning, "curves.below_bed", $"A curve goes below the bed, to Z {NumberFormatter.Format(path.Bounds.Min.Z, 3)} mm.",
+                source);
             return;
         }
     }

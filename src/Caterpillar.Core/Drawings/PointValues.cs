@@ -5,8 +5,8 @@ using System.Linq;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Settings that change along a curve: for a polyline one value for each vertex, for other curves values at equal steps of its length. Between them they change linearly. A column that is
-/// null is not given.
+/// Settings that change along a curve: for a polyline one value for each vertex, for other curves values at equal steps of its length. Between them they change
+/// linearly. A column that is null is not given.
 /// </summary>
 public sealed class PointValues
 {

@@ -7,8 +7,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// The data of an SVG path (SVG 1.1, section 8.3): all commands, absolute and relative. Subpaths come out in user units with Y as in the file; lines are polylines, Béziers are NURBS curves,
-/// elliptical arcs are arcs or NURBS curves (implementation notes F.6).
+/// The data of an SVG path (SVG 1.1, section 8.3): all commands, absolute and relative. Subpaths come out in user units with Y as in the file; lines are
+/// polylines, Béziers are NURBS curves, elliptical arcs are arcs or NURBS curves (implementation notes F.6).
 /// </summary>
 internal sealed class SvgPath
 {
@@ -188,7 +188,8 @@ internal sealed class SvgPath
         var unit = new ArcCurve(Frame.FromAxes(new Vec3(cx, cy), new Vec3(c, s), new Vec3(-s, c)), 1, sweep);
         var map = new Affine(axisX, axisY, Vec3.UnitZ, middle);
         // A circle keeps its frame exactly; its image under unequal radii is no circle.
-        Add(rx == ry ? new ArcCurve(Frame.FromAxes(map.Apply(unit.Center), map.ApplyDirection(unit.Frame.X), map.ApplyDirection(unit.Frame.Y)), rx, sweep) : unit.Transformed(map));
+        Add(rx == ry ? new ArcCurve(Frame.FromAxes(map.Apply(unit.Center), map.ApplyDirection(unit.Frame.X), map.ApplyDirection(unit.Frame.Y)), rx, sweep)
+            : unit.Transformed(map));
         _here = to;
     }
 

@@ -12,16 +12,18 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Paths and basic shapes of SVG, in the order of the file, as curves in mm: transforms of groups, units and viewBox are applied, and the page stands upright with its lower left corner at the
-/// origin. Attributes <c>data-width</c>, <c>data-height</c>, <c>data-area</c>, <c>data-speed</c>, <c>data-multiplier</c>, <c>data-z</c>, <c>data-tool</c> and <c>data-layer</c> (mm, mm², mm/s) on
-/// shapes or groups give settings; widths, heights and speeds also as percentages. What is hidden or only defined is left out.
+/// Paths and basic shapes of SVG, in the order of the file, as curves in mm: transforms of groups, units and viewBox are applied, and the page stands upright
+/// with its lower left corner at the origin. Attributes <c>data-width</c>, <c>data-height</c>, <c>data-area</c>, <c>data-speed</c>, <c>data-multiplier</c>,
+/// <c>data-z</c>, <c>data-tool</c> and <c>data-layer</c> (mm, mm², mm/s) on shapes or groups give settings; widths, heights and speeds also as percentages.
+/// What is hidden or only defined is left out.
 /// </summary>
 internal sealed class SvgReader
 {
     private const int MaxDepth = 512;
 
     private static readonly HashSet<string> Definitions =
-        ["defs", "symbol", "clipPath", "mask", "pattern", "marker", "metadata", "style", "title", "desc", "script", "linearGradient", "radialGradient", "filter", "font"];
+        ["defs", "symbol", "clipPath", "mask", "pattern", "marker", "metadata", "style", "title", "desc", "script", "linearGradient", "radialGradient",
+            "filter", "font"];
 
     private static readonly HashSet<string> Shapes = ["path", "line", "polyline", "polygon", "rect", "circle", "ellipse"];
 
@@ -123,7 +125,8 @@ internal sealed class SvgReader
             }
             else if (_xml.NamespaceURI is "" or "http://www.w3.org/2000/svg")
             {
-                _source.Diagnostics.Add(Severity.Remark, "curves.ignored", $"Elements that hold no curves are left out, the first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", Here());
+                _source.Diagnostics.Add(Severity.Remark, "curves.ignored",
+                    $"Elements that hold no curves are left out, the first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", Here());
             }
             SkipContent();
             return true;
@@ -167,7 +170,8 @@ internal sealed class SvgReader
         if (_xml.GetAttribute("viewBox") is { } text)
         {
             box = SvgValues.Numbers(text);
-            if (box is not { Length: 4 } || !(box[2] > 0 && box[3] > 0)) return FailValue<Affine>("viewBox", "A viewBox has four numbers, the last two positive.");
+            if (box is not { Length: 4 } || !(box[2] > 0 && box[3] > 0)) return FailValue<Affine>("viewBox",
+                "A viewBox has four numbers, the last two positive.");
         }
         var ownWidth = Extent("width", box is null ? (isRoot ? 0 : width) : box[2], width, isRoot, out var badWidth);
         var ownHeight = Extent("height", box is null ? (isRoot ? 0 : height) : box[3], height, isRoot, out var badHeight);
@@ -201,7 +205,8 @@ internal sealed class SvgReader
     private Affine ToMm()
     {
         const double S = 1 / SvgValues.PixelsPerMm;
-        if (_pageHeight == 0) _source.Diagnostics.Add(Severity.Remark, "curves.svg_page", "The file states no height of its page: curves lie below the X axis as drawn.", Here());
+        if (_pageHeight == 0) _source.Diagnostics.Add(Severity.Remark, "curves.svg_page",
+            "The file states no height of its page: curves lie below the X axis as drawn.", Here());
         return new Affine(new Vec3(S, 0), new Vec3(0, -S), Vec3.UnitZ, new Vec3(0, _pageHeight * S));
     }
 
@@ -213,7 +218,8 @@ internal sealed class SvgReader
         for (var i = 0; i < names.Length; i++)
         {
             if (_xml.GetAttribute(names[i]) is not { } text) continue;
-            if (Value(text, references[i]) is not (>= 0 and var value)) return Fail<UserCurveSettings>(names[i], "Settings of a strand must be numbers of 0 or more, or percentages of something known.");
+            if (Value(text, references[i]) is not (>= 0 and var value)) return Fail<UserCurveSettings>(names[i],
+                "Settings of a strand must be numbers of 0 or more, or percentages of something known.");
             values[i] = value;
         }
         var (z, tool, layer) = (outer.Z, outer.Tool, outer.Layer);
@@ -224,7 +230,8 @@ internal sealed class SvgReader
         }
         if (_xml.GetAttribute("data-tool") is { } toolText)
         {
-            if (!NumberReader.TryParseInt(toolText.Trim(), out tool) || tool is < 0 or > 1000) return Fail<UserCurveSettings>("data-tool", "A tool is a number from 0 to 1000.");
+            if (!NumberReader.TryParseInt(toolText.Trim(), out tool)
+                || tool is < 0 or > 1000) return Fail<UserCurveSettings>("data-tool", "A tool is a number from 0 to 1000.");
         }
         if (_xml.GetAttribute("data-layer") is { } layerText)
         {

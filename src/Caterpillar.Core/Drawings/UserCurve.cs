@@ -6,8 +6,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// A curve that is to be printed as drawn, with its own settings; what is null comes from <see cref="CurveOptions"/>. The area of the strand is given as such, or as width × height × multiplier
-/// in the shape of the options. An area of 0 makes a stroke without extrusion (pen, brush, bare hot tool).
+/// A curve that is to be printed as drawn, with its own settings; what is null comes from <see cref="CurveOptions"/>. The area of the strand is given as such,
+/// or as width × height × multiplier in the shape of the options. An area of 0 makes a stroke without extrusion (pen, brush, bare hot tool).
 /// </summary>
 public sealed record UserCurve
 {

@@ -6,7 +6,8 @@ using Caterpillar.Basics;
 namespace Caterpillar.Expressions;
 
 /// <summary>
-/// A formula in text, compiled once to delegates. It has numbers, variables, <c>+ - * / % ^</c>, comparisons, <c>and or not</c>, <c>a ? b : c</c>, the constants <c>pi</c> and <c>tau</c> and
+/// A formula in text, compiled once to delegates. It has numbers, variables, <c>+ - * / % ^</c>, comparisons, <c>and or not</c>, <c>a ? b : c</c>, the
+/// constants <c>pi</c> and <c>tau</c> and
 /// the functions of <see cref="Functions"/>. Angles are degrees. True is 1, false is 0. The same text gives the same bits on every runtime.
 /// Division by zero and the like give infinities or NaN, as in all double arithmetic; who uses the value checks it.
 /// </summary>

@@ -3,8 +3,8 @@ using System;
 namespace Caterpillar.Expressions;
 
 /// <summary>
-/// What a formula reads while it is evaluated: the values of its variables by slot, and the random numbers. One context serves one thread at a time; its values may be changed between
-/// evaluations.
+/// What a formula reads while it is evaluated: the values of its variables by slot, and the random numbers. One context serves one thread at a time; its values
+/// may be changed between evaluations.
 /// </summary>
 public sealed class FormulaContext
 {

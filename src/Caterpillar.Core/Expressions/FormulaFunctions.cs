@@ -9,7 +9,8 @@ internal static class FormulaFunctions
 {
     public static readonly IReadOnlyList<string> Names =
     [
-        "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "abs", "min", "max", "floor", "ceil", "round", "trunc", "frac", "sign", "exp", "ln", "log", "pow", "mod", "hypot",
+        "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "abs", "min", "max", "floor", "ceil", "round", "trunc", "frac", "sign", "exp", "ln",
+            "log", "pow", "mod", "hypot",
         "clamp", "lerp", "step", "smoothstep", "deg", "rad", "random", "randint",
     ];
 
@@ -37,7 +38,8 @@ internal static class FormulaFunctions
             node = a[0];
             for (var i = 1; i < a.Count; i++) node = Two(name.Text, node!, a[i]);
         }
-        return node ?? throw new FormulaException("formula.arguments", $"The function '{name.Text}' takes {Count(name.Text)}, not {NumberFormatter.Format(a.Count)}.", name.Line, name.Column);
+        return node ?? throw new FormulaException("formula.arguments",
+            $"The function '{name.Text}' takes {Count(name.Text)}, not {NumberFormatter.Format(a.Count)}.", name.Line, name.Column);
     }
 
     private static FormulaNode? One(string name, FormulaNode a) => name switch

@@ -179,17 +179,20 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
         // A variable hides a function or constant of its name.
         if (scope.Variable(name.Text, name) is { } variable)
         {
-            if (Next.Is("(") && !Next.BlankBefore) throw new FormulaException("formula.unknown", $"'{name.Text}' is a variable, not a function.", name.Line, name.Column);
+            if (Next.Is("(") && !Next.BlankBefore) throw new FormulaException("formula.unknown", $"'{name.Text}' is a variable, not a function.", name.Line,
+                name.Column);
             return variable;
         }
         if (Next.Is("(") && FormulaFunctions.Knows(name.Text)) return Call(name);
         if (name.Text == "pi") return new FormulaNode(System.Math.PI);
         if (name.Text == "tau") return new FormulaNode(2 * System.Math.PI);
         if (FormulaFunctions.Knows(name.Text)) throw new FormulaException("formula.syntax", $"The function '{name.Text}' needs '('.", name.Line, name.Column);
-        if (scope.IsArray(name.Text)) throw new FormulaException("formula.syntax", $"'{name.Text}' is an array; write {name.Text}[index].", name.Line, name.Column);
+        if (scope.IsArray(name.Text)) throw new FormulaException("formula.syntax", $"'{name.Text}' is an array; write {name.Text}[index].", name.Line,
+            name.Column);
         var function = Next.Is("(") && !Next.BlankBefore;
         var known = function ? FormulaFunctions.Names : scope.Names.Concat(["pi", "tau"]).Concat(FormulaFunctions.Names);
-        throw new FormulaException("formula.unknown", $"There is no {(function ? "function" : "variable")} '{name.Text}'.{SpellingSuggestion.Hint(name.Text, known)}", name.Line, name.Column);
+        throw new FormulaException("formula.unknown",
+            $"There is no {(function ? "function" : "variable")} '{name.Text}'.{SpellingSuggestion.Hint(name.Text, known)}", name.Line, name.Column);
     }
 
     private FormulaNode Call(Token name)
@@ -232,5 +235,6 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
     private static FormulaException TooDeep(Token at) => new("formula.too_long", "The formula is too long or too deeply nested.", at.Line, at.Column);
 
     private static FormulaException Unexpected(Token token, string expected)
-        => new("formula.syntax", $"{char.ToUpperInvariant(token.ToString()[0])}{token.ToString().Substring(1)} stands where {expected} was expected.", token.Line, token.Column);
+        => new("formula.syntax", $"{char.ToUpperInvariant(token.ToString()[0])}{token.ToString().Substring(1)} stands where {expected} was expected.",
+            token.Line, token.Column);
 }

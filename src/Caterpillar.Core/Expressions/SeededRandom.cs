@@ -3,8 +3,8 @@ using System;
 namespace Caterpillar.Expressions;
 
 /// <summary>
-/// A random generator with a seed that gives the same numbers on every runtime and for ever (SplitMix64: Steele, Lea, Flood, "Fast splittable pseudorandom number
-/// generators", OOPSLA 2014). Not thread-safe.
+/// A random generator with a seed that gives the same numbers on every runtime and for ever (SplitMix64: Steele, Lea, Flood, "Fast splittable pseudorandom
+/// number generators", OOPSLA 2014). Not thread-safe.
 /// </summary>
 public sealed class SeededRandom
 {

@@ -4,8 +4,9 @@ using System.IO;
 namespace Caterpillar.Files;
 
 /// <summary>
-/// A file that is written whole or not at all: bytes go to a temporary file beside it, which takes its name in <see cref="Commit"/>. Disposed before that, it leaves nothing behind
-/// and an older file as it was. A link stays a link to a file that is replaced, and the new file gets the rights of the older one. What is no regular file (a device, a pipe) is written directly.
+/// A file that is written whole or not at all: bytes go to a temporary file beside it, which takes its name in <see cref="Commit"/>. Disposed before that, it
+/// leaves nothing behind and an older file as it was. A link stays a link to a file that is replaced, and the new file gets the rights of the older one. What
+/// is no regular file (a device, a pipe) is written directly.
 /// </summary>
 public sealed class AtomicFile : IDisposable
 {

@@ -36,7 +36,8 @@ internal static class FileLinks
     public static FileStream? Special(string file)
     {
         if (!IsUnix || !File.Exists(file)) return null;
-        if (file.StartsWith("/dev/", StringComparison.Ordinal) || file.StartsWith("/proc/", StringComparison.Ordinal) || (File.GetAttributes(file) & FileAttributes.Device) != 0) return Open(file);
+        if (file.StartsWith("/dev/", StringComparison.Ordinal) || file.StartsWith("/proc/", StringComparison.Ordinal)
+            || (File.GetAttributes(file) & FileAttributes.Device) != 0) return Open(file);
         if (new FileInfo(file).Length > 0) return null;
         FileStream stream;
         try

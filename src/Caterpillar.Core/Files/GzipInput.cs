@@ -4,8 +4,8 @@ using System.IO;
 namespace Caterpillar.Files;
 
 /// <summary>
-/// The packed bytes of a gzip stream, handed to the inflater in small pieces. It takes whole pieces and does not say how much of the last one it used; the checksum and the length that must stand
-/// behind the data say it: eight bytes that are known once all is unpacked.
+/// The packed bytes of a gzip stream, handed to the inflater in small pieces. It takes whole pieces and does not say how much of the last one it used; the
+/// checksum and the length that must stand behind the data say it: eight bytes that are known once all is unpacked.
 /// </summary>
 internal sealed class GzipInput(Stream source) : ReadStream
 {

@@ -6,9 +6,9 @@ using Caterpillar.Basics;
 namespace Caterpillar.Files;
 
 /// <summary>
-/// Unpacks gzip (RFC 1952) while it is read: all members one after the other, each held against the checksum and the length at its end, so that a file that was cut off or damaged anywhere is
-/// never taken for a whole one. Zeros behind the last member are padding; other bytes there are left alone, as gzip does. What is unpacked is bounded: 250 times what is packed, or 64 MB.
-/// Every problem is an <see cref="InvalidDataException"/>, on .NET and on Mono.
+/// Unpacks gzip (RFC 1952) while it is read: all members one after the other, each held against the checksum and the length at its end, so that a file that was
+/// cut off or damaged anywhere is never taken for a whole one. Zeros behind the last member are padding; other bytes there are left alone, as gzip does. What
+/// is unpacked is bounded: 250 times what is packed, or 64 MB. Every problem is an <see cref="InvalidDataException"/>, on .NET and on Mono.
 /// </summary>
 public sealed class GzipReader : ReadStream
 {
@@ -57,7 +57,8 @@ public sealed class GzipReader : ReadStream
 
     /// <summary>The warning that such bytes were met.</summary>
     public static Diagnostic TrailingBytes(string code, string name)
-        => new(Severity.Warning, code, "Behind the end of the gzip data are bytes that belong to nothing; they were not read.", name.Length > 0 ? new SourceLocation(name) : null);
+        => new(Severity.Warning, code, "Behind the end of the gzip data are bytes that belong to nothing; they were not read.", name.Length > 0
+            ? new SourceLocation(name) : null);
 
     /// <exception cref="InvalidDataException">The data is cut off, damaged, or grows out of all proportion.</exception>
     public override int Read(byte[] buffer, int offset, int count)
@@ -75,7 +76,8 @@ public sealed class GzipReader : ReadStream
                 if (_total > Limit(_input.Taken)) throw new InvalidDataException(TooLarge);
                 return read;
             }
-            if (!_input.SkipTrailer(_sum, _length)) throw new InvalidDataException(_input.RanDry ? CutOff : "It is damaged or cut off: the checksum at its end is missing or wrong.");
+            if (!_input.SkipTrailer(_sum, _length)) throw new InvalidDataException(_input.RanDry ? CutOff
+                : "It is damaged or cut off: the checksum at its end is missing or wrong.");
             _member!.Dispose();
             _member = null;
         }

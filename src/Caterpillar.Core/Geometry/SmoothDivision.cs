@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Divides a line or arc until its image under a map is smooth: met within a tolerance by straight segments between the images of the dividing points.</summary>
+/// <summary>
+/// Divides a line or arc until its image under a map is smooth: met within a tolerance by straight segments between the images of the dividing points.
+/// </summary>
 internal static class SmoothDivision
 {
     private const int MaxDepth = 14;
@@ -11,7 +13,10 @@ internal static class SmoothDivision
     // The image of a piece is tested at these places; the odd spacing keeps periodic maps from hiding between them.
     private static readonly double[] Tests = [0.19, 0.37, 0.5, 0.68, 0.83];
 
-    /// <summary>Appends the dividing points behind <paramref name="start"/>, the last of which is <paramref name="end"/>, and for each the share of the segment that leads to it.</summary>
+    /// <summary>
+    /// Appends the dividing points behind <paramref name="start"/>, the last of which is <paramref name="end"/>, and for each the share of the segment that
+    /// leads to it.
+    /// </summary>
     /// <param name="start">Where the segment begins, mm.</param>
     /// <param name="end">Where it ends, mm.</param>
     /// <param name="arc">Its geometry where it is not straight.</param>
@@ -22,7 +27,8 @@ internal static class SmoothDivision
     public static void Divide(Vec3 start, Vec3 end, Arc? arc, double tolerance, Func<Vec3[], Vec3[]> map, List<Vec3> points, List<double>? shares = null)
         => Split(new Piece(start, end, arc), 0, 1, tolerance, map, 0, points, shares);
 
-    private static void Split(Piece piece, double from, double to, double tolerance, Func<Vec3[], Vec3[]> map, int depth, List<Vec3> points, List<double>? shares)
+    private static void Split(Piece piece, double from, double to, double tolerance, Func<Vec3[], Vec3[]> map, int depth, List<Vec3> points,
+        List<double>? shares)
     {
         if (depth < MaxDepth && !IsSmooth(piece, from, to, tolerance, map))
         {

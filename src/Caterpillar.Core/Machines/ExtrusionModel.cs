@@ -3,7 +3,8 @@ using System;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// The law of E: the one place where amounts of E, areas of strands and the three notations of extrusion meet. Internally everything is the area of the strand in mm².
+/// The law of E: the one place where amounts of E, areas of strands and the three notations of extrusion meet. Internally everything is the area of the strand
+/// in mm².
 /// <list type="bullet">
 /// <item>E factor (ExtruderTurtle): mm of filament for one mm of path, <c>E = L · k</c>.</item>
 /// <item>Area (Kanada): <c>E = L · A / (π (D/2)²)</c>.</item>
@@ -46,13 +47,18 @@ public sealed record ExtrusionModel
         _ => null,
     };
 
-    /// <summary>mm³ of strand for one unit of E, the multiplier taken into account (as <c>ToolpathTool.VolumePerE</c> has it); null where there is no E.</summary>
+    /// <summary>
+    /// mm³ of strand for one unit of E, the multiplier taken into account (as <c>ToolpathTool.VolumePerE</c> has it); null where there is no E.
+    /// </summary>
     public double? VolumePerE => FedVolumePerE / Multiplier;
 
     /// <summary>mm of filament for one unit of E; 1 for a pen.</summary>
     public double FilamentPerE => Unit == ExtrusionUnit.Mm3 ? 1 / FilamentArea : 1;
 
-    /// <summary>E for a length of path in mm with a strand of some area in mm²; 0 where there is no E. Backward moves extrude too, so the length counts without its sign.</summary>
+    /// <summary>
+    /// E for a length of path in mm with a strand of some area in mm²; 0 where there is no E. Backward moves extrude too, so the length counts without its
+    /// sign.
+    /// </summary>
     public double E(double length, double area) => VolumePerE is { } volume ? Math.Abs(length) * area / volume : 0;
 
     /// <summary>Area in mm² of the strand that an amount of E makes over a length of path in mm; 0 where there is no E.</summary>

@@ -71,5 +71,8 @@ public enum TravelLift : byte
 /// <summary>A number for each axis.</summary>
 public readonly record struct AxisValues(double X, double Y, double Z, double E);
 
-/// <summary>A point of the outline of a head: nothing of the head within <paramref name="Radius"/> mm of its axis is lower than <paramref name="Height"/> mm above the tip.</summary>
+/// <summary>
+/// A point of the outline of a head: nothing of the head within <paramref name="Radius"/> mm of its axis is lower than <paramref name="Height"/> mm above the
+/// tip.
+/// </summary>
 public readonly record struct HeadPoint(double Radius, double Height);

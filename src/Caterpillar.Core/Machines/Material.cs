@@ -1,6 +1,9 @@
 namespace Caterpillar.Machines;
 
-/// <summary>What is extruded. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's room throws an <see cref="System.ArgumentOutOfRangeException"/>. Immutable.</summary>
+/// <summary>
+/// What is extruded. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's room throws an
+/// <see cref="System.ArgumentOutOfRangeException"/>. Immutable.
+/// </summary>
 public sealed record Material
 {
     /// <summary>Name of the profile.</summary>

@@ -42,8 +42,8 @@ public sealed record PrintSetup
     }
 
     /// <summary>
-    /// The setup with other values, each as <c>key=value</c> with any key of the three profiles: <c>layer_height_mm=0.3</c>, <c>build_volume_mm=300,300,400</c>. Unknown keys and bad values are
-    /// errors that name the key; there is no setup then.
+    /// The setup with other values, each as <c>key=value</c> with any key of the three profiles: <c>layer_height_mm=0.3</c>,
+    /// <c>build_volume_mm=300,300,400</c>. Unknown keys and bad values are errors that name the key; there is no setup then.
     /// </summary>
     public Result<PrintSetup> With(params string[] values) => With((IEnumerable<string>)values);
 
@@ -55,11 +55,15 @@ public sealed record PrintSetup
     {
         var diagnostics = new DiagnosticList();
         if (Settings.BeadShape == BeadShape.Stadium && Settings.LineWidth < Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight))
-            diagnostics.Add(Severity.Error, "setup.narrow_bead", "line_width_mm is less than the height of a layer: such a strand has no bead_shape stadium; use rectangle or circle.", new SourceLocation(Key: "line_width_mm"));
+            diagnostics.Add(Severity.Error, "setup.narrow_bead",
+                "line_width_mm is less than the height of a layer: such a strand has no bead_shape stadium; use rectangle or circle.",
+                new SourceLocation(Key: "line_width_mm"));
         if (Printer.ExtrusionUnit != ExtrusionUnit.None && Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight) > Printer.NozzleDiameter)
-            diagnostics.Add(Severity.Warning, "setup.high_layer", "A layer is higher than the nozzle is wide: strands will hardly stick to each other.", new SourceLocation(Key: "layer_height_mm"));
+            diagnostics.Add(Severity.Warning, "setup.high_layer", "A layer is higher than the nozzle is wide: strands will hardly stick to each other.",
+                new SourceLocation(Key: "layer_height_mm"));
         if (Printer.FirmwareRetraction && !Printer.Dialect.FirmwareRetraction)
-            diagnostics.Add(Severity.Error, "setup.no_firmware_retraction", $"{Printer.Dialect.Title} has no firmware retraction.", new SourceLocation(Key: "firmware_retraction"));
+            diagnostics.Add(Severity.Error, "setup.no_firmware_retraction", $"{Printer.Dialect.Title} has no firmware retraction.",
+                new SourceLocation(Key: "firmware_retraction"));
         return diagnostics.ToList();
     }
 }

@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// A machine: its space, its limits, how it wants its G-code. Lengths in mm, speeds in mm/s, accelerations in mm/s². The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its
-/// key's room throws an <see cref="ArgumentOutOfRangeException"/>. Immutable.
+/// A machine: its space, its limits, how it wants its G-code. Lengths in mm, speeds in mm/s, accelerations in mm/s². The keys of profiles are in
+/// <see cref="ProfileKeys"/>; a value outside its key's room throws an <see cref="ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
 public sealed record Printer
 {

@@ -6,8 +6,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Ways around what is printed, at one height: A* (Hart, Nilsson and Raphael 1968) on a lattice around the start, whose edges are tested only when they are taken; then every corner that can
-/// be cut is cut. The search stays within the ellipse of ways that are not longer than a bound, and within a number of nodes.
+/// Ways around what is printed, at one height: A* (Hart, Nilsson and Raphael 1968) on a lattice around the start, whose edges are tested only when they are
+/// taken; then every corner that can be cut is cut. The search stays within the ellipse of ways that are not longer than a bound, and within a number of nodes.
 /// </summary>
 internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
 {
@@ -25,7 +25,9 @@ internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
         public bool Done;
     }
 
-    /// <summary>Points after the start, the last is the end; null where no free way within the bound was found. Both ends are at the height of the way.</summary>
+    /// <summary>
+    /// Points after the start, the last is the end; null where no free way within the bound was found. Both ends are at the height of the way.
+    /// </summary>
     public List<Vec3>? Find(Vec3 start, Vec3 end, double maxLength)
     {
         if (!IsFree(start, start) || !IsFree(end, end)) return null;

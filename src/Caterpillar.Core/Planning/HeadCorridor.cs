@@ -6,8 +6,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// The room that the head takes along a travel: rings around its axis, each with the least height of the head inside it above the tip. A print may be as high as the ring it
-/// comes under.
+/// The room that the head takes along a travel: rings around its axis, each with the least height of the head inside it above the tip. A print may be as high
+/// as the ring it comes under.
 /// </summary>
 internal sealed class HeadCorridor
 {
@@ -23,7 +23,8 @@ internal sealed class HeadCorridor
     public double TipRadius => _rings[0].Radius;
 
     /// <summary>
-    /// Least height of the tip, mm, at which the head passes from a to b with nothing of the print inside it; negative infinity where nothing is near. Answers below
+    /// Least height of the tip, mm, at which the head passes from a to b with nothing of the print inside it; negative infinity where nothing is near. Answers
+    /// below
     /// <paramref name="level"/>, the height that the way has anyhow, are not refined.
     /// </summary>
     public double Needed(Deposit deposit, Vec3 a, Vec3 b, double level)

@@ -6,8 +6,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Writes moves and keeps the books: where the head is, which tool works, how much filament of each tool is retracted, how high the print has grown. E beyond the balance is deposited, E below
-/// it only fills the nozzle.
+/// Writes moves and keeps the books: where the head is, which tool works, how much filament of each tool is retracted, how high the print has grown. E beyond
+/// the balance is deposited, E below it only fills the nozzle.
 /// </summary>
 internal sealed class MoveEmitter
 {

@@ -4,8 +4,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Temperature, fan and acceleration: what the design set, what a path wants for itself, and what is in force. Events are written only where these differ, so that neighboring
-/// paths with the same overrides do not switch to and fro.
+/// Temperature, fan and acceleration: what the design set, what a path wants for itself, and what is in force. Events are written only where these differ, so
+/// that neighboring paths with the same overrides do not switch to and fro.
 /// </summary>
 internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
 {

@@ -3,7 +3,8 @@ namespace Caterpillar.Planning;
 /// <summary>The counters behind a <see cref="PlanReport"/>, while planning runs.</summary>
 internal sealed class PlanCounts
 {
-    public int Paths, Travels, DrawnTravels, Lifts, CorridorLifts, SkippedLifts, Detours, Combed, Retractions, SkippedRetractions, AlreadyRetracted, Restores, Wipes, LaggedPaths,
+    public int Paths, Travels, DrawnTravels, Lifts, CorridorLifts, SkippedLifts, Detours, Combed, Retractions, SkippedRetractions, AlreadyRetracted, Restores,
+        Wipes, LaggedPaths,
         ToolChanges, ReturnsOver, ReturnsAlong, BlockedReturns, EmptySegments;
 
     public double TravelLength, GivenWay, SortedWay;

@@ -8,7 +8,9 @@ public enum PlanPolicy : byte
     /// <summary>Retraction, lifts and detours from the settings, and sorting where the groups of the steps allow it.</summary>
     Printer,
 
-    /// <summary>Nothing: the moves are those drawn, a gap between paths is one straight travel, E is what the paths need and no more (the ExtruderTurtle way).</summary>
+    /// <summary>
+    /// Nothing: the moves are those drawn, a gap between paths is one straight travel, E is what the paths need and no more (the ExtruderTurtle way).
+    /// </summary>
     AsDrawn,
 }
 

@@ -75,8 +75,10 @@ public sealed record PlanReport
     public IReadOnlyList<KeyValuePair<string, double>> ToValues() =>
     [
         new("paths", Paths), new("travels", Travels), new("drawn_travels", DrawnTravels), new("lifts", Lifts), new("corridor_lifts", CorridorLifts),
-        new("skipped_lifts", SkippedLifts), new("detours", Detours), new("combed", Combed), new("retractions", Retractions), new("skipped_retractions", SkippedRetractions),
-        new("already_retracted", AlreadyRetracted), new("restores", Restores), new("wipes", Wipes), new("lagged_paths", LaggedPaths), new("tool_changes", ToolChanges),
+        new("skipped_lifts", SkippedLifts), new("detours", Detours), new("combed", Combed), new("retractions", Retractions),
+            new("skipped_retractions", SkippedRetractions),
+        new("already_retracted", AlreadyRetracted), new("restores", Restores), new("wipes", Wipes), new("lagged_paths", LaggedPaths),
+            new("tool_changes", ToolChanges),
         new("returns_over", ReturnsOver), new("returns_along", ReturnsAlong), new("blocked_returns", BlockedReturns), new("empty_segments", EmptySegments),
         new("travel_length_mm", TravelLength), new("given_way_mm", GivenWay), new("sorted_way_mm", SortedWay),
     ];

@@ -97,7 +97,9 @@ internal sealed record PlanRules
     /// <inheritdoc cref="FirstLayerHeight"/>
     public double LayerHeight { get; init; } = 0.2;
 
-    /// <summary>Number of the layer of a path, or where it names none and the policy is the printer's, of a height above the bed; −1 where neither says.</summary>
+    /// <summary>
+    /// Number of the layer of a path, or where it names none and the policy is the printer's, of a height above the bed; −1 where neither says.
+    /// </summary>
     public int LayerOf(PrintPath path, double z)
     {
         const double Rounding = 1e-6;

@@ -27,7 +27,8 @@ internal static class PlanRun
         }
         var toolpath = new StepPlanner(rules, ordered, options, counts, diagnostics).Run(progress.Part(0.5, 1), cancel);
         if (counts.EmptySegments > 0)
-            diagnostics.Add(Severity.Remark, "plan.repeated_point", "A path repeats a point; the segment without length is left out.", null, counts.EmptySegments);
+            diagnostics.Add(Severity.Remark, "plan.repeated_point", "A path repeats a point; the segment without length is left out.", null,
+                counts.EmptySegments);
         progress?.Report(1);
         return new Result<Plan>(new Plan(toolpath, counts.ToReport()), diagnostics.ToList());
     }
@@ -38,7 +39,8 @@ internal static class PlanRun
         var tool = step switch { PathStep p => p.Path.Tool, EventStep { Event: ToolEvent e } => e.Tool, _ => 0 };
         if (tool >= 0 && tool < tools) return;
         diagnostics.Add(
-            Severity.Error, "plan.unknown_tool", $"Tool {NumberFormatter.Format(tool)} is wanted, but the printer has {NumberFormatter.Format(tools)}, counted from 0.",
+            Severity.Error, "plan.unknown_tool",
+                $"Tool {NumberFormatter.Format(tool)} is wanted, but the printer has {NumberFormatter.Format(tools)}, counted from 0.",
             new SourceLocation(Step: index));
     }
 }

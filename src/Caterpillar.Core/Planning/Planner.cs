@@ -9,8 +9,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Turns the steps of a design into what the machine does: sorts where the groups of the steps allow it, adds travels, lifts and retractions by the settings, and turns beads into E.
-/// The same input gives the same plan on every run.
+/// Turns the steps of a design into what the machine does: sorts where the groups of the steps allow it, adds travels, lifts and retractions by the settings,
+/// and turns beads into E. The same input gives the same plan on every run.
 /// </summary>
 public static class Planner
 {
@@ -72,7 +72,8 @@ public static class Planner
             RestoreDuringDescent = settings.RestoreDuringDescent && !printer.FirmwareRetraction,
             Shape = settings.BeadShape,
             NozzleTemperature = material.NozzleTemperature > 0 ? material.NozzleTemperature : null,
-            FirstLayerNozzleTemperature = material.FirstLayerNozzleTemperature > 0 && material.NozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : null,
+            FirstLayerNozzleTemperature = material.FirstLayerNozzleTemperature > 0
+                && material.NozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : null,
             Fan = material.FanPercent / 100,
             FanOffLayers = material.FanOffLayers,
             Acceleration = printer.PrintAcceleration,

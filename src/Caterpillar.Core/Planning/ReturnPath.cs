@@ -54,8 +54,8 @@ internal sealed class ReturnPath
     public static bool IsOpen(Deposit deposit, Vec3 point) => deposit.TopUnder(point, double.PositiveInfinity) <= point.Z + Flush;
 
     /// <summary>
-    /// True when the tip can go back along a way: nothing lies on top of it (what was printed along it is flush with it), and it is not so steep that the tip would plough through the
-    /// strand uphill of it.
+    /// True when the tip can go back along a way: nothing lies on top of it (what was printed along it is flush with it), and it is not so steep that the tip
+    /// would plough through the strand uphill of it.
     /// </summary>
     public static bool IsOpen(Deposit deposit, Vec3 from, List<Vec3> way)
     {

@@ -19,8 +19,8 @@ internal readonly struct OrderedStep(Step step, PrintPath? path, int source)
 }
 
 /// <summary>
-/// Sorts the paths of steps where their groups allow it: layers from below, in a layer the nearest island first, in an island the ranks from the lowest. Events, drawn travels and paths
-/// without a group stay where they are, and no path crosses them.
+/// Sorts the paths of steps where their groups allow it: layers from below, in a layer the nearest island first, in an island the ranks from the lowest.
+/// Events, drawn travels and paths without a group stay where they are, and no path crosses them.
 /// </summary>
 internal static class StepOrder
 {

@@ -56,11 +56,13 @@ internal sealed class StepPlanner
             }
         }
         if (_overrides.CouldNotRevert)
-            _diagnostics.Add(Severity.Remark, "plan.override_kept", "A path overrides a setting whose usual value nobody states: the overriding value stays in force.");
+            _diagnostics.Add(Severity.Remark, "plan.override_kept",
+                "A path overrides a setting whose usual value nobody states: the overriding value stays in force.");
         if (_emitter.PrintedRetracted)
         {
             _diagnostics.Add(
-                Severity.Warning, "plan.printed_retracted", "Paths begin while filament is retracted: their first E only fills the nozzle. Extrude what was pulled back before printing.");
+                Severity.Warning, "plan.printed_retracted",
+                    "Paths begin while filament is retracted: their first E only fills the nozzle. Extrude what was pulled back before printing.");
         }
         return _emitter.Build();
     }

@@ -5,8 +5,9 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Shortens the way between paths by exchanges: 2-opt (a stretch of the order is run backwards, each path from its other end) and Or-opt (up to three paths move elsewhere), tried
-/// between near ends only (Bentley 1992, "Fast algorithms for geometric traveling salesman problems"). Ends after a number of passes, never by the clock.
+/// Shortens the way between paths by exchanges: 2-opt (a stretch of the order is run backwards, each path from its other end) and Or-opt (up to three paths
+/// move elsewhere), tried between near ends only (Bentley 1992, "Fast algorithms for geometric traveling salesman problems"). Ends after a number of passes,
+/// never by the clock.
 /// </summary>
 internal sealed class TourImprover
 {

@@ -29,7 +29,8 @@ public sealed record Cooling
 
     /// <summary>The paths in their order with lowered speeds.</summary>
     /// <returns>
-    /// The paths; a remark <c>shape.layer_time</c> where the least speed keeps layers below the time, a warning <c>shape.short_segments</c> where a path asks for too many segments a second.
+    /// The paths; a remark <c>shape.layer_time</c> where the least speed keeps layers below the time, a warning <c>shape.short_segments</c> where a path asks
+    /// for too many segments a second.
     /// </returns>
     public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, CancellationToken cancel = default)
     {
@@ -95,7 +96,8 @@ public sealed record Cooling
         if (layer.Sum(i => TimeOf(paths[i])) < MinLayerTime * (1 - 1e-9))
         {
             problems.Add(Severity.Remark, "shape.layer_time",
-                $"A layer stays below {NumberFormatter.Format(MinLayerTime, 1)} s even at {NumberFormatter.Format(MinSpeed, 1)} mm/s.", new SourceLocation(Step: layer[0]));
+                $"A layer stays below {NumberFormatter.Format(MinLayerTime, 1)} s even at {NumberFormatter.Format(MinSpeed, 1)} mm/s.",
+                    new SourceLocation(Step: layer[0]));
         }
     }
 
@@ -110,7 +112,8 @@ public sealed record Cooling
             if (i >= Window) time -= path.LengthOf(i - Window) / SpeedOf(path, i - Window);
             if (i < Window - 1 || time * MaxSegmentsPerSecond >= Window * (1 - 1e-9)) continue;
             problems.Add(Severity.Warning, "shape.short_segments",
-                $"More than {NumberFormatter.Format(MaxSegmentsPerSecond, 0)} segments a second: merge short strings or print slower.", new SourceLocation(Step: number));
+                $"More than {NumberFormatter.Format(MaxSegmentsPerSecond, 0)} segments a second: merge short strings or print slower.",
+                    new SourceLocation(Step: number));
             return;
         }
     }

@@ -14,8 +14,9 @@ public delegate Vec3 PositionMap(Vec3 position);
 public delegate double ValueMap(double value, Vec3 position);
 
 /// <summary>
-/// Bends print paths by maps of position, area and speed (Kanada 2016, section 3.4: <c>deform_xyz</c>, <c>deform_cylinder</c>). Position maps act on the ends of segments; area and speed
-/// maps give one value per segment, taken at the middle of its coordinates before the mapping. Several deformations compose with <see cref="Then"/>. E follows from the mapped length.
+/// Bends print paths by maps of position, area and speed (Kanada 2016, section 3.4: <c>deform_xyz</c>, <c>deform_cylinder</c>). Position maps act on the ends
+/// of segments; area and speed maps give one value per segment, taken at the middle of its coordinates before the mapping. Several deformations compose with
+/// <see cref="Then"/>. E follows from the mapped length.
 /// </summary>
 public sealed class Deformation
 {
@@ -28,8 +29,8 @@ public sealed class Deformation
         => new([new Stage(position, area, speed, null)]);
 
     /// <summary>
-    /// A deformation of radius (mm), angle (degrees) and height (mm) about the vertical through <paramref name="axis"/>. Along a path the angle runs on through full turns; on the axis
-    /// it keeps its last value.
+    /// A deformation of radius (mm), angle (degrees) and height (mm) about the vertical through <paramref name="axis"/>. Along a path the angle runs on through
+    /// full turns; on the axis it keeps its last value.
     /// </summary>
     public static Deformation Cylindrical(PositionMap? position = null, ValueMap? area = null, ValueMap? speed = null, Vec3 axis = default)
         => new([new Stage(position, area, speed, axis.WithZ(0))]);
@@ -42,10 +43,11 @@ public sealed class Deformation
     }
 
     /// <summary>
-    /// Deforms paths. With a tolerance (mm) segments are first divided until the mapped straight or arc segment is met within it, so that curves stay smooth; with 0 every segment
-    /// stays one straight segment. Arcs become chords.
+    /// Deforms paths. With a tolerance (mm) segments are first divided until the mapped straight or arc segment is met within it, so that curves stay smooth;
+    /// with 0 every segment stays one straight segment. Arcs become chords.
     /// </summary>
-    /// <returns>The paths in their order; none with an error where a map gives a position that is not finite, or an area or speed that is negative or not finite.</returns>
+    /// <returns>The paths in their order; none with an error where a map gives a position that is not finite, or an area or speed that is negative or not
+    /// finite.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is negative.</exception>
     public Result<IReadOnlyList<PrintPath>> Apply(
         IReadOnlyList<PrintPath> paths, double tolerance = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -84,7 +86,9 @@ public sealed class Deformation
         return path.WithGeometry(points, values, true);
     }
 
-    /// <summary>Maps a run of points, and the areas (mm²) and speeds (mm/s) of the segments between them; gives the mistake of a map, after which nothing is of use.</summary>
+    /// <summary>
+    /// Maps a run of points, and the areas (mm²) and speeds (mm/s) of the segments between them; gives the mistake of a map, after which nothing is of use.
+    /// </summary>
     internal Diagnostic? Run(ref Vec3[] points, double[] areas, double[] speeds)
     {
         foreach (var stage in _stages)

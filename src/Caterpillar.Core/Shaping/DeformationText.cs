@@ -17,23 +17,26 @@ public enum DeformationSystem
 }
 
 /// <summary>
-/// Deformations as formulas in text (Kanada 2016, section 3.4). Position formulas see the coordinates; the area formula also sees <c>c</c> (mm²), the speed formula <c>v</c> (mm/s), both
-/// with the coordinates of the middle of the segment before the mapping. <see cref="Formula"/> says what a formula may hold.
+/// Deformations as formulas in text (Kanada 2016, section 3.4). Position formulas see the coordinates; the area formula also sees <c>c</c> (mm²), the speed
+/// formula <c>v</c> (mm/s), both with the coordinates of the middle of the segment before the mapping. <see cref="Formula"/> says what a formula may hold.
 /// </summary>
 public static class DeformationText
 {
     /// <summary>
-    /// Compiles a deformation, for example <c>r + 1.05 * z, theta, 0.3 * z</c> with the area <c>0.96 * c</c>. A coordinate whose formula is empty stays as it is, as do area and speed.
+    /// Compiles a deformation, for example <c>r + 1.05 * z, theta, 0.3 * z</c> with the area <c>0.96 * c</c>. A coordinate whose formula is empty stays as it
+    /// is, as do area and speed.
     /// </summary>
     /// <param name="position">Three formulas with commas between them, or an empty text.</param>
     /// <param name="area">New area of a segment in mm² over <c>c</c> and the coordinates, or null.</param>
-    /// <param name="speed">New speed of a segment in mm/s over <c>v</c> and the coordinates, or null; <c>v</c> is 0 where the path leaves it to the settings.</param>
+    /// <param name="speed">New speed of a segment in mm/s over <c>v</c> and the coordinates, or null; <c>v</c> is 0 where the path leaves it to the
+    /// settings.</param>
     /// <param name="system">The coordinates of the formulas.</param>
     /// <param name="axis">Where the vertical axis of cylindrical coordinates stands, mm.</param>
     /// <param name="source">File of the text, for messages; its key becomes that of the formula (<c>position.r</c>, <c>area</c>, <c>speed</c>).</param>
     /// <returns>The deformation; none with an error for each formula that has a mistake, with the formula and the column.</returns>
     public static Result<Deformation> Compile(
-        string position, string? area = null, string? speed = null, DeformationSystem system = DeformationSystem.Cartesian, Vec3 axis = default, SourceLocation? source = null)
+        string position, string? area = null, string? speed = null, DeformationSystem system = DeformationSystem.Cartesian, Vec3 axis = default,
+            SourceLocation? source = null)
     {
         if (position is null) throw new ArgumentNullException(nameof(position));
         if (position.Trim().Length == 0) return Compile("", "", "", area, speed, system, axis, source);
@@ -61,7 +64,8 @@ public static class DeformationText
         var z = Coordinate(coordinates, third, names[2]);
         PositionMap? map = x is null && y is null && z is null
             ? null
-            : p => new Vec3(x is null ? p.X : Evaluate(x, coordinates, p), y is null ? p.Y : Evaluate(y, coordinates, p), z is null ? p.Z : Evaluate(z, coordinates, p));
+            : p => new Vec3(x is null ? p.X : Evaluate(x, coordinates, p), y is null ? p.Y : Evaluate(y, coordinates, p), z is null ? p.Z
+                : Evaluate(z, coordinates, p));
         var problems = new List<Diagnostic>(coordinates.Problems);
         var areas = Value(area, "c", "area", system, source, problems);
         var speeds = Value(speed, "v", "speed", system, source, problems);
@@ -70,7 +74,9 @@ public static class DeformationText
         return new Result<Deformation>(deformation, []);
     }
 
-    /// <summary>Parts of a text at the commas outside of brackets. Each part is filled up with blanks in front, so that columns count in the whole text.</summary>
+    /// <summary>
+    /// Parts of a text at the commas outside of brackets. Each part is filled up with blanks in front, so that columns count in the whole text.
+    /// </summary>
     internal static IReadOnlyList<string> Split(string text)
     {
         var parts = new List<string>();

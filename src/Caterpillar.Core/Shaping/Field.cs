@@ -17,7 +17,9 @@ public readonly record struct PathPlace(Vec3 Position, double Distance, double L
 /// <summary>A value for each place on a path; 0 to 1 unless it says otherwise.</summary>
 public delegate double Field(PathPlace place);
 
-/// <summary>Where on an image a place lies: u from the left, v from the bottom, 0 to 1 across the image. Beyond, the image repeats in u and its edge is taken in v.</summary>
+/// <summary>
+/// Where on an image a place lies: u from the left, v from the bottom, 0 to 1 across the image. Beyond, the image repeats in u and its edge is taken in v.
+/// </summary>
 public delegate (double U, double V) ImageMapping(PathPlace place);
 
 /// <summary>Fields from images, functions and other fields.</summary>
@@ -91,7 +93,10 @@ public static class Fields
 /// <summary>Ways to lay an image on paths.</summary>
 public static class ImageMappings
 {
-    /// <summary>Around a vertical axis: u is the angle (0 at <paramref name="from"/> degrees, repeated <paramref name="repeats"/> times a turn), v the height between two heights in mm.</summary>
+    /// <summary>
+    /// Around a vertical axis: u is the angle (0 at <paramref name="from"/> degrees, repeated <paramref name="repeats"/> times a turn), v the height between
+    /// two heights in mm.
+    /// </summary>
     public static ImageMapping Cylinder(double bottom, double top, Vec3 axis = default, double from = 0, int repeats = 1)
         => place =>
         {

@@ -36,7 +36,8 @@ internal sealed class FormulaSet
         foreach (var problem in compiled.Diagnostics) Problems.Add(problem with { Message = $"{problem.Message} (formula of {what}: \"{text.Trim()}\")" });
         if (compiled.Value is not { UsesRandom: true } formula) return compiled.Value;
         // Its value would hang on the order of evaluations.
-        Problems.Add(new Diagnostic(Severity.Error, "formula.random", $"The formula of {what} draws random numbers; random(seed) has one value for each seed.", place));
+        Problems.Add(new Diagnostic(Severity.Error, "formula.random", $"The formula of {what} draws random numbers; random(seed) has one value for each seed.",
+            place));
         return null;
     }
 

@@ -9,9 +9,9 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Shaping;
 
 /// <summary>
-/// Beads that fill the gap to what is underneath: earlier paths as they were deposited, a surface, or the bed. For any path, flat or curved, in the order in which the paths are printed:
-/// area = vertical gap · width · (length in plan / length), the gap measured at the ends and in the middle of pieces (Simpson's rule). The width is that of the
-/// bead given, area by height, so that a gap of that height leaves the bead as it is.
+/// Beads that fill the gap to what is underneath: earlier paths as they were deposited, a surface, or the bed. For any path, flat or curved, in the order in
+/// which the paths are printed: area = vertical gap · width · (length in plan / length), the gap measured at the ends and in the middle of pieces (Simpson's
+/// rule). The width is that of the bead given, area by height, so that a gap of that height leaves the bead as it is.
 /// </summary>
 public sealed record GapBead
 {
@@ -28,7 +28,8 @@ public sealed record GapBead
     public double Width { get; init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A width is not negative."); }
 
     /// <summary>Segments are measured in pieces of at most so many mm.</summary>
-    public double Resolution { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A length must be positive."); } = 1;
+    public double Resolution { get; init => field = value > 0 ? value
+        : throw new ArgumentOutOfRangeException(nameof(value), "A length must be positive."); } = 1;
 
     /// <summary>Height of the bed, mm; null where there is none.</summary>
     public double? Bed { get; init; } = 0;
@@ -39,7 +40,9 @@ public sealed record GapBead
     /// <summary>Shape of the strands, from which the width follows that later paths find below them.</summary>
     public BeadShape Shape { get; init; } = BeadShape.Stadium;
 
-    /// <summary>Limits from print settings: gaps from a quarter of the layer height to twice it, air from four times it, pieces of the subdivision distance.</summary>
+    /// <summary>
+    /// Limits from print settings: gaps from a quarter of the layer height to twice it, air from four times it, pieces of the subdivision distance.
+    /// </summary>
     public static GapBead For(PrintSettings settings)
     {
         if (settings is null) throw new ArgumentNullException(nameof(settings));
@@ -82,7 +85,8 @@ public sealed record GapBead
             var width = Width > 0 ? Width : bead.Height > 0 ? bead.Area / bead.Height : 0;
             if (bead.Area > 0 && !(width > 0))
             {
-                problems.Add(Severity.Error, "gap.no_width", "A bead states no height, and no width of the strands is given.", new SourceLocation(Step: number));
+                problems.Add(Severity.Error, "gap.no_width", "A bead states no height, and no width of the strands is given.",
+                    new SourceLocation(Step: number));
                 return null;
             }
             var parts = (int)Math.Min(1_000_000, Math.Max(1, Math.Ceiling(path.LengthOf(i) / Resolution - 1e-9)));
@@ -121,18 +125,21 @@ public sealed record GapBead
         var gap = (gauge.Gap(from, width) + 4 * gauge.Gap(middle, width) + gauge.Gap(to, width)) / 6;
         if (!(gap <= AirGap))
         {
-            problems.Add(Severity.Remark, "gap.air", "There is nothing underneath a piece of a path: its bead stays as it is.", new SourceLocation(Step: number));
+            problems.Add(Severity.Remark, "gap.air", "There is nothing underneath a piece of a path: its bead stays as it is.",
+                new SourceLocation(Step: number));
             return bead;
         }
         if (gap < MinGap - 1e-9)
         {
             problems.Add(
-                Severity.Warning, "gap.narrow", $"A gap of {NumberFormatter.Format(gap, 3)} mm is below the least of {NumberFormatter.Format(MinGap, 3)} mm.", new SourceLocation(Step: number));
+                Severity.Warning, "gap.narrow", $"A gap of {NumberFormatter.Format(gap, 3)} mm is below the least of {NumberFormatter.Format(MinGap, 3)} mm.",
+                    new SourceLocation(Step: number));
         }
         if (gap > MaxGap + 1e-9)
         {
             problems.Add(
-                Severity.Remark, "gap.wide", $"A gap of {NumberFormatter.Format(gap, 3)} mm is above the greatest of {NumberFormatter.Format(MaxGap, 3)} mm.", new SourceLocation(Step: number));
+                Severity.Remark, "gap.wide", $"A gap of {NumberFormatter.Format(gap, 3)} mm is above the greatest of {NumberFormatter.Format(MaxGap, 3)} mm.",
+                    new SourceLocation(Step: number));
         }
         gap = Math.Min(MaxGap, Math.Max(MinGap, gap));
         var length = arc is { } turn ? turn.Length(from, to) : from.DistanceTo(to);
@@ -145,5 +152,6 @@ public sealed record GapBead
     // Steeper than 80 degrees.
     private const double UprightShare = 0.17;
 
-    private static bool Same(Bead a, Bead b) => a.Speed == b.Speed && Math.Abs(a.Area - b.Area) <= 1e-6 * a.Area && Math.Abs(a.Height - b.Height) <= 1e-6 * a.Height;
+    private static bool Same(Bead a, Bead b)
+        => a.Speed == b.Speed && Math.Abs(a.Area - b.Area) <= 1e-6 * a.Area && Math.Abs(a.Height - b.Height) <= 1e-6 * a.Height;
 }

@@ -26,7 +26,8 @@ public enum ModulationMode
 }
 
 /// <summary>
-/// Writes a field (an image, a function) into paths by speed, by flow or by displacement (Kanada 2016, section 3.5: <c>modulate_cylinder</c>, here for any path).
+/// Writes a field (an image, a function) into paths by speed, by flow or by displacement (Kanada 2016, section 3.5: <c>modulate_cylinder</c>, here for any
+/// path).
 /// </summary>
 public sealed record Modulation
 {
@@ -61,7 +62,8 @@ public sealed record Modulation
     public double ReferenceSpeed { get; init; }
 
     /// <summary>Modulates paths, each along its own way.</summary>
-    /// <returns>The paths in their order; none with an error. A warning where the ratio of the least to the greatest factor is below <see cref="LeastRatio"/>.</returns>
+    /// <returns>The paths in their order; none with an error. A warning where the ratio of the least to the greatest factor is below
+    /// <see cref="LeastRatio"/>.</returns>
     public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
@@ -80,7 +82,8 @@ public sealed record Modulation
         if (greatest > 0 && least < LeastRatio * greatest * (1 - 1e-12))
         {
             problems.Add(Severity.Warning, "shape.modulation_ratio",
-                $"The strands vary by 1 to {NumberFormatter.Format(least / greatest, 2)}; below 1 to {NumberFormatter.Format(LeastRatio, 2)} prints often fail.");
+                $"The strands vary by 1 to {NumberFormatter.Format(least / greatest, 2)}; "
+                + $"below 1 to {NumberFormatter.Format(LeastRatio, 2)} prints often fail.");
         }
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : modulated, problems.ToList());
     }
@@ -108,7 +111,8 @@ public sealed record Modulation
             var speed = beads[i].Speed > 0 ? beads[i].Speed : ReferenceSpeed;
             if (!(speed > 0))
             {
-                problems.Add(Severity.Error, "shape.no_speed", "The path has no speed of its own: modulating it needs a reference speed.", new SourceLocation(Step: number));
+                problems.Add(Severity.Error, "shape.no_speed", "The path has no speed of its own: modulating it needs a reference speed.",
+                    new SourceLocation(Step: number));
                 return null;
             }
             beads[i] = new Bead(beads[i].Area / factor, beads[i].Height, speed * factor);

@@ -33,7 +33,9 @@ internal static class PathDivision
         return (points.ToArray(), beads.ToArray());
     }
 
-    /// <summary>Straight segments of at most <paramref name="maximum"/> mm in equal parts (0 leaves straight segments whole); a closed path stays closed.</summary>
+    /// <summary>
+    /// Straight segments of at most <paramref name="maximum"/> mm in equal parts (0 leaves straight segments whole); a closed path stays closed.
+    /// </summary>
     public static (Vec3[] Points, Bead[] Beads, bool Closed) Straight(PrintPath path, double maximum, CancellationToken cancel)
     {
         var points = new List<Vec3> { path.Start };

@@ -10,8 +10,9 @@ namespace Caterpillar.Shaping;
 public static class ToolpathDeformation
 {
     /// <summary>
-    /// Deforms the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Strands are divided until their image is met within the tolerance, arcs become chords. The
-    /// material of a strand follows its length and the map of areas, which sees mm² where the toolpath knows its filament, else E for each mm; the map of speeds acts on what is printed.
+    /// Deforms the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Strands are divided until
+    /// their image is met within the tolerance, arcs become chords. The material of a strand follows its length and the map of areas, which sees mm² where the
+    /// toolpath knows its filament, else E for each mm; the map of speeds acts on what is printed.
     /// </summary>
     /// <param name="toolpath">The toolpath.</param>
     /// <param name="filter">The moves that are meant.</param>
@@ -24,7 +25,8 @@ public static class ToolpathDeformation
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
         if (deformation is null) throw new ArgumentNullException(nameof(deformation));
-        if (!(tolerance > 0) || double.IsInfinity(tolerance)) throw new ArgumentOutOfRangeException(nameof(tolerance), tolerance, "The tolerance is a positive number of mm.");
+        if (!(tolerance > 0) || double.IsInfinity(tolerance)) throw new ArgumentOutOfRangeException(nameof(tolerance), tolerance,
+            "The tolerance is a positive number of mm.");
         var map = new DeformationRunMap(deformation, tolerance);
         var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), map, tolerance).Run(toolpath.Start ?? Vec3.Zero);
         return map.Problem is { } problem ? new Result<Toolpath>(null, [problem]) : new Result<Toolpath>(mapped, []);
@@ -52,7 +54,8 @@ public static class ToolpathDeformation
             if (deformation.Run(ref points, areas, speeds) is { } problem)
             {
                 var first = run.Toolpath[run.Moves[0]];
-                Problem ??= problem with { Source = run.Toolpath.Source == MoveSource.Lines ? new SourceLocation(Line: first.Source) : new SourceLocation(Move: first.Index) };
+                Problem ??= problem with { Source = run.Toolpath.Source == MoveSource.Lines ? new SourceLocation(Line: first.Source)
+                    : new SourceLocation(Move: first.Index) };
                 return;
             }
             for (var i = 0; i < points.Length; i++) run.Points[i] = points[i];

@@ -7,7 +7,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Traces;
 
 /// <summary>
-/// A part made of strings in the order of printing (Kanada 2016, section 3, <c>draw3dp.Trace</c>). A builder: low-level moves and draws, shapes made of strings, and in the end
+/// A part made of strings in the order of printing (Kanada 2016, section 3, <c>draw3dp.Trace</c>). A builder: low-level moves and draws, shapes made of
+/// strings, and in the end
 /// <see cref="ToSteps"/>. Lengths in mm, areas in mm², speeds in mm/s, angles in degrees.
 /// </summary>
 public sealed class Trace
@@ -74,7 +75,10 @@ public sealed class Trace
         return this;
     }
 
-    /// <summary>A closed polygon of equal strings on a circle about the vertical through the center, counter-clockwise from <paramref name="from"/> degrees. It closes exactly.</summary>
+    /// <summary>
+    /// A closed polygon of equal strings on a circle about the vertical through the center, counter-clockwise from <paramref name="from"/> degrees. It closes
+    /// exactly.
+    /// </summary>
     public Trace Circle(Vec3 center, double radius, int strings = DefaultStringsPerTurn, double from = 0)
     {
         CheckPositive(radius, nameof(radius));
@@ -96,8 +100,8 @@ public sealed class Trace
     }
 
     /// <summary>
-    /// A hollow cylinder as one string without layers and seams: vertex i at angle 360°·i/n and height pitch·i/n, the last one at the height given. The ramp changes the flow at
-    /// both ends.
+    /// A hollow cylinder as one string without layers and seams: vertex i at angle 360°·i/n and height pitch·i/n, the last one at the height given. The ramp
+    /// changes the flow at both ends.
     /// </summary>
     public Trace Helix(Vec3 center, double radius, double height, double pitch, int stringsPerTurn = DefaultStringsPerTurn, FlowRamp? ramp = null)
         => Cone(center, radius, radius, height, pitch, stringsPerTurn, ramp);
@@ -118,8 +122,8 @@ public sealed class Trace
     }
 
     /// <summary>
-    /// A filled cylinder: flat spirals on top of each other, outwards and inwards in turn, the first one at the height of the center; the number of spirals is the height divided by
-    /// the vertical pitch, rounded.
+    /// A filled cylinder: flat spirals on top of each other, outwards and inwards in turn, the first one at the height of the center; the number of spirals is
+    /// the height divided by the vertical pitch, rounded.
     /// </summary>
     public Trace Cylinder(Vec3 center, double radius, double height, double verticalPitch, double horizontalPitch, int stringsPerTurn = DefaultStringsPerTurn)
     {
@@ -145,8 +149,8 @@ public sealed class Trace
     }
 
     /// <summary>
-    /// A part in which connected strings shorter than <paramref name="minimum"/> mm are joined with their neighbors (too many short strings make printers stutter). A joined string
-    /// has the mean area and speed of its parts, by length; strings that are long enough stay.
+    /// A part in which connected strings shorter than <paramref name="minimum"/> mm are joined with their neighbors (too many short strings make printers
+    /// stutter). A joined string has the mean area and speed of its parts, by length; strings that are long enough stay.
     /// </summary>
     public Trace Merged(double minimum)
     {
@@ -230,7 +234,8 @@ public sealed class Trace
     private Trace Turns(double turns, int stringsPerTurn, Func<double, Vec3> at, FlowRamp? ramp = null)
     {
         if (stringsPerTurn < 3) throw new ArgumentOutOfRangeException(nameof(stringsPerTurn), "A turn needs three strings.");
-        if (turns * stringsPerTurn > 100_000_000) throw new ArgumentOutOfRangeException(nameof(turns), "More than 100 million strings: the pitch is too small.");
+        if (turns * stringsPerTurn > 100_000_000) throw new ArgumentOutOfRangeException(nameof(turns),
+            "More than 100 million strings: the pitch is too small.");
         Reach(at(0));
         // A last string of rounding length is none.
         var whole = (int)Math.Floor(turns * stringsPerTurn + 1e-9);

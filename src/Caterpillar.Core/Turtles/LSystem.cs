@@ -8,9 +8,10 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Turtles;
 
 /// <summary>
-/// A rewriting system (Prusinkiewicz and Lindenmayer, "The Algorithmic Beauty of Plants", 1990, chapter 1): deterministic, stochastic, parametric, with brackets. Rules are text:
-/// <c>F -&gt; F+F--F+F</c>; with weights for a random choice <c>0.3 F -&gt; F[+F]F</c>; with values and a condition <c>A(l, w) : l &gt; 1 -&gt; F(l)[+A(l*0.7, w)]</c>. Of rules that
-/// fit, one is drawn by weight when any has one, else the first is taken; letters without a rule stay.
+/// A rewriting system (Prusinkiewicz and Lindenmayer, "The Algorithmic Beauty of Plants", 1990, chapter 1): deterministic, stochastic, parametric, with
+/// brackets. Rules are text:
+/// <c>F -&gt; F+F--F+F</c>; with weights for a random choice <c>0.3 F -&gt; F[+F]F</c>; with values and a condition <c>A(l, w) : l &gt; 1 -&gt; F(l)[+A(l*0.7,
+/// w)]</c>. Of rules that fit, one is drawn by weight when any has one, else the first is taken; letters without a rule stay.
 /// </summary>
 public sealed class LSystem
 {
@@ -123,7 +124,8 @@ public sealed class LSystem
         return chosen;
     }
 
-    private static bool Fits(LSystemRule rule, int count, FormulaContext context) => rule.Names.Length == count && (rule.Condition is null || rule.Condition.Evaluate(context) != 0);
+    private static bool Fits(LSystemRule rule, int count, FormulaContext context)
+        => rule.Names.Length == count && (rule.Condition is null || rule.Condition.Evaluate(context) != 0);
 
     private static Result<LSystemWord> TooLarge(int generation, int maxSymbols)
     {

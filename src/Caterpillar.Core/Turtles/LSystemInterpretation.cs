@@ -17,8 +17,8 @@ public sealed class LSystemInterpretation
     }
 
     /// <summary>
-    /// The usual letters: F and G draw a step, f and g go one without drawing, + and - yaw left and right, ^ and &amp; pitch up and down, \ and / roll left and right, | turns round, [ pushes and
-    /// ] pops. Values of a letter replace the step or angle.
+    /// The usual letters: F and G draw a step, f and g go one without drawing, + and - yaw left and right, ^ and &amp; pitch up and down, \ and / roll left and
+    /// right, | turns round, [ pushes and ] pops. Values of a letter replace the step or angle.
     /// </summary>
     /// <param name="step">mm.</param>
     /// <param name="angle">In the turtle's unit.</param>

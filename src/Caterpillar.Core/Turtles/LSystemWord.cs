@@ -34,7 +34,8 @@ public sealed class LSystemWord
         => which >= 0 && which < ValueCount(index) ? _values[_first![index] + which] : throw new ArgumentOutOfRangeException(nameof(which));
 
     /// <summary>
-    /// Walks a turtle along the word. Letters without commands are passed over. A letter's own values replace the numbers of its first command. Nothing is drawn when the brackets do not match.
+    /// Walks a turtle along the word. Letters without commands are passed over. A letter's own values replace the numbers of its first command. Nothing is
+    /// drawn when the brackets do not match.
     /// </summary>
     /// <returns>What is wrong, with the number of the letter as column; empty when all went well.</returns>
     public IReadOnlyList<Diagnostic> Draw(Turtle turtle, LSystemInterpretation interpretation, System.Threading.CancellationToken cancel = default)
@@ -52,12 +53,14 @@ public sealed class LSystemWord
             catch (Exception e) when (e is ArgumentException or InvalidOperationException)
             {
                 var code = e is InvalidOperationException ? "lsystem.bracket" : "lsystem.value";
-                return [new Diagnostic(Severity.Error, code, $"Letter {NumberFormatter.Format(i + 1)} ('{_symbols[i]}') of the word: {Messages.Clean(e)}", new SourceLocation(Line: 1, Column: i + 1))];
+                return [new Diagnostic(Severity.Error, code, $"Letter {NumberFormatter.Format(i + 1)} ('{_symbols[i]}') of the word: {Messages.Clean(e)}",
+                    new SourceLocation(Line: 1, Column: i + 1))];
             }
         }
         return turtle.StackDepth == depth
             ? []
-            : [new Diagnostic(Severity.Warning, "lsystem.bracket", $"{NumberFormatter.Format(turtle.StackDepth - depth)} opening brackets of the word are never closed.")];
+            : [new Diagnostic(Severity.Warning, "lsystem.bracket",
+                $"{NumberFormatter.Format(turtle.StackDepth - depth)} opening brackets of the word are never closed.")];
     }
 
     /// <summary>The word as text; values with up to 6 decimals.</summary>

@@ -44,7 +44,8 @@ internal sealed partial class ScriptCompiler
     private void Loop(Token token, Instruction start, Instruction next, int variable = -1)
     {
         var body = _code.Count;
-        if (variable >= 0) Emit(new Instruction(ScriptOp.Set, token) { Slot = variable, Local = start.Local, Arguments = [new Argument(LoopValue(start), token)] });
+        if (variable >= 0) Emit(new Instruction(ScriptOp.Set, token) { Slot = variable, Local = start.Local,
+            Arguments = [new Argument(LoopValue(start), token)] });
         _breaks.Push([]);
         Block();
         next.Target = body;
@@ -143,7 +144,8 @@ internal sealed partial class ScriptCompiler
         _at++;
         if (_scope.IsArray(name.Text)) throw Error("turtle.name", $"'{name.Text}' is an array; write {name.Text}[index] = ….", name);
         if (_procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"'{name.Text}' is a procedure.", name);
-        var before = op.Text == "=" ? null : _scope.Variable(name.Text, name) ?? throw Error("turtle.unknown", $"There is no variable '{name.Text}'.{SpellingSuggestion.Hint(name.Text, _scope.Names)}", name);
+        var before = op.Text == "=" ? null : _scope.Variable(name.Text, name)
+            ?? throw Error("turtle.unknown", $"There is no variable '{name.Text}'.{SpellingSuggestion.Hint(name.Text, _scope.Names)}", name);
         var value = Formula(op.Text);
         if (before is not null)
         {
@@ -158,7 +160,8 @@ internal sealed partial class ScriptCompiler
     private void Param(Token token)
     {
         var name = Next;
-        if (name.Kind != TokenKind.Name || _scope.InProcedure) throw Error("turtle.syntax", "'param' needs a name and stands outside of procedures: param side = 10.", name);
+        if (name.Kind != TokenKind.Name
+            || _scope.InProcedure) throw Error("turtle.syntax", "'param' needs a name and stands outside of procedures: param side = 10.", name);
         _at++;
         if (!Next.Is("=")) throw Error("turtle.syntax", $"{Sentence(Next)} stands where '=' was expected: param {name.Text} = 10.", Next);
         _at++;

@@ -11,7 +11,8 @@ internal sealed partial class ScriptCompiler
     private const int MaxNesting = 200;
 
     private static readonly string[] Keywords =
-        ["repeat", "for", "to", "step", "if", "else", "while", "break", "let", "param", "array", "seed", "def", "return", "stop", "lsystem", "keep", "and", "or", "not"];
+        ["repeat", "for", "to", "step", "if", "else", "while", "break", "let", "param", "array", "seed", "def", "return", "stop", "lsystem", "keep", "and",
+            "or", "not"];
 
     private readonly List<Token> _tokens;
     private readonly List<Instruction> _code = [];
@@ -78,7 +79,8 @@ internal sealed partial class ScriptCompiler
     {
         var name = _tokens[at];
         NewName(name, "procedure");
-        if (TurtleCommands.Find(name.Text) is not null) throw Error("turtle.name", $"'{name.Text}' is a command already; give the procedure another name.", name);
+        if (TurtleCommands.Find(name.Text) is not null) throw Error("turtle.name", $"'{name.Text}' is a command already; give the procedure another name.",
+            name);
         if (_procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"The procedure '{name.Text}' is defined twice.", name);
         var parameters = new List<string>();
         for (var i = at + 1; _tokens[i].Kind == TokenKind.Name || _tokens[i].Is(","); i++)
@@ -93,7 +95,8 @@ internal sealed partial class ScriptCompiler
 
     private static void NewName(Token name, string what)
     {
-        if (Keywords.Contains(name.Text) || ScriptScope.IsState(name.Text)) throw Error("turtle.name", $"'{name.Text}' has a meaning of its own; give the {what} another name.", name);
+        if (Keywords.Contains(name.Text)
+            || ScriptScope.IsState(name.Text)) throw Error("turtle.name", $"'{name.Text}' has a meaning of its own; give the {what} another name.", name);
     }
 
     private void Statements(Token? end)
@@ -157,14 +160,17 @@ internal sealed partial class ScriptCompiler
 
     private FormulaException Unknown(Token token)
     {
-        if (_scope.Variable(token.Text, token) is not null) return Error("turtle.syntax", $"'{token.Text}' is a variable; a command or '{token.Text} = …' was expected.", token);
-        var names = _procedures.Keys.Concat(TurtleCommands.Names).Concat(Keywords.Where(k => k is not ("to" or "step" or "else" or "keep" or "and" or "or" or "not")));
+        if (_scope.Variable(token.Text, token) is not null) return Error("turtle.syntax",
+            $"'{token.Text}' is a variable; a command or '{token.Text} = …' was expected.", token);
+        var names = _procedures.Keys.Concat(TurtleCommands.Names)
+            .Concat(Keywords.Where(k => k is not ("to" or "step" or "else" or "keep" or "and" or "or" or "not")));
         return Error("turtle.unknown", $"There is no command '{token.Text}'.{SpellingSuggestion.Hint(token.Text, names)}", token);
     }
 
     private void Call(Token token, Procedure procedure)
     {
-        var arguments = Values(procedure.Parameters.Count, procedure.Parameters.Count, false, token, $"'{string.Join(" ", new[] { procedure.Name }.Concat(procedure.Parameters))}'");
+        var arguments = Values(procedure.Parameters.Count, procedure.Parameters.Count, false, token,
+            $"'{string.Join(" ", new[] { procedure.Name }.Concat(procedure.Parameters))}'");
         Emit(new Instruction(ScriptOp.Call, token) { Procedure = procedure, Arguments = arguments });
     }
 
@@ -228,11 +234,13 @@ internal sealed partial class ScriptCompiler
     {
         TokenKind.Number => true,
         TokenKind.Symbol => t.Text is "(" or "-" or "+" or "!",
-        TokenKind.Name => t.Text is "keep" or "not" or "pi" or "tau" || _scope.Variable(t.Text, t) is not null || _scope.IsArray(t.Text) || (FormulaFunctions.Knows(t.Text) && !BeginsStatement(t)),
+        TokenKind.Name => t.Text is "keep" or "not" or "pi" or "tau" || _scope.Variable(t.Text, t) is not null || _scope.IsArray(t.Text)
+            || (FormulaFunctions.Knows(t.Text) && !BeginsStatement(t)),
         _ => false,
     };
 
-    private bool BeginsStatement(Token t) => _procedures.ContainsKey(t.Text) || TurtleCommands.Find(t.Text) is not null || (Keywords.Contains(t.Text) && t.Text is not ("keep" or "not"));
+    private bool BeginsStatement(Token t)
+        => _procedures.ContainsKey(t.Text) || TurtleCommands.Find(t.Text) is not null || (Keywords.Contains(t.Text) && t.Text is not ("keep" or "not"));
 
     private static bool EndsStatement(Token t) => t.Kind is TokenKind.End or TokenKind.NewLine || t.Is(";") || t.Is("]");
 

@@ -30,7 +30,8 @@ internal sealed class ScriptMachine
         _limits = limits;
         _given = given;
         _frameSize = code.GlobalCount;
-        _context = new FormulaContext(new double[Math.Max(64, code.GlobalCount)], new SeededRandom(seed)) { Host = turtle, Arrays = new double[]?[code.ArrayCount] };
+        _context = new FormulaContext(new double[Math.Max(64, code.GlobalCount)], new SeededRandom(seed)) { Host = turtle,
+            Arrays = new double[]?[code.ArrayCount] };
         for (var i = 0; i < _frameSize; i++) _context.Values[i] = double.NaN;
     }
 
@@ -43,7 +44,8 @@ internal sealed class ScriptMachine
         while (true)
         {
             var at = code[pc];
-            if (++steps > _limits.MaxSteps) throw Error(at, "turtle.endless", $"The program was stopped after {Text(_limits.MaxSteps)} steps. Does a loop never end?");
+            if (++steps > _limits.MaxSteps) throw Error(at, "turtle.endless",
+                $"The program was stopped after {Text(_limits.MaxSteps)} steps. Does a loop never end?");
             if ((steps & 0x3FFF) == 0) cancel.ThrowIfCancellationRequested();
             pc++;
             switch (at.Op)
@@ -111,7 +113,8 @@ internal sealed class ScriptMachine
         if (_turtle.MoveCount >= _limits.MaxMoves) throw Error(at, "turtle.too_many_moves", $"The program was stopped after {Text(_limits.MaxMoves)} moves.");
         try
         {
-            TurtleCommand.Apply(_turtle, at.Action, arguments.Length, _numbers[0], _numbers[1], _numbers[2], _numbers[3], at.Text is null ? "" : TextOf(at.Text));
+            TurtleCommand.Apply(_turtle, at.Action, arguments.Length, _numbers[0], _numbers[1], _numbers[2], _numbers[3], at.Text is null ? ""
+                : TextOf(at.Text));
         }
         catch (Exception e) when (e is ArgumentException or InvalidOperationException)
         {
@@ -133,7 +136,9 @@ internal sealed class ScriptMachine
     {
         var value = Number(argument);
         if (value >= low && value <= high && value == Math.Floor(value)) return value;
-        throw new FormulaException("turtle.value", $"{NumberFormatter.Format(value, 6)} stands where a whole number from {NumberFormatter.Format(low, 0)} to {NumberFormatter.Format(high, 0)} is needed.", argument.Line, argument.Column);
+        throw new FormulaException("turtle.value",
+            $"{NumberFormatter.Format(value, 6)} stands where a whole number from {NumberFormatter.Format(low, 0)} to {NumberFormatter.Format(high, 0)} is "
+            + $"needed.", argument.Line, argument.Column);
     }
 
     private void SetElement(Instruction at)
@@ -185,7 +190,8 @@ internal sealed class ScriptMachine
 
     private double[] Enter(Procedure procedure, Instruction at, int back, out int start)
     {
-        if (_frames.Count >= _limits.MaxDepth) throw Error(at, "turtle.recursion", $"Procedures call each other {Text(_limits.MaxDepth)} levels deep. Does a recursion never end?");
+        if (_frames.Count >= _limits.MaxDepth) throw Error(at, "turtle.recursion",
+            $"Procedures call each other {Text(_limits.MaxDepth)} levels deep. Does a recursion never end?");
         start = _context.Base + _frameSize;
         _frames.Add(new Frame(back, _context.Base, _frameSize, _words.Count));
         var values = _context.Values;
@@ -230,7 +236,8 @@ internal sealed class ScriptMachine
         if (_code.Letters.TryGetValue(word[index], out var procedure))
         {
             if (word.ValueCount(index) != procedure.Parameters.Count)
-                throw Error(at, "lsystem.value", $"The letter '{word[index]}' has {Text(word.ValueCount(index))} values, its procedure {Text(procedure.Parameters.Count)}.");
+                throw Error(at, "lsystem.value",
+                    $"The letter '{word[index]}' has {Text(word.ValueCount(index))} values, its procedure {Text(procedure.Parameters.Count)}.");
             var values = Enter(procedure, at, pc - 1, out var start);
             for (var v = 0; v < procedure.Parameters.Count; v++) values[start + v] = word.Value(index, v);
             _context.Base = start;
@@ -244,7 +251,8 @@ internal sealed class ScriptMachine
         }
         catch (Exception e) when (e is ArgumentException or InvalidOperationException)
         {
-            throw Error(at, e is InvalidOperationException ? "lsystem.bracket" : "lsystem.value", $"Letter {Text(index + 1)} ('{word[index]}') of the word: {Messages.Clean(e)}");
+            throw Error(at, e is InvalidOperationException ? "lsystem.bracket"
+                : "lsystem.value", $"Letter {Text(index + 1)} ('{word[index]}') of the word: {Messages.Clean(e)}");
         }
         return pc - 1;
     }

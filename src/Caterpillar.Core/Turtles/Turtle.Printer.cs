@@ -40,7 +40,9 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>Extrusion as mm of filament per mm of path (ExtruderTurtle: 0.01 to 0.10, 0.03 standard for a 0.4 mm nozzle and 0.2 mm layers, 0.05 its default).</summary>
+    /// <summary>
+    /// Extrusion as mm of filament per mm of path (ExtruderTurtle: 0.01 to 0.10, 0.03 standard for a 0.4 mm nozzle and 0.2 mm layers, 0.05 its default).
+    /// </summary>
     public Turtle SetDensity(double filamentPerMm)
     {
         _state.Bead = new Bead(_options.Extrusion.AreaOfFactor(filamentPerMm), 0, _state.Bead.Speed);
@@ -150,7 +152,8 @@ public sealed partial class Turtle
     /// <summary>Strands from here on belong to a layer; its height is where the turtle stands.</summary>
     public Turtle Layer(int index, double thickness = 0, string name = "")
     {
-        if (index < 0 || !(thickness >= 0) || double.IsInfinity(thickness)) throw new ArgumentOutOfRangeException(nameof(index), "A layer has a number and a thickness of 0 or more.");
+        if (index < 0 || !(thickness >= 0)
+            || double.IsInfinity(thickness)) throw new ArgumentOutOfRangeException(nameof(index), "A layer has a number and a thickness of 0 or more.");
         return Tag(_state.Tags with { Layer = new Layer(index, Z, thickness, name) });
     }
 
@@ -159,7 +162,8 @@ public sealed partial class Turtle
 
     /// <summary>Strands from here on have a color, 0xRRGGBB, or none.</summary>
     public Turtle Color(int? rgb)
-        => rgb is null or (>= 0 and <= 0xFFFFFF) ? Tag(_state.Tags with { Color = rgb }) : throw new ArgumentOutOfRangeException(nameof(rgb), "A color is 0xRRGGBB.");
+        => rgb is null or (>= 0 and <= 0xFFFFFF) ? Tag(_state.Tags with { Color = rgb })
+            : throw new ArgumentOutOfRangeException(nameof(rgb), "A color is 0xRRGGBB.");
 
     /// <summary>Strands from here on have a color of three parts, 0 to 255.</summary>
     public Turtle Color(int red, int green, int blue) => Color(Part(red) << 16 | Part(green) << 8 | Part(blue));
@@ -176,7 +180,8 @@ public sealed partial class Turtle
         return this;
     }
 
-    private static int Part(int value) => value is >= 0 and <= 255 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A part of a color is 0 to 255.");
+    private static int Part(int value)
+        => value is >= 0 and <= 255 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A part of a color is 0 to 255.");
 
     private static double Temperature(double celsius)
         => celsius >= 0 && !double.IsInfinity(celsius) ? celsius : throw new ArgumentOutOfRangeException(nameof(celsius), "A temperature is 0 °C or more.");

@@ -9,8 +9,8 @@ namespace Caterpillar.Turtles;
 public sealed partial class Turtle
 {
     /// <summary>
-    /// Walks along an arc of a radius while turning by an angle: positive to the left, negative to the right. The nose stays tangent; with <paramref name="climb"/> the arc rises
-    /// evenly along up (a helix). Full turns without climb end exactly in the pose where they began.
+    /// Walks along an arc of a radius while turning by an angle: positive to the left, negative to the right. The nose stays tangent; with
+    /// <paramref name="climb"/> the arc rises evenly along up (a helix). Full turns without climb end exactly in the pose where they began.
     /// </summary>
     /// <param name="radius">mm, 0 or more.</param>
     /// <param name="angle">The turn.</param>

@@ -8,10 +8,11 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Turtles;
 
 /// <summary>
-/// A turtle that prints: a pose (position and forward, left, up) and what the printer lays down as it moves. Lengths are mm, angles degrees unless <see cref="AngleUnit"/> says radians. Positive
-/// yaw turns left, positive pitch raises the nose, positive roll lifts the left side. Moves with the pen down lay a strand, whatever their direction; pen up and down carry no
-/// hidden extrusion. A mutable builder that ends in <see cref="ToSteps"/>; not thread-safe. Methods throw <see cref="ArgumentOutOfRangeException"/> for values that are
-/// not finite. Sources: ExtruderTurtle (Pezzuti Dyer and Buechley 2022) and turtle.py (Kanada 2015); docs/turtle.md has their names.
+/// A turtle that prints: a pose (position and forward, left, up) and what the printer lays down as it moves. Lengths are mm, angles degrees unless
+/// <see cref="AngleUnit"/> says radians. Positive yaw turns left, positive pitch raises the nose, positive roll lifts the left side. Moves with the pen down
+/// lay a strand, whatever their direction; pen up and down carry no hidden extrusion. A mutable builder that ends in <see cref="ToSteps"/>; not thread-safe.
+/// Methods throw <see cref="ArgumentOutOfRangeException"/> for values that are not finite. Sources: ExtruderTurtle (Pezzuti Dyer and Buechley 2022) and
+/// turtle.py (Kanada 2015); docs/turtle.md has their names.
 /// </summary>
 public sealed partial class Turtle
 {
@@ -24,7 +25,8 @@ public sealed partial class Turtle
     public Turtle(TurtleOptions? options = null)
     {
         _options = options ?? new TurtleOptions();
-        if (!(_options.ArcTolerance > 0) || !_options.Start.Origin.IsFinite) throw new ArgumentException("A turtle needs an arc tolerance above 0 and a finite start.", nameof(options));
+        if (!(_options.ArcTolerance > 0)
+            || !_options.Start.Origin.IsFinite) throw new ArgumentException("A turtle needs an arc tolerance above 0 and a finite start.", nameof(options));
         _state = new TurtleState { Pose = _options.Start, PenDown = true, Tags = new PathTags(Role.Unspecified, null, 0, "", null) };
         AngleUnit = _options.AngleUnit;
         if (_options.KeepPoses) _poses = [_options.Start];
@@ -117,7 +119,8 @@ public sealed partial class Turtle
     public Turtle Forward(double distance) => MoveTo(Position + Pose.X * distance, deposit: true);
 
     /// <summary>
-    /// Moves by <paramref name="distance"/> along the heading's projection on the XY plane and by <paramref name="rise"/> along world Z in one straight move (Kanada's cylindrical turtle).
+    /// Moves by <paramref name="distance"/> along the heading's projection on the XY plane and by <paramref name="rise"/> along world Z in one straight move
+    /// (Kanada's cylindrical turtle).
     /// </summary>
     public Turtle Forward(double distance, double rise)
     {
@@ -139,13 +142,18 @@ public sealed partial class Turtle
     /// <summary>Moves along world Z; lays nothing, even with the pen down.</summary>
     public Turtle LiftWorld(double height) => MoveTo(Position + Vec3.UnitZ * height, deposit: false);
 
-    /// <summary>Goes straight to a point, printing with the pen down; null keeps a coordinate. The heading stays, or with <paramref name="faceTravel"/> looks along the way.</summary>
+    /// <summary>
+    /// Goes straight to a point, printing with the pen down; null keeps a coordinate. The heading stays, or with <paramref name="faceTravel"/> looks along the
+    /// way.
+    /// </summary>
     public Turtle GoTo(double? x, double? y, double? z = null, bool faceTravel = false) => Go(Target(x, y, z), true, faceTravel);
 
     /// <inheritdoc cref="GoTo(double?, double?, double?, bool)"/>
     public Turtle GoTo(Vec3 point, bool faceTravel = false) => Go(point, true, faceTravel);
 
-    /// <summary>Goes straight to a point without printing; null keeps a coordinate. The heading stays, or with <paramref name="faceTravel"/> looks along the way.</summary>
+    /// <summary>
+    /// Goes straight to a point without printing; null keeps a coordinate. The heading stays, or with <paramref name="faceTravel"/> looks along the way.
+    /// </summary>
     public Turtle Jump(double? x, double? y, double? z = null, bool faceTravel = false) => Go(Target(x, y, z), false, faceTravel);
 
     /// <inheritdoc cref="Jump(double?, double?, double?, bool)"/>
@@ -178,7 +186,8 @@ public sealed partial class Turtle
     }
 
     /// <summary>
-    /// Goes back to the state pushed last. The way back lays nothing and only states its intention (<see cref="TravelIntent.Return"/>): planning finds a safe one.
+    /// Goes back to the state pushed last. The way back lays nothing and only states its intention (<see cref="TravelIntent.Return"/>): planning finds a safe
+    /// one.
     /// </summary>
     /// <exception cref="InvalidOperationException">Nothing was pushed.</exception>
     public Turtle Pop()
@@ -202,12 +211,14 @@ public sealed partial class Turtle
     }
 
     /// <summary>
-    /// All that was done so far, in order: moves with the pen down as paths with a bead for each segment, others as travels exactly as drawn, and events. Moves of length 0 are left out.
+    /// All that was done so far, in order: moves with the pen down as paths with a bead for each segment, others as travels exactly as drawn, and events. Moves
+    /// of length 0 are left out.
     /// </summary>
     public IReadOnlyList<Step> ToSteps() => _recorder.ToSteps();
 
     /// <summary>
-    /// The turtle as a triangle of three points, its sharp corner forward: <paramref name="size"/> mm to the left, as much to the right, and 2.5 times as much ahead.
+    /// The turtle as a triangle of three points, its sharp corner forward: <paramref name="size"/> mm to the left, as much to the right, and 2.5 times as much
+    /// ahead.
     /// </summary>
     public IReadOnlyList<Vec3> Triangle(double size = 2) => TriangleOf(Pose, size);
 

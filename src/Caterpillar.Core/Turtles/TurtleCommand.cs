@@ -43,7 +43,8 @@ public sealed class TurtleCommand
             throw new ArgumentException($"The command is: {info.Usage}.", nameof(values));
         for (var i = 0; i < values.Length; i++)
         {
-            if (double.IsInfinity(values[i]) || (double.IsNaN(values[i]) && !(info.MayKeep && i < 3))) throw new ArgumentException("A value is not finite.", nameof(values));
+            if (double.IsInfinity(values[i])
+                || (double.IsNaN(values[i]) && !(info.MayKeep && i < 3))) throw new ArgumentException("A value is not finite.", nameof(values));
         }
         return new TurtleCommand(action, (double[])values.Clone(), text ?? "", []);
     }
@@ -156,7 +157,8 @@ public sealed class TurtleCommand
         if (text.Length > 0)
         {
             var hex = text.StartsWith("#", StringComparison.Ordinal) ? text.Substring(1) : text;
-            if (hex.Length != 6 || !int.TryParse(hex, System.Globalization.NumberStyles.AllowHexSpecifier, System.Globalization.CultureInfo.InvariantCulture, out var rgb))
+            if (hex.Length != 6 || !int.TryParse(hex, System.Globalization.NumberStyles.AllowHexSpecifier, System.Globalization.CultureInfo.InvariantCulture,
+                out var rgb))
                 throw new ArgumentException("A color is written \"#rrggbb\".", nameof(text));
             t.Color(rgb);
         }
@@ -174,12 +176,14 @@ public sealed class TurtleCommand
     }
 
     private static string Snake(string name)
-        => string.Concat(name.Select((ch, i) => ch is ' ' or '-' ? "_" : i > 0 && char.IsUpper(ch) ? "_" + char.ToLowerInvariant(ch) : char.ToLowerInvariant(ch).ToString()));
+        => string.Concat(name.Select((ch, i) => ch is ' ' or '-' ? "_" : i > 0
+            && char.IsUpper(ch) ? "_" + char.ToLowerInvariant(ch) : char.ToLowerInvariant(ch).ToString()));
 
     private static double? Keep(double value) => double.IsNaN(value) ? null : value;
 
     private static int Whole(double value)
-        => Math.Abs(value) <= 1e9 && value == Math.Floor(value) ? (int)value : throw new ArgumentOutOfRangeException(nameof(value), $"{Number(value)} stands where a whole number is needed.");
+        => Math.Abs(value) <= 1e9 && value == Math.Floor(value) ? (int)value
+            : throw new ArgumentOutOfRangeException(nameof(value), $"{Number(value)} stands where a whole number is needed.");
 
     private static string Number(double value) => NumberFormatter.Format(value, 12);
 

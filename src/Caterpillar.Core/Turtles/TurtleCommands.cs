@@ -20,7 +20,9 @@ public sealed record TurtleCommandInfo(TurtleAction Action, string Name, IReadOn
     public bool MayKeep => Action is TurtleAction.Position or TurtleAction.Jump;
 
     /// <summary>For example <c>forward distance [rise]</c>.</summary>
-    public string Usage => string.Join(" ", new[] { Name }.Concat(Values).Concat(Text is null ? [] : [Text.StartsWith("[", StringComparison.Ordinal) ? "[\"" + Text.Trim('[', ']') + "\"]" : "\"" + Text + "\""]));
+    public string Usage => string.Join(" ",
+        new[] { Name }.Concat(Values).Concat(Text is null ? []
+        : [Text.StartsWith("[", StringComparison.Ordinal) ? "[\"" + Text.Trim('[', ']') + "\"]" : "\"" + Text + "\""]));
 
     public override string ToString() => Usage;
 }
@@ -49,7 +51,8 @@ public static class TurtleCommands
         Of(TurtleAction.ChangeHeading, "change_heading", "", "yaw [pitch] [roll]", "Adds to the three angles of the heading."),
         Of(TurtleAction.Face, "face", "set_heading_point", "x y z", "Looks at a point (mm), wings level."),
         Of(TurtleAction.Level, "level", "", "", "Brings the wings level."),
-        Of(TurtleAction.Position, "position", "goto set_position", "x y [z]", "Goes straight to a point (mm), prints with the pen down; 'keep' leaves a coordinate."),
+        Of(TurtleAction.Position, "position", "goto set_position", "x y [z]",
+            "Goes straight to a point (mm), prints with the pen down; 'keep' leaves a coordinate."),
         Of(TurtleAction.Jump, "jump", "set_turtle", "x y [z] [azimuth]", "Goes straight to a point (mm), never prints; with an azimuth it stands level there."),
         Of(TurtleAction.Arc, "arc", "", "radius angle [climb] [segments]", "An arc (mm), to the left with a positive angle; may climb."),
         Of(TurtleAction.Circle, "circle", "", "radius [segments]", "A circle (mm) with its center on the left, closed exactly."),
@@ -81,7 +84,8 @@ public static class TurtleCommands
         Of(TurtleAction.Raw, "raw", "do", "", "line", "A line of G-code as it is; {formulas} in it are computed."),
         Of(TurtleAction.Layer, "layer", "", "number [thickness]", "Strands belong to a layer (thickness in mm)."),
         Of(TurtleAction.NextLayer, "next_layer", "", "[thickness]", "Strands belong to the next layer."),
-        Of(TurtleAction.Color, "color", "colour set_color", "[red] [green] [blue]", "[color]", "Strands have a color: three numbers 0 to 255, or \"#rrggbb\"; nothing ends it."),
+        Of(TurtleAction.Color, "color", "colour set_color", "[red] [green] [blue]", "[color]",
+            "Strands have a color: three numbers 0 to 255, or \"#rrggbb\"; nothing ends it."),
         Of(TurtleAction.Name, "name", "", "", "name", "Strands have a name."),
         Of(TurtleAction.Role, "role", "", "", "role", "What strands are for: \"outer_wall\", \"infill\", \"skirt\" …"),
         Of(TurtleAction.Degrees, "degrees", "", "", "Angles of commands are degrees from here on."),
@@ -101,7 +105,8 @@ public static class TurtleCommands
     public static TurtleCommandInfo Of(TurtleAction action)
         => All.FirstOrDefault(c => c.Action == action) ?? throw new ArgumentException("This action is no single command.", nameof(action));
 
-    private static TurtleCommandInfo Of(TurtleAction action, string name, string aliases, string values, string help) => Of(action, name, aliases, values, null, help);
+    private static TurtleCommandInfo Of(TurtleAction action, string name, string aliases, string values, string help)
+        => Of(action, name, aliases, values, null, help);
 
     private static TurtleCommandInfo Of(TurtleAction action, string name, string aliases, string values, string? text, string help)
         => new(action, name, Words(aliases), Words(values), text, help);

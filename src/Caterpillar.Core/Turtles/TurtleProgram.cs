@@ -25,7 +25,8 @@ public sealed class TurtleProgram
     {
         if (script is null) throw new ArgumentNullException(nameof(script));
         var lines = script.Text.Count(c => c == '\n') + 1;
-        return new TurtleProgram($"Script of {NumberFormatter.Format(lines)} lines", (t, limits, cancel) => script.Run(t, variables, seed, limits, null, cancel));
+        return new TurtleProgram($"Script of {NumberFormatter.Format(lines)} lines",
+            (t, limits, cancel) => script.Run(t, variables, seed, limits, null, cancel));
     }
 
     /// <summary>Commands in order.</summary>
@@ -61,7 +62,8 @@ public sealed class TurtleProgram
 
     /// <summary>Carries it out.</summary>
     /// <returns>The turtle at its end; none when an error stopped it.</returns>
-    public Result<Turtle> Run(TurtleOptions? options = null, TurtleLimits? limits = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    public Result<Turtle> Run(TurtleOptions? options = null, TurtleLimits? limits = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
     {
         var turtle = new Turtle(options);
         var diagnostics = _run(turtle, limits ?? new TurtleLimits(), cancel);
@@ -108,7 +110,8 @@ public sealed class TurtleProgram
         return [];
     }
 
-    private static Diagnostic Stopped(long limit, string what, string code) => new(Severity.Error, code, $"The program was stopped after {NumberFormatter.Format(limit)} {what}.");
+    private static Diagnostic Stopped(long limit, string what, string code)
+        => new(Severity.Error, code, $"The program was stopped after {NumberFormatter.Format(limit)} {what}.");
 
     private sealed class Cursor(IReadOnlyList<TurtleCommand> commands, long turns)
     {

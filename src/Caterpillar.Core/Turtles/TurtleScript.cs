@@ -8,9 +8,10 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Turtles;
 
 /// <summary>
-/// A turtle program as text, compiled once: commands of <see cref="TurtleCommands"/> one a line or separated by <c>;</c>, formulas (<see cref="Formula"/>), variables, <c>repeat</c>, <c>for</c>,
-/// <c>while</c>, <c>if</c> and <c>else</c>, arrays, procedures (<c>def</c>), L-systems, comments. docs/turtle.md is its manual. Problems are diagnostics with line and column; programs that do not
-/// end are stopped by <see cref="TurtleLimits"/>. Immutable; may run on several threads at once.
+/// A turtle program as text, compiled once: commands of <see cref="TurtleCommands"/> one a line or separated by <c>;</c>, formulas (<see cref="Formula"/>),
+/// variables, <c>repeat</c>, <c>for</c>,
+/// <c>while</c>, <c>if</c> and <c>else</c>, arrays, procedures (<c>def</c>), L-systems, comments. docs/turtle.md is its manual. Problems are diagnostics with
+/// line and column; programs that do not end are stopped by <see cref="TurtleLimits"/>. Immutable; may run on several threads at once.
 /// </summary>
 public sealed class TurtleScript
 {
@@ -80,7 +81,8 @@ public sealed class TurtleScript
         var given = variables ?? new Dictionary<string, double>();
         var diagnostics = new DiagnosticList();
         foreach (var name in given.Keys.Where(n => !Parameters.Contains(n)).OrderBy(n => n, StringComparer.Ordinal))
-            diagnostics.Add(Severity.Warning, "turtle.parameter", $"The program has no parameter '{name}'.{SpellingSuggestion.Hint(name, Parameters)}", _file is null ? null : new SourceLocation(_file));
+            diagnostics.Add(Severity.Warning, "turtle.parameter", $"The program has no parameter '{name}'.{SpellingSuggestion.Hint(name, Parameters)}",
+                _file is null ? null : new SourceLocation(_file));
         foreach (var name in given.Keys.Where(n => double.IsNaN(given[n]) || double.IsInfinity(given[n])).OrderBy(n => n, StringComparer.Ordinal))
             diagnostics.Add(Severity.Error, "turtle.not_finite", $"The value of '{name}' is not finite.", _file is null ? null : new SourceLocation(_file));
         if (diagnostics.HasErrors) return diagnostics.ToList();
@@ -89,7 +91,8 @@ public sealed class TurtleScript
         {
             new ScriptMachine(_code, turtle, limits ?? new TurtleLimits(), given, seed).Run(cancel);
             if (turtle.StackDepth > unclosed)
-                diagnostics.Add(Severity.Remark, "turtle.push", $"{NumberFormatter.Format(turtle.StackDepth - unclosed)} pushed states are never popped.", _file is null ? null : new SourceLocation(_file));
+                diagnostics.Add(Severity.Remark, "turtle.push", $"{NumberFormatter.Format(turtle.StackDepth - unclosed)} pushed states are never popped.",
+                    _file is null ? null : new SourceLocation(_file));
         }
         catch (FormulaException e)
         {

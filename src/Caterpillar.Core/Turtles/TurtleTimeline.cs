@@ -25,7 +25,8 @@ public sealed class TurtleTimeline
     public double Length => _ends.Length == 0 ? 0 : _ends[_ends.Length - 1];
 
     /// <summary>
-    /// The pose at a part of the way, 0 to 1: X along the move, wings level; between moves that of the move that ends there. The frame of the world where there are no moves.
+    /// The pose at a part of the way, 0 to 1: X along the move, wings level; between moves that of the move that ends there. The frame of the world where there
+    /// are no moves.
     /// </summary>
     public Frame PoseAt(double part)
     {

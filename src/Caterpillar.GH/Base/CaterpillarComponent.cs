@@ -11,8 +11,8 @@ using Rhino.DocObjects;
 namespace Caterpillar.GH.Base;
 
 /// <summary>
-/// Base of all components: declares ports, runs one item after another so that a bad one does not stop the rest, reports problems with branch and item, keeps long work
-/// off the user's thread, and mends what Grasshopper's own base class does with previews and baking.
+/// Base of all components: declares ports, runs one item after another so that a bad one does not stop the rest, reports problems with branch and item, keeps
+/// long work off the user's thread, and mends what Grasshopper's own base class does with previews and baking.
 /// </summary>
 public abstract class CaterpillarComponent : GH_Component
 {

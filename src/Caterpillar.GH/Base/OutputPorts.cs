@@ -10,7 +10,8 @@ internal sealed class OutputPorts(GH_Component.GH_OutputParamManager manager)
 
     public void Number(string name, string nick, string description, GH_ParamAccess access = Item) => Add(new Param_Number(), name, nick, description, access);
 
-    public void Integer(string name, string nick, string description, GH_ParamAccess access = Item) => Add(new Param_Integer(), name, nick, description, access);
+    public void Integer(string name, string nick, string description, GH_ParamAccess access = Item)
+        => Add(new Param_Integer(), name, nick, description, access);
 
     public void Text(string name, string nick, string description, GH_ParamAccess access = Item) => Add(new Param_String(), name, nick, description, access);
 

@@ -72,7 +72,8 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
         if (some.Count < all.Count)
         {
             var lost = all.Count - some.Count;
-            Report(GH_RuntimeMessageLevel.Warning, $"{component.Params.Input[input].Name} has {lost} null {(lost == 1 ? "item, which is" : "items, which are")} left out.");
+            Report(GH_RuntimeMessageLevel.Warning,
+                $"{component.Params.Input[input].Name} has {lost} null {(lost == 1 ? "item, which is" : "items, which are")} left out.");
         }
         return some;
     }
@@ -82,7 +83,8 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
     public double Positive(int input)
     {
         var value = Finite(input);
-        return value > 0 ? value : throw new InputProblem($"{component.Params.Input[input].Name} must be greater than zero, not {NumberFormatter.Format(value, 6)}.");
+        return value > 0 ? value : throw new InputProblem($"{component.Params.Input[input].Name} must be greater than zero, not "
+            + $"{NumberFormatter.Format(value, 6)}.");
     }
 
     /// <summary>A finite number; of an angle port in degrees, whichever its switch says.</summary>
@@ -186,7 +188,8 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
         {
             if (Convert.ToInt32(value, System.Globalization.CultureInfo.InvariantCulture) == number) return value;
         }
-        throw new InputProblem($"{component.Params.Input[input].Name} has no choice {NumberFormatter.Format(number)}; there are {string.Join(", ", Enum.GetNames(typeof(T)))}.");
+        throw new InputProblem($"{component.Params.Input[input].Name} has no choice {NumberFormatter.Format(number)}; there are "
+            + $"{string.Join(", ", Enum.GetNames(typeof(T)))}.");
     }
 
     // The path of an item output is the branch of the inputs; a list output of an item has the number of the item behind it.

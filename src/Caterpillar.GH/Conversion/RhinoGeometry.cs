@@ -27,7 +27,8 @@ internal static class RhinoGeometry
         => new(ToPoint(frame.Origin, units), new Rg.Vector3d(frame.X.X, frame.X.Y, frame.X.Z), new Rg.Vector3d(frame.Y.X, frame.Y.Y, frame.Y.Z));
 
     public static Frame ToFrame(Rg.Plane plane, DocumentUnits units)
-        => Frame.FromAxes(ToVec(plane.Origin, units), new Vec3(plane.XAxis.X, plane.XAxis.Y, plane.XAxis.Z), new Vec3(plane.YAxis.X, plane.YAxis.Y, plane.YAxis.Z));
+        => Frame.FromAxes(ToVec(plane.Origin, units), new Vec3(plane.XAxis.X, plane.XAxis.Y, plane.XAxis.Z),
+            new Vec3(plane.YAxis.X, plane.YAxis.Y, plane.YAxis.Z));
 
     /// <summary>A map of document units as a map of mm; null where it is a perspective.</summary>
     public static Affine? ToAffine(Rg.Transform t, DocumentUnits units)

@@ -6,7 +6,10 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>Goo of what is drawn as one thin wire in the color given; nothing when it is very large. What it is worth in document units is worked out once for each unit.</summary>
+/// <summary>
+/// Goo of what is drawn as one thin wire in the color given; nothing when it is very large. What it is worth in document units is worked out once for each
+/// unit.
+/// </summary>
 public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData
     where T : class
 {

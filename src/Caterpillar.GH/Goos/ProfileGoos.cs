@@ -25,7 +25,8 @@ public sealed class PrinterGoo : ProfileGoo<Printer>
     public override IGH_Goo Duplicate() => new PrinterGoo(Value);
 
     protected override string Describe(Printer value)
-        => $"Printer ({value.Title}, {NumberFormatter.Format(value.BuildVolume.X, 1)} × {NumberFormatter.Format(value.BuildVolume.Y, 1)} × {NumberFormatter.Format(value.BuildVolume.Z, 1)} mm, {value.Dialect.Title})";
+        => $"Printer ({value.Title}, {NumberFormatter.Format(value.BuildVolume.X, 1)} × {NumberFormatter.Format(value.BuildVolume.Y, 1)} × "
+            + $"{NumberFormatter.Format(value.BuildVolume.Z, 1)} mm, {value.Dialect.Title})";
 
     private protected override Result<Printer> Find(ProfileLibrary library, string name) => library.Printer(name);
 
@@ -85,7 +86,8 @@ public sealed class SettingsGoo : ProfileGoo<PrintSettings>
     public override IGH_Goo Duplicate() => new SettingsGoo(Value);
 
     protected override string Describe(PrintSettings value)
-        => $"Print Settings ({value.Title}, layers of {NumberFormatter.Format(value.LayerHeight, 3)} mm, lines of {NumberFormatter.Format(value.LineWidth, 3)} mm, {NumberFormatter.Format(value.PrintSpeed, 1)} mm/s)";
+        => $"Print Settings ({value.Title}, layers of {NumberFormatter.Format(value.LayerHeight, 3)} mm, lines of "
+            + $"{NumberFormatter.Format(value.LineWidth, 3)} mm, {NumberFormatter.Format(value.PrintSpeed, 1)} mm/s)";
 
     private protected override Result<PrintSettings> Find(ProfileLibrary library, string name) => library.Settings(name);
 

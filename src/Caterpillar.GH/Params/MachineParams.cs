@@ -17,7 +17,8 @@ public sealed class MaterialParam() : StoredParam<MaterialGoo>("Material", "Mate
 }
 
 /// <summary>Print settings; text is the name of a profile.</summary>
-public sealed class SettingsParam() : StoredParam<SettingsGoo>("Print Settings", "Settings", "Contains print settings; text is the name of a profile.", Panel.Setup)
+public sealed class SettingsParam()
+    : StoredParam<SettingsGoo>("Print Settings", "Settings", "Contains print settings; text is the name of a profile.", Panel.Setup)
 {
     public override Guid ComponentGuid => new("af3fca63-c2d4-4ddd-aa9a-d8a1ed78e443");
 }

@@ -11,7 +11,8 @@ public sealed class PrintPathParam() : VisibleParam<PrintPathGoo>("Print Path", 
 }
 
 /// <summary>Toolpaths.</summary>
-public sealed class ToolpathParam() : VisibleParam<ToolpathGoo>("Toolpath", "TP", "Contains toolpaths: what the printer does, move by move, in mm and mm/s.", Panel.GCode)
+public sealed class ToolpathParam()
+    : VisibleParam<ToolpathGoo>("Toolpath", "TP", "Contains toolpaths: what the printer does, move by move, in mm and mm/s.", Panel.GCode)
 {
     public override Guid ComponentGuid => new("e5b0d5ad-9d81-4e91-8b3e-fab789fdb2c2");
 }

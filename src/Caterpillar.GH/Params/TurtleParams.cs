@@ -5,7 +5,8 @@ using Caterpillar.GH.Goos;
 namespace Caterpillar.GH.Params;
 
 /// <summary>Turtle programs.</summary>
-public sealed class TurtleProgramParam() : VolatileParam<TurtleProgramGoo>("Turtle Program", "Program", "Contains programs that a turtle can carry out.", Panel.Design)
+public sealed class TurtleProgramParam()
+    : VolatileParam<TurtleProgramGoo>("Turtle Program", "Program", "Contains programs that a turtle can carry out.", Panel.Design)
 {
     public override Guid ComponentGuid => new("51a3b9f4-7a3f-4c0e-9a55-2f1d7fbd4a01");
 }

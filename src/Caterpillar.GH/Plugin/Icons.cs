@@ -17,13 +17,16 @@ internal static class Icons
             using var stream = Open(name) ?? Open(Fallback);
             return stream is null ? null : new Bitmap(stream);
         }
-        catch (Exception e) when (e is TypeInitializationException or PlatformNotSupportedException or DllNotFoundException or ArgumentException or FileNotFoundException)
+        catch (Exception e) when (e is TypeInitializationException or PlatformNotSupportedException or DllNotFoundException or ArgumentException
+            or FileNotFoundException)
         {
             return null;
         }
     }
 
-    /// <summary>Name of the icon of a component or parameter: its class without what kind of class it is; a parameter shares the icon of what it holds.</summary>
+    /// <summary>
+    /// Name of the icon of a component or parameter: its class without what kind of class it is; a parameter shares the icon of what it holds.
+    /// </summary>
     internal static string NameOf(Type type)
         => type.Name.EndsWith("Component", StringComparison.Ordinal) ? type.Name.Substring(0, type.Name.Length - "Component".Length) : type.Name;
 

@@ -20,7 +20,8 @@ public class GzipTests
     {
         Assert.That(Crc32.Of(Encoding.ASCII.GetBytes("123456789"), 0, 9), Is.EqualTo(0xCBF43926u));
         var bytes = Noise(1, 1000);
-        for (var cut = 0; cut < 100; cut++) Assert.That(Crc32.Of(bytes, cut, 900 - cut, Crc32.Of(bytes, 0, cut)), Is.EqualTo(GCode.BinaryFile.Crc(bytes.Take(900))));
+        for (var cut = 0; cut < 100; cut++) Assert.That(Crc32.Of(bytes, cut, 900 - cut, Crc32.Of(bytes, 0, cut)),
+            Is.EqualTo(GCode.BinaryFile.Crc(bytes.Take(900))));
     }
 
     [Test]
@@ -28,7 +29,8 @@ public class GzipTests
     {
         var a = Noise(1, 70_000);
         var b = Encoding.ASCII.GetBytes("G1 X1\n");
-        var parts = new[] { Gzip.Packed(a), Gzip.Packed(b), Gzip.Stored(Empty), Gzip.Stored(a), Gzip.Packed(Empty), Flushed(), new byte[3], Gzip.Packed(b), new byte[700] };
+        var parts = new[] { Gzip.Packed(a), Gzip.Packed(b), Gzip.Stored(Empty), Gzip.Stored(a), Gzip.Packed(Empty), Flushed(), new byte[3], Gzip.Packed(b),
+            new byte[700] };
         Assert.That(Unpacked(Join(parts), out var trailing), Is.EqualTo(Join(a, b, a, b)));
         Assert.That(trailing, Is.False);
     }
@@ -79,14 +81,16 @@ public class GzipTests
     public void A_file_that_is_cut_off_anywhere_is_an_error()
     {
         var text = Encoding.ASCII.GetBytes(string.Concat(Enumerable.Range(0, 60).Select(i => $"G1 X{i * 7 % 50} Y{i} E.{i}\n")));
-        foreach (var packed in new[] { Gzip.Packed(text), Gzip.Stored(text), Gzip.Packed(Empty), Gzip.Stored(Empty), Join(Gzip.Packed(text), Gzip.Packed(text)) })
+        foreach (var packed in new[] { Gzip.Packed(text), Gzip.Stored(text), Gzip.Packed(Empty), Gzip.Stored(Empty),
+            Join(Gzip.Packed(text), Gzip.Packed(text)) })
         {
             var first = Gzip.Packed(text).Length;
             for (var length = 2; length < packed.Length; length++)
             {
                 // Between two members nothing is missing.
                 if (length == first && packed.Length == 2 * first) continue;
-                Assert.That(() => Unpacked(packed.Take(length).ToArray(), out _), Throws.InstanceOf<InvalidDataException>().With.Message.Contains("cut off"), $"{length} of {packed.Length}");
+                Assert.That(() => Unpacked(packed.Take(length).ToArray(), out _), Throws.InstanceOf<InvalidDataException>().With.Message.Contains("cut off"),
+                    $"{length} of {packed.Length}");
             }
         }
     }

@@ -138,7 +138,8 @@ public class WholeFileTests
 
     private static string Shell(string program, params string[] arguments)
     {
-        using var process = Process.Start(new ProcessStartInfo(program, string.Join(" ", arguments)) { RedirectStandardOutput = true, UseShellExecute = false })!;
+        using var process = Process.Start(new ProcessStartInfo(program, string.Join(" ", arguments)) { RedirectStandardOutput = true,
+            UseShellExecute = false })!;
         var output = process.StandardOutput.ReadToEnd();
         process.WaitForExit();
         return output;

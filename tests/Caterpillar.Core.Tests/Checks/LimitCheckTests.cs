@@ -14,7 +14,8 @@ public class LimitCheckTests
     private static readonly PrintSetup Generic = new();
 
     private static readonly PrintSetup Delta = new(
-        new Printer { Title = "Delta", BuildVolume = new Vec3(200, 200, 300), Origin = BedOrigin.Center, BedShape = BedShape.Round }, new Material(), new PrintSettings());
+        new Printer { Title = "Delta", BuildVolume = new Vec3(200, 200, 300), Origin = BedOrigin.Center, BedShape = BedShape.Round }, new Material(),
+            new PrintSettings());
 
     [Test]
     public void Moves_inside_the_bed_are_fine()
@@ -61,7 +62,8 @@ public class LimitCheckTests
     {
         // 12 mm³/s at most: 10 mm at 60 mm/s with 2 mm³ are 12, with 2.1 mm³ 12.6.
         var filament = Math.PI / 4 * 1.75 * 1.75;
-        void Line(ToolpathBuilder b, double volume) => b.Add(new Vec3(20, 10, 0.2), volume / filament, volume / filament, 60, MoveKind.Print, Role.Unspecified, -1, 0, 0);
+        void Line(ToolpathBuilder b, double volume)
+            => b.Add(new Vec3(20, 10, 0.2), volume / filament, volume / filament, 60, MoveKind.Print, Role.Unspecified, -1, 0, 0);
         Assert.That(Run(Generic, b => Line(b, 2)), Is.Empty);
         var found = Run(Generic, b => Line(b, 2.1)).Single();
         Assert.That((found.Code, found.Severity), Is.EqualTo(("limit.flow", Severity.Error)));
@@ -108,14 +110,17 @@ public class LimitCheckTests
             b.Add(new Vec3(20, 10, 0.2), 0.1, 0.1, 10, MoveKind.Print, Role.Unspecified, -1, tool, 0);
         }
         Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210), new ToolEvent(1))), Is.Empty, "one nozzle for both, or both heated");
-        Assert.That(Run(two, b => With(b, 0, new NozzleTemperatureEvent(210, Tool: 0), new NozzleTemperatureEvent(0, Tool: 1))), Is.Empty, "the other one is cold");
+        Assert.That(Run(two, b => With(b, 0, new NozzleTemperatureEvent(210, Tool: 0), new NozzleTemperatureEvent(0, Tool: 1))), Is.Empty,
+            "the other one is cold");
         Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210, Tool: 0), new ToolEvent(1))).Single().Code, Is.EqualTo("limit.cold_extrusion"));
-        Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210, Tool: 0), new ToolEvent(1), new NozzleTemperatureEvent(205, true))), Is.Empty, "the tool at work is meant");
+        Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210, Tool: 0), new ToolEvent(1), new NozzleTemperatureEvent(205, true))), Is.Empty,
+            "the tool at work is meant");
     }
 
     [Test]
     public void A_tool_that_the_printer_lacks_is_an_error()
-        => Assert.That(Run(Generic, b => b.Add(new Vec3(20, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 1, 0)).Single().Code, Is.EqualTo("limit.tool"));
+        => Assert.That(Run(Generic, b => b.Add(new Vec3(20, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 1, 0)).Single().Code,
+            Is.EqualTo("limit.tool"));
 
     private static void Print(ToolpathBuilder builder, Vec3 to)
         => builder.Add(to, 0.1, 0.1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0);

@@ -13,7 +13,8 @@ public sealed class SafeEditorTests
 {
     private const string File = "; mine\nM104 S210\nM109 S210\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200 ; one\nG1 X20 Y20 E0.5\n; end\n";
 
-    private static DecodedGCode Decoded(string text = File) => Caterpillar.GCode.GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!;
+    private static DecodedGCode Decoded(string text = File)
+        => Caterpillar.GCode.GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!;
 
     private static string Text(GCodeDocument document) => Encoding.UTF8.GetString(document.ToBytes());
 

@@ -85,7 +85,8 @@ public class SafeWriterTests
     {
         using var cancel = new System.Threading.CancellationTokenSource();
         cancel.Cancel();
-        Assert.That(() => SafeWriter.WriteFile(Line(50), new PrintSetup(), Path.Combine(_folder, "part.gcode"), cancel: cancel.Token), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(() => SafeWriter.WriteFile(Line(50), new PrintSetup(), Path.Combine(_folder, "part.gcode"), cancel: cancel.Token),
+            Throws.InstanceOf<OperationCanceledException>());
         Assert.That(Directory.GetFiles(_folder), Is.Empty);
     }
 

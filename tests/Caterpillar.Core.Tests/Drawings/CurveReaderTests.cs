@@ -40,7 +40,8 @@ public class CurveReaderTests
     [Test]
     public void Columns_carry_curves_and_settings()
     {
-        var curves = Read("curve,x,y,z,width,speed,tool\na,0,0,0,0.4,50%,0\na,1,0,0,0.8,50%,0\nb,5,5,0,1,10,1\nb,6,5,0,1,10,1\nb,6,6,0,1,10,1\nb,5,5,0,1,10,1\n", "c.csv",
+        var curves = Read("curve,x,y,z,width,speed,tool\na,0,0,0,0.4,50%,0\na,1,0,0,0.8,50%,0\nb,5,5,0,1,10,1\nb,6,5,0,1,10,1\n"
+                + "b,6,6,0,1,10,1\nb,5,5,0,1,10,1\n", "c.csv",
             new CurveReadOptions { SpeedReference = 60 }).Value!;
         Assert.That(curves.Select(c => c.Name), Is.EqualTo(new[] { "a", "b" }));
         Assert.That(curves[0].Along!.Widths, Is.EqualTo(new[] { 0.4, 0.8 }));
@@ -167,9 +168,11 @@ public class CurveReaderTests
     {
         string[] seeds =
         [
-            "curve,x,y,z,width\na,0,0,0,50%\na,1,0,0,\"2\"\n\nb;1;2,3\n", "{\"curves\": [{\"points\": [[0,0],[1,1.5e3]], \"degree\": 1, \"knots\": [0,0,1,1]}, {\"center\": [1,2], \"radius\": 2}]}",
+            "curve,x,y,z,width\na,0,0,0,50%\na,1,0,0,\"2\"\n\nb;1;2,3\n",
+                "{\"curves\": [{\"points\": [[0,0],[1,1.5e3]], \"degree\": 1, \"knots\": [0,0,1,1]}, {\"center\": [1,2], \"radius\": 2}]}",
             "v 0 0 0\nv 1 0 0\nl 1 2\ng x\nl -1 -2\n",
-            "<svg width=\"10mm\" viewBox=\"0 0 10 10\"><g transform=\"rotate(5) skewX(3)\"><path d=\"M0 0C1 2 3 4 5 6s1 1 2 2q1 1 2 2t3 3a1 2 30 0 1 4 4z\" data-width=\"1\"/><rect width=\"3\" height=\"2\" rx=\"1\"/></g></svg>",
+            "<svg width=\"10mm\" viewBox=\"0 0 10 10\"><g transform=\"rotate(5) skewX(3)\"><path d=\"M0 0C1 2 3 4 5 6s1 1 2 2q1 1 2 2t3 3a1 2 30 0 1 4 4z\" "
+                + "data-width=\"1\"/><rect width=\"3\" height=\"2\" rx=\"1\"/></g></svg>",
         ];
         string[] names = ["a.csv", "a.json", "a.obj", "a.svg", "a"];
         var random = new Random(51);
@@ -198,7 +201,8 @@ public class CurveReaderTests
             }
             var read = CurveReader.Read(bytes.ToArray(), names[random.Next(names.Length)]);
             Assert.That(read.Value is null, Is.EqualTo(read.HasErrors));
-            if (read.Value is not null) Assert.That(() => CurvePaths.ToPaths(read.Value, new CurveOptions { Subdivision = SubdivisionOptions.ByTolerance(10) }), Throws.Nothing);
+            if (read.Value is not null) Assert.That(() => CurvePaths.ToPaths(read.Value, new CurveOptions { Subdivision = SubdivisionOptions.ByTolerance(10) }),
+                Throws.Nothing);
         }
     }
 }

@@ -9,7 +9,8 @@ namespace Caterpillar.Tests.Curves;
 public class SvgTests
 {
     // A page of 100 mm with 1 mm for a unit: y' = 100 − y.
-    private static string Page(string content) => "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\">\n" + content + "\n</svg>";
+    private static string Page(string content)
+        => "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\">\n" + content + "\n</svg>";
 
     private static UserCurve One(string content) => CurveReaderTests.Read(Page(content), "a.svg").Value!.Single();
 
@@ -128,7 +129,8 @@ public class SvgTests
     public void Transforms_act_from_the_right(string transform, double x, double y)
     {
         Near(One($"<line transform=\"{transform}\" x1=\"1\" y1=\"0\" x2=\"50\" y2=\"50\"/>").Curve.Start, Up(x, y));
-        Near(One($"<g transform=\"translate(1 1)\"><g transform=\"{transform}\"><line x1=\"1\" y1=\"0\" x2=\"50\" y2=\"50\"/></g></g>").Curve.Start, Up(x + 1, y + 1));
+        Near(One($"<g transform=\"translate(1 1)\"><g transform=\"{transform}\"><line x1=\"1\" y1=\"0\" x2=\"50\" y2=\"50\"/></g></g>").Curve.Start,
+            Up(x + 1, y + 1));
     }
 
     [TestCase("width=\"96\" height=\"48\"", 25.4, 12.7)]
@@ -142,7 +144,8 @@ public class SvgTests
     public void Units_and_viewBox_give_mm(string attributes, double x, double y)
     {
         // From the upper left corner to the middle of the right side.
-        var curve = CurveReaderTests.Read($"<svg xmlns=\"http://www.w3.org/2000/svg\" {attributes}><line x1=\"0\" y1=\"0\" x2=\"96\" y2=\"0\"/></svg>", "a.svg").Value!.Single().Curve;
+        var curve = CurveReaderTests.Read($"<svg xmlns=\"http://www.w3.org/2000/svg\" {attributes}><line x1=\"0\" y1=\"0\" x2=\"96\" y2=\"0\"/></svg>", "a.svg")
+            .Value!.Single().Curve;
         Near(curve.End, new Vec3(x, y));
     }
 
@@ -150,7 +153,8 @@ public class SvgTests
     public void Attributes_give_settings_to_shapes_and_groups()
     {
         var curves = CurveReaderTests.Read(Page(
-            "<g data-width=\"0.8\" data-z=\"0.4\" data-speed=\"50%\" id=\"outer\"><path id=\"a\" d=\"M0 0h5\"/><path d=\"M0 0h5\" data-width=\"200%\" data-tool=\"1\" data-layer=\"3\"/></g><path d=\"M0 0h5\" data-area=\"0\"/>"),
+            "<g data-width=\"0.8\" data-z=\"0.4\" data-speed=\"50%\" id=\"outer\"><path id=\"a\" d=\"M0 0h5\"/><path d=\"M0 0h5\" data-width=\"200%\" "
+                + "data-tool=\"1\" data-layer=\"3\"/></g><path d=\"M0 0h5\" data-area=\"0\"/>"),
             "a.svg", new CurveReadOptions { SpeedReference = 80, WidthReference = 0.5 }).Value!;
         Assert.That((curves[0].Name, curves[0].Width, curves[0].Speed, curves[0].Curve.Start.Z), Is.EqualTo(("a", 0.8, 40.0, 0.4)));
         Assert.That((curves[1].Width, curves[1].Tool, curves[1].Layer!.Index), Is.EqualTo((1.0, 1, 3)));
@@ -161,7 +165,8 @@ public class SvgTests
     public void What_is_hidden_or_only_defined_is_left_out()
     {
         var read = CurveReaderTests.Read(Page(
-            "<defs><path d=\"M0 0h1\"/></defs><g display=\"none\"><path d=\"M0 0h2\"/></g><path style=\"fill:none; display : none\" d=\"M0 0h3\"/><text>hello</text><use href=\"#a\"/><path d=\"M0 0h4\"/>"), "a.svg");
+            "<defs><path d=\"M0 0h1\"/></defs><g display=\"none\"><path d=\"M0 0h2\"/></g><path style=\"fill:none; display : none\" d=\"M0 "
+                + "0h3\"/><text>hello</text><use href=\"#a\"/><path d=\"M0 0h4\"/>"), "a.svg");
         Assert.That(read.Value!.Single().Curve.Length, Is.EqualTo(4).Within(1e-9));
         Assert.That(read.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "curves.hidden", "curves.svg_text", "curves.svg_use" }));
         Assert.That(read.Diagnostics[0].Count, Is.EqualTo(2));

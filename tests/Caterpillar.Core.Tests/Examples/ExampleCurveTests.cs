@@ -20,7 +20,8 @@ public class ExampleCurveTests
 
     [TestCaseSource(nameof(Names))]
     public void The_generator_reproduces_the_bytes(string name)
-        => Assert.That(ExampleCurves.All.Single(c => c.Name == name).Make().SequenceEqual(File.ReadAllBytes(PathOf(name))), "run: dotnet run --project examples/make");
+        => Assert.That(ExampleCurves.All.Single(c => c.Name == name).Make().SequenceEqual(File.ReadAllBytes(PathOf(name))),
+            "run: dotnet run --project examples/make");
 
     [TestCase("pimples.json", "generic", true)]
     [TestCase("thick_cup.csv", "generic", false)]

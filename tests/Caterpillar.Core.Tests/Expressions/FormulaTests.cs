@@ -84,11 +84,13 @@ internal sealed class FormulaTests
             var x = random.NextDouble() * 20 - 10;
             var y = random.NextDouble() * 9 + 0.5;
             var vars = new[] { ("x", x), ("y", y) };
-            Assert.That(Value("sin(x) + cos(x) + tan(x)", vars), Is.EqualTo(Math.Sin(x * Math.PI / 180) + Math.Cos(x * Math.PI / 180) + Math.Tan(x * Math.PI / 180)).Within(1e-12));
+            Assert.That(Value("sin(x) + cos(x) + tan(x)", vars),
+                Is.EqualTo(Math.Sin(x * Math.PI / 180) + Math.Cos(x * Math.PI / 180) + Math.Tan(x * Math.PI / 180)).Within(1e-12));
             Assert.That(Value("exp(x) + ln(y) + log(y)", vars), Is.EqualTo(Math.Exp(x) + Math.Log(y) + Math.Log10(y)).Within(1e-9));
             Assert.That(Value("atan(x) + asin(x / 10) + acos(x / 10)", vars), Is.EqualTo(Math.Atan(x) * 180 / Math.PI + 90).Within(1e-10));
             Assert.That(Value("y ^ x + pow(y, 2) + abs(x) + floor(x) + ceil(x) + trunc(x)", vars),
-                Is.EqualTo(Math.Pow(y, x) + Math.Pow(y, 2) + Math.Abs(x) + Math.Floor(x) + Math.Ceiling(x) + Math.Truncate(x)).Within(1e-6 * Math.Pow(y, Math.Abs(x))));
+                Is.EqualTo(Math.Pow(y, x) + Math.Pow(y, 2) + Math.Abs(x) + Math.Floor(x) + Math.Ceiling(x) + Math.Truncate(x))
+                    .Within(1e-6 * Math.Pow(y, Math.Abs(x))));
         }
     }
 

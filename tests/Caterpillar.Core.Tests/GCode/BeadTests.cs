@@ -46,7 +46,8 @@ public class BeadTests
         foreach (var move in toolpath.Moves())
         {
             // Bridges are round, and E has five decimals.
-            if (move.Kind != MoveKind.Print || move.Length < 5 || move.Role is Role.Bridge or Role.OverhangWall or Role.Support or Role.SupportInterface) continue;
+            if (move.Kind != MoveKind.Print || move.Length < 5
+                || move.Role is Role.Bridge or Role.OverhangWall or Role.Support or Role.SupportInterface) continue;
             if (toolpath.BeadOf(move) is not { } bead || double.IsNaN(widths[move.Source]) || Math.Abs(heights[move.Source] - bead.Height) > 1e-6) continue;
             Assert.That(bead.Width(BeadShape.Stadium), Is.EqualTo(widths[move.Source]).Within(0.002), $"line {move.Source}");
             compared++;
@@ -57,7 +58,8 @@ public class BeadTests
     [Test]
     public void Each_role_has_its_length_and_its_mean_strand()
     {
-        var toolpath = Decode("G90\nM83\n;LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\n;TYPE:Perimeter\nG1 X0 Y0 Z0.2 F600\nG1 X10 E0.5\nG1 Y30 E3\n;TYPE:Internal infill\nG3 X10 Y10 I0 J-10 E1\n", 1.75);
+        var toolpath = Decode("G90\nM83\n;LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\n;TYPE:Perimeter\nG1 X0 Y0 Z0.2 F600\nG1 X10 E0.5\nG1 Y30 E3\n;TYPE:Internal "
+            + "infill\nG3 X10 Y10 I0 J-10 E1\n", 1.75);
         var totals = RoleTotals.Of(toolpath);
         Assert.That(totals.Select(t => t.Role), Is.EqualTo(new[] { Role.InnerWall, Role.Infill }));
         Assert.That(totals.Select(t => t.Length), Is.EqualTo(new[] { 40, 10 * Math.PI }).Within(1e-9));
@@ -76,7 +78,8 @@ public class BeadTests
         var value = double.NaN;
         for (var i = 0; i < lines.Length; i++)
         {
-            if (lines[i].StartsWith(";" + name, StringComparison.Ordinal) && NumberReader.TryParse(lines[i].Substring(name.Length + 1).Trim(), out var said)) value = said;
+            if (lines[i].StartsWith(";" + name, StringComparison.Ordinal)
+                && NumberReader.TryParse(lines[i].Substring(name.Length + 1).Trim(), out var said)) value = said;
             values[i + 1] = value;
         }
         return values;

@@ -118,7 +118,9 @@ internal sealed class BinaryFile(bool checksums = true)
         return bytes;
     }
 
-    /// <summary>MeatPack as slicers use it: G lines lose their blanks; comments are dropped, or with <paramref name="comments"/> whole lines of them are kept unpacked.</summary>
+    /// <summary>
+    /// MeatPack as slicers use it: G lines lose their blanks; comments are dropped, or with <paramref name="comments"/> whole lines of them are kept unpacked.
+    /// </summary>
     public static byte[] MeatPacked(string text, bool comments)
     {
         const string Known = "0123456789.E\nGX";

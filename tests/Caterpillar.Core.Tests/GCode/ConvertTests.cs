@@ -38,7 +38,8 @@ public class ConvertTests
         const string Text = "M83\nG28\nG1 X10 Y0 Z1 F600\nG4 P1500\nM0\nT1\nG92\nG1 X5 E1\n";
         Assert.That(ConvertText(Text, new ConvertOptions { Dialect = DialectTable.RepRapFirmware }, "klipper"), Does.Contain("G92 X0 Y0 Z0 E0\n"));
         Assert.That(ConvertText(Text, new ConvertOptions { Dialect = DialectTable.Cnc }, "marlin2"), Does.Contain("G4 P1.5\n").And.Contain("M6 T1\n"));
-        Assert.That(ConvertText(Text, new ConvertOptions { Dialect = DialectTable.RepRapFirmware }, "slicer"), Does.Contain("M226\n"), "M0 would end the print");
+        Assert.That(ConvertText(Text, new ConvertOptions { Dialect = DialectTable.RepRapFirmware }, "slicer"), Does.Contain("M226\n"),
+            "M0 would end the print");
         Assert.That(ConvertText(Text, new ConvertOptions { Dialect = DialectTable.Klipper }, "slicer"), Does.Contain("PAUSE\n"));
     }
 
@@ -73,5 +74,6 @@ public class ConvertTests
     private static string ConvertText(string text, ConvertOptions options, string dialect)
         => Encoding.ASCII.GetString(Convert(Decode(GCodeDocument.FromText(text), DialectTable.Find(dialect)!), options).ToBytes());
 
-    private static DecodedGCode Decode(GCodeDocument document, DialectRules dialect) => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = dialect }).Value!;
+    private static DecodedGCode Decode(GCodeDocument document, DialectRules dialect)
+        => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = dialect }).Value!;
 }

@@ -20,7 +20,8 @@ public class DecoderTruthTests
         var document = GCodeFiles.Document(file);
         foreach (var threads in new[] { 1, 3 })
         {
-            var decoding = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer, Rule = ExtrusionRule.Rising, Threads = threads }).Value!;
+            var decoding = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer, Rule = ExtrusionRule.Rising, Threads = threads })
+                .Value!;
             var differences = Differences(truth, JObject.Parse(decoding.Report.ToJson()));
             Assert.That(differences, Is.Empty, string.Join("\n", differences));
         }

@@ -41,13 +41,16 @@ public class DocumentTests
         var text = new StringBuilder();
         string[] ends = ["\n", "\r\n", "\r"];
         var lines = 0;
-        for (; text.Length < 1_500_000; lines++) text.Append(lines).Append(random.Next(2000) == 0 ? new string('x', 300_000) : "").Append(ends[random.Next(3)]).Append(random.Next(50) == 0 ? " " : "#");
+        for (; text.Length < 1_500_000; lines++) text.Append(lines).Append(random.Next(2000) == 0 ? new string('x', 300_000) : "").Append(ends[random.Next(3)])
+            .Append(random.Next(50) == 0 ? " " : "#");
         var bytes = Encoding.ASCII.GetBytes(text.ToString());
-        foreach (var document in new[] { GCodeDocument.FromBytes(bytes), GCodeDocument.Read(new MemoryStream(bytes)), GCodeDocument.FromBytes(Gzip.Packed(bytes)) })
+        foreach (var document in new[] { GCodeDocument.FromBytes(bytes), GCodeDocument.Read(new MemoryStream(bytes)),
+            GCodeDocument.FromBytes(Gzip.Packed(bytes)) })
         {
             Assert.That(document.ToBytes(), Is.EqualTo(bytes));
             Assert.That(document.LineCount, Is.EqualTo(lines + 1));
-            for (var number = 2; number <= lines; number += 997) Assert.That(document.Line(number).Text.TrimEnd('x').TrimStart(' ', '#'), Is.EqualTo(NumberFormatter.Format(number - 1)));
+            for (var number = 2; number <= lines; number += 997) Assert.That(document.Line(number).Text.TrimEnd('x').TrimStart(' ', '#'),
+                Is.EqualTo(NumberFormatter.Format(number - 1)));
         }
     }
 
@@ -76,7 +79,8 @@ public class DocumentTests
         var bytes = encoding.GetPreamble().Concat(encoding.GetBytes(Text)).ToArray();
         var document = GCodeDocument.FromBytes(bytes);
         Assert.That(Latin1.GetString(document.ToBytes()), Is.EqualTo("; caf\u00e9 ?\r\nG1 X5 E1\n"));
-        foreach (var result in new[] { GCodeDecoder.Decode(bytes), GCodeDecoder.Decode(document), GCodeDecoder.DecodeStream(new MemoryStream(Gzip.Packed(bytes))) })
+        foreach (var result in new[] { GCodeDecoder.Decode(bytes), GCodeDecoder.Decode(document),
+            GCodeDecoder.DecodeStream(new MemoryStream(Gzip.Packed(bytes))) })
         {
             Assert.That(result.Value!.Toolpath[0].End.X, Is.EqualTo(5));
             Assert.That(result.Diagnostics.Select(d => d.Code), Does.Contain("gcode.utf16"));
@@ -109,7 +113,8 @@ public class DocumentTests
     [Test]
     public void Numbers_checksums_and_block_delete_are_read_past()
     {
-        Assert.That(Ends("N1 G1 X1 E1*99\nN2G1Y1E2 *12\n/G1 X2 E3\n/N3 G1 Y2 E4 ; *\n"), Is.EqualTo(new[] { new Vec3(1, 0, 0), new Vec3(1, 1, 0), new Vec3(2, 1, 0), new Vec3(2, 2, 0) }));
+        Assert.That(Ends("N1 G1 X1 E1*99\nN2G1Y1E2 *12\n/G1 X2 E3\n/N3 G1 Y2 E4 ; *\n"),
+            Is.EqualTo(new[] { new Vec3(1, 0, 0), new Vec3(1, 1, 0), new Vec3(2, 1, 0), new Vec3(2, 2, 0) }));
         Assert.That(GCodeDocument.FromText("N12 G1 X1*7").Line(1).Words.Select(w => w.ToString()), Is.EqualTo(new[] { "G1", "X1" }));
     }
 

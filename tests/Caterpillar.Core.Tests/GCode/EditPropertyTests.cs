@@ -76,7 +76,8 @@ public class EditPropertyTests
         => ForAll(8, (decoding, random) =>
         {
             string[] any = ["G28", "G91", "G90", "M83", "M82", "G1 X5 Y7 Z9 F900", "G92 X3", "M106 S9", "G20", "T1", "G1 F77", "; hello", "G10"];
-            var start = Enumerable.Range(0, random.Next(6)).Select(_ => any[random.Next(any.Length)]).Where(l => l != "G10" || decoding.Dialect.FirmwareRetraction).ToArray();
+            var start = Enumerable.Range(0, random.Next(6)).Select(_ => any[random.Next(any.Length)])
+                .Where(l => l != "G10" || decoding.Dialect.FirmwareRetraction).ToArray();
             var result = GCodeEditor.ToDocument(decoding, decoding.Toolpath, new EditOptions { Start = start, End = ["M84 ; off"] });
             var back = RoundTrips.Decode(result.Value!, decoding.Dialect);
             var prints = decoding.Toolpath.Moves().Where(m => m.Kind == MoveKind.Print && m.Layer >= 0).Select(m => m.Source).ToArray();
@@ -84,7 +85,8 @@ public class EditPropertyTests
             var kept = decoding.Toolpath.Moves().Where(m => m.Source >= decoding.FirstMarkLine && m.Source <= prints[prints.Length - 1]).ToArray();
             var all = back.Toolpath.Moves().ToArray();
             if (all.Length < kept.Length) return "moves are lost";
-            return SameMoves.Difference(Part(decoding.Toolpath, kept), Part(back.Toolpath, all.Skip(all.Length - kept.Length).ToArray()), new MoveTolerance { LayersOfStrands = true }) is { } found
+            return SameMoves.Difference(Part(decoding.Toolpath, kept), Part(back.Toolpath, all.Skip(all.Length - kept.Length).ToArray()),
+                new MoveTolerance { LayersOfStrands = true }) is { } found
                 ? found + "\n" + string.Concat(result.Value!.ToBytes().Select(b => (char)b)) + "\n-----"
                 : null;
         });
@@ -157,9 +159,11 @@ public class EditPropertyTests
         {
             if (move.Source < 0 || before.HomeOf(states[move.Source].Move) is not null) continue;
             var was = states[move.Source];
-            if (move.End != was.Move.End || move.E != was.Move.E || move.Kind != was.Move.Kind || move.Speed != was.Move.Speed || move.Tool != was.Move.Tool) return "a kept move changed: " + was.Move + " to " + move;
+            if (move.End != was.Move.End || move.E != was.Move.E || move.Kind != was.Move.Kind || move.Speed != was.Move.Speed
+                || move.Tool != was.Move.Tool) return "a kept move changed: " + was.Move + " to " + move;
             if (move.Kind == MoveKind.Travel) continue;
-            if (firmware != was.Firmware || Math.Abs(pulled - was.Pulled) > 1e-6) return "pulled back otherwise before " + move + ": " + pulled + " " + firmware + " instead of " + was.Pulled + " " + was.Firmware;
+            if (firmware != was.Firmware || Math.Abs(pulled - was.Pulled) > 1e-6) return "pulled back otherwise before " + move + ": " + pulled + " "
+                + firmware + " instead of " + was.Pulled + " " + was.Firmware;
         }
         return null;
     }

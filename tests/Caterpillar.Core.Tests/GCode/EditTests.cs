@@ -44,7 +44,8 @@ public class EditTests
     public void Flow_in_absolute_E_is_bridged_by_G92()
     {
         var edited = Edit(Small, t => t.ScaleFlow(new MoveFilter { FirstLayer = 1, LastLayer = 1 }, 2));
-        Assert.That(edited, Is.EqualTo(Small.Replace("G1 X10 E3 F1200\nG1 Y10 E4\n", "G1 X10 E4 F1200\nG1 Y10 E6\n").Replace("G1 X10 E5 F1800", "G92 E4\nG1 X10 E5 F1800")));
+        Assert.That(edited, Is.EqualTo(Small.Replace("G1 X10 E3 F1200\nG1 Y10 E4\n", "G1 X10 E4 F1200\nG1 Y10 E6\n")
+            .Replace("G1 X10 E5 F1800", "G92 E4\nG1 X10 E5 F1800")));
     }
 
     [Test]

@@ -16,7 +16,9 @@ internal static class GCodeFiles
     {
         var folder = Path.GetFullPath(Path.Combine(TestData.Repository, "..", "shared", "data", "gcode"));
         return Directory.Exists(folder)
-            ? Directory.GetFiles(folder).Select(f => Path.GetFileName(f)!).Where(f => f.EndsWith(".gcode", StringComparison.Ordinal) || f.EndsWith(".gz", StringComparison.Ordinal)).OrderBy(f => f, StringComparer.Ordinal)
+            ? Directory.GetFiles(folder).Select(f => Path.GetFileName(f)!)
+                .Where(f => f.EndsWith(".gcode", StringComparison.Ordinal) || f.EndsWith(".gz", StringComparison.Ordinal))
+                .OrderBy(f => f, StringComparer.Ordinal)
             : None;
     }
 

@@ -88,9 +88,11 @@ public class RotaryTests
     }
 
     private static (double A, double B, double C)[] Turns(Toolpath toolpath)
-        => toolpath.Blocks.SelectMany(b => Enumerable.Range(0, b.Count).Select(i => b.Columns.A is null ? default : (b.Columns.A[i], b.Columns.B![i], b.Columns.C![i]))).ToArray();
+        => toolpath.Blocks.SelectMany(b => Enumerable.Range(0, b.Count)
+            .Select(i => b.Columns.A is null ? default : (b.Columns.A[i], b.Columns.B![i], b.Columns.C![i]))).ToArray();
 
     private static DecodedGCode Decode(string text, string dialect) => Decode(Encoding.ASCII.GetBytes(text), dialect);
 
-    private static DecodedGCode Decode(byte[] bytes, string dialect) => GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes), new DecodeOptions { Dialect = DialectTable.Find(dialect) }).Value!;
+    private static DecodedGCode Decode(byte[] bytes, string dialect)
+        => GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes), new DecodeOptions { Dialect = DialectTable.Find(dialect) }).Value!;
 }

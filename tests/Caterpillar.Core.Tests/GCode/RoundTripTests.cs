@@ -36,7 +36,9 @@ public class RoundTripTests
         var decoding = RoundTrips.Decode(GCodeFiles.Document(file), null);
         foreach (var (name, options) in Notations())
         {
-            if (decoding.Toolpath.Count < 5000 || (name is "relative E" or "absolute E" && InTurn(decoding, name is "absolute E"))) Assert.That(RoundTrips.Converted(decoding, options), Is.Null, name);
+            if (decoding.Toolpath.Count < 5000
+                || (name is "relative E" or "absolute E" && InTurn(decoding, name is "absolute E"))) Assert.That(RoundTrips.Converted(decoding, options),
+                Is.Null, name);
         }
         if (decoding.Toolpath.Count < 10000) Assert.That(RoundTrips.Fitted(decoding), Is.Null, "arcs fitted");
     }
@@ -52,7 +54,8 @@ public class RoundTripTests
             if (!small && dialect is not null) continue;
             foreach (var (name, options) in Dialects())
             {
-                if (small || name == (decoding.Toolpath.Count % 2 == 0 ? "klipper" : "cnc")) Assert.That(RoundTrips.Converted(decoding, options), Is.Null, decoding.Dialect.Name + " to " + name);
+                if (small || name == (decoding.Toolpath.Count % 2 == 0 ? "klipper" : "cnc")) Assert.That(RoundTrips.Converted(decoding, options), Is.Null,
+                    decoding.Dialect.Name + " to " + name);
             }
         }
     }

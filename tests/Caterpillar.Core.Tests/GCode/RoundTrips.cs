@@ -10,7 +10,9 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Tests.GCode;
 
-/// <summary>The ways from a decoded file to another text and back; each gives the first difference between what was wanted and what came back, or null.</summary>
+/// <summary>
+/// The ways from a decoded file to another text and back; each gives the first difference between what was wanted and what came back, or null.
+/// </summary>
 internal static class RoundTrips
 {
     private static readonly Vec3 Shift = new(3, -2, 1);
@@ -42,7 +44,9 @@ internal static class RoundTrips
         var format = new GCodeFormat { Dialect = decoding.Dialect, RelativeE = relative, HasE = decoding.Axis != ExtrusionAxis.None };
         if (format.LacksAmounts(toolpath)) return decoding.Axis == ExtrusionAxis.Switched ? null : "lacks amounts";
         var back = Decode(GCodeDocument.FromBytes(GCodeWriter.ToBytes(toolpath, format)), decoding.Dialect);
-        return SameMoves.Difference(toolpath, back.Toolpath, new MoveTolerance { Speed = 0.5 / 60 + 1e-6, Chords = 0.01, SameLayers = false, Fan = decoding.Dialect.Fan, LayersOfStrands = !ReferenceEquals(toolpath, decoding.Toolpath) });
+        return SameMoves.Difference(toolpath, back.Toolpath,
+            new MoveTolerance { Speed = 0.5 / 60 + 1e-6, Chords = 0.01, SameLayers = false, Fan = decoding.Dialect.Fan,
+            LayersOfStrands = !ReferenceEquals(toolpath, decoding.Toolpath) });
     }
 
     /// <summary>Converted to another dialect or notation; null also where it cannot be, and says so.</summary>
@@ -53,7 +57,8 @@ internal static class RoundTrips
         if (result.Value is null)
         {
             // What a switch pushes out is not known; and some firmware takes E as volumes only.
-            var must = decoding.Axis == ExtrusionAxis.Switched && !dialect.SwitchedExtruder ? "gcode.no_amounts" : options.Volumetric == false && dialect.StartsVolumetric ? "gcode.volumes_only" : "";
+            var must = decoding.Axis == ExtrusionAxis.Switched && !dialect.SwitchedExtruder ? "gcode.no_amounts" : options.Volumetric == false
+                && dialect.StartsVolumetric ? "gcode.volumes_only" : "";
             return result.Diagnostics.Any(d => d.Code == must) ? null : Said(result.Diagnostics);
         }
         var back = GCodeDecoder.Decode(result.Value, new DecodeOptions { Dialect = dialect, FilamentDiameter = options.FilamentDiameter }).Value!;
@@ -88,7 +93,8 @@ internal static class RoundTrips
         return [isVolume == becomes ? 1 : becomes ? area : 1 / area];
     }
 
-    public static DecodedGCode Decode(GCodeDocument document, DialectRules? dialect) => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = dialect }).Value!;
+    public static DecodedGCode Decode(GCodeDocument document, DialectRules? dialect)
+        => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = dialect }).Value!;
 
     private static double EDecimal(DecodedGCode decoding) => NumberFormatter.FromUnits(1, LineStyle.Of(decoding.Document!).DecimalsE);
 

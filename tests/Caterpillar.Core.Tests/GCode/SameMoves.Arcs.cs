@@ -37,7 +37,8 @@ internal sealed partial class SameMoves
             var restores = b.Kind == MoveKind.MovingRestore && (a.E > a.Deposited || _t.RetractionLength > 0);
             if (b.Kind != a.Kind && !restores && Math.Abs(b.E) > 1.02 * _t.E) return Said("kind of a chord");
             if (b.Speed > 0 && Math.Abs(a.Speed - b.Speed) > _t.Speed) return Said("speed of a chord");
-            if ((_t.Tools && b.Tool != a.Tool) || (a.Kind == MoveKind.Print && b.Kind == MoveKind.Print && b.Role != a.Role)) return Said("tool or role of a chord");
+            if ((_t.Tools && b.Tool != a.Tool)
+                || (a.Kind == MoveKind.Print && b.Kind == MoveKind.Print && b.Role != a.Role)) return Said("tool or role of a chord");
             var done = Closest(a, arc, b.End, at);
             var off = arc.PointAt(a.Start, a.End, done).DistanceTo(b.End);
             if (off > 2 * _t.Xyz) return Said("a vertex of a chain lies off the arc");
@@ -45,7 +46,8 @@ internal sealed partial class SameMoves
             if (arc.PointAt(a.Start, a.End, Closest(a, arc, middle, at)).DistanceTo(middle) > _t.Chords + 3 * _t.Xyz) return Said("a chord cuts its arc short");
             sum += b.E;
             deposited += b.Deposited;
-            if (_t.Amounts && Math.Abs(a.E * _t.Factor(a.Tool) * done - sum) > 3 * _t.E + Math.Abs(a.E * _t.Factor(a.Tool)) * 4 * _t.Xyz / Math.Max(rest, 1e-6)) return Said("share of a chord in E");
+            if (_t.Amounts && Math.Abs(a.E * _t.Factor(a.Tool) * done - sum) > 3 * _t.E
+                + Math.Abs(a.E * _t.Factor(a.Tool)) * 4 * _t.Xyz / Math.Max(rest, 1e-6)) return Said("share of a chord in E");
             at = done;
             from = b.End;
             _j++;

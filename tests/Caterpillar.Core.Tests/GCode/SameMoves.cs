@@ -9,8 +9,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Tests.GCode;
 
 /// <summary>
-/// Walks two toolpaths move by move. Ways home are left out: they follow from where the head is (the event is compared, and the move behind it begins there). A move that prints as nothing, because
-/// its way and its E are below the last decimal, may be missing in either.
+/// Walks two toolpaths move by move. Ways home are left out: they follow from where the head is (the event is compared, and the move behind it begins there). A
+/// move that prints as nothing, because its way and its E are below the last decimal, may be missing in either.
 /// </summary>
 internal sealed partial class SameMoves
 {
@@ -46,7 +46,8 @@ internal sealed partial class SameMoves
     }
 
     /// <summary>The first difference, or null.</summary>
-    public static string? Difference(Toolpath expected, Toolpath actual, MoveTolerance? tolerance = null) => new SameMoves(expected, actual, tolerance ?? new MoveTolerance()).Walk();
+    public static string? Difference(Toolpath expected, Toolpath actual, MoveTolerance? tolerance = null)
+        => new SameMoves(expected, actual, tolerance ?? new MoveTolerance()).Walk();
 
     private string? Walk()
     {
@@ -60,7 +61,8 @@ internal sealed partial class SameMoves
                 SkipA();
                 continue;
             }
-            if (_i < _a.Length && _j < _b.Length && Alike(_a[_i], _b[_j]) && (InStep(_a[_i], _b[_j]) || !(Vanishes(_a[_i], _t.Factor(_a[_i].Tool)) || Vanishes(_b[_j], 1))))
+            if (_i < _a.Length && _j < _b.Length && Alike(_a[_i], _b[_j])
+                && (InStep(_a[_i], _b[_j]) || !(Vanishes(_a[_i], _t.Factor(_a[_i].Tool)) || Vanishes(_b[_j], 1))))
             {
                 if (Match() is { } difference) return difference;
                 continue;
@@ -106,7 +108,8 @@ internal sealed partial class SameMoves
     {
         if (Math.Abs(_sums.E(tool)) > Slack(_sums.Largest(tool))) return "sums of E drift apart by " + _sums.E(tool);
         // G10 and G11 of different tools have no balance that lengths could keep.
-        return !(_t.RetractionLength > 0) && Math.Abs(_sums.Deposited(tool)) > 2 * Slack(_sums.Largest(tool)) ? "deposited sums drift apart by " + _sums.Deposited(tool) : null;
+        return !(_t.RetractionLength > 0)
+            && Math.Abs(_sums.Deposited(tool)) > 2 * Slack(_sums.Largest(tool)) ? "deposited sums drift apart by " + _sums.Deposited(tool) : null;
     }
 
     private double ExpectedE(Move move)
@@ -116,7 +119,8 @@ internal sealed partial class SameMoves
 
     private bool IsStandIn(Move move) => _t.RetractionLength > 0 && IsFirmware(move);
 
-    private bool IsLostRetraction(Move move) => (_t.RetractionLength == 0 && IsFirmware(move)) || (!_t.Amounts && move.Kind is MoveKind.Retract or MoveKind.Restore or MoveKind.Prime);
+    private bool IsLostRetraction(Move move)
+        => (_t.RetractionLength == 0 && IsFirmware(move)) || (!_t.Amounts && move.Kind is MoveKind.Retract or MoveKind.Restore or MoveKind.Prime);
 
     private bool Alike(Move a, Move b)
     {
@@ -132,15 +136,18 @@ internal sealed partial class SameMoves
         if (!_t.Amounts) return (a.Kind == MoveKind.Print) == (b.Kind == MoveKind.Print);
         var small = (a.E != 0 || b.E != 0) && (Math.Abs(a.E * _t.Factor(a.Tool)) <= 1.02 * _t.E || Math.Abs(b.E) <= 1.02 * _t.E);
         // Rounded amounts of a retraction and its restore may leave a unit to print, or to be pushed forward first.
-        var pushes = a.Kind is MoveKind.Print or MoveKind.MovingRestore && b.Kind is MoveKind.Print or MoveKind.MovingRestore || a.Kind is MoveKind.Prime or MoveKind.Restore && b.Kind is MoveKind.Prime or MoveKind.Restore;
+        var pushes = a.Kind is MoveKind.Print or MoveKind.MovingRestore && b.Kind is MoveKind.Print or MoveKind.MovingRestore
+            || a.Kind is MoveKind.Prime or MoveKind.Restore && b.Kind is MoveKind.Prime or MoveKind.Restore;
         if (pushes && a.E != 0 && Math.Abs(a.Deposited * _t.Factor(a.Tool) - b.Deposited) <= 2.04 * _t.E) return true;
-        return (small && a.Kind != MoveKind.Dwell && b.Kind != MoveKind.Dwell) || (a.E != 0 && Tiny(a)) || (b.E != 0 && Tiny(b)) || (_t.RetractionLength > 0 && a.E >= 0 == b.E >= 0);
+        return (small && a.Kind != MoveKind.Dwell && b.Kind != MoveKind.Dwell) || (a.E != 0 && Tiny(a)) || (b.E != 0 && Tiny(b))
+            || (_t.RetractionLength > 0 && a.E >= 0 == b.E >= 0);
     }
 
     private bool Tiny(Move move) => move.Length <= 1.8 * _t.Xyz;
 
     private bool Vanishes(Move move, double factor)
-        => Tiny(move) && (!_t.Amounts || Math.Abs(move.E * factor) <= 1.02 * _t.E) && move.Kind is not (MoveKind.Dwell or MoveKind.Retract or MoveKind.Restore) | move.E != 0;
+        => Tiny(move) && (!_t.Amounts || Math.Abs(move.E * factor) <= 1.02 * _t.E)
+            && move.Kind is not (MoveKind.Dwell or MoveKind.Retract or MoveKind.Restore) | move.E != 0;
 
     private string? Layers(Move a, Move b)
     {
@@ -219,13 +226,15 @@ internal sealed partial class SameMoves
         {
             if (what.Event is not HomeEvent home || what.Move >= moves.Length) continue;
             var m = moves[what.Move];
-            ways[what.Move] |= m.Kind == MoveKind.Travel && m.E == 0 && m.End == new Vec3(home.X ? 0 : m.Start.X, home.Y ? 0 : m.Start.Y, home.Z ? 0 : m.Start.Z);
+            ways[what.Move] |= m.Kind == MoveKind.Travel && m.E == 0
+                && m.End == new Vec3(home.X ? 0 : m.Start.X, home.Y ? 0 : m.Start.Y, home.Z ? 0 : m.Start.Z);
         }
         return ways;
     }
 
     private string Said(string what)
-        => what + ": move " + _i + " of " + _a.Length + " " + (_i < _a.Length ? _a[_i].ToString() : "(none)") + " against " + _j + " of " + _b.Length + " " + (_j < _b.Length ? _b[_j].ToString() : "(none)");
+        => what + ": move " + _i + " of " + _a.Length + " " + (_i < _a.Length ? _a[_i].ToString() : "(none)") + " against " + _j + " of " + _b.Length + " "
+            + (_j < _b.Length ? _b[_j].ToString() : "(none)");
 
     /// <summary>How far the sums of each tool are apart: what was expected minus what was found.</summary>
     private sealed class Sums(int tools)

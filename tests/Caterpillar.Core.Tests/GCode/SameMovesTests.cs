@@ -41,7 +41,8 @@ public class SameMovesTests
         Assert.That(SameMoves.Difference(Path(), Path(skip: 19)), Is.Not.Null, "the last one");
         Assert.That(SameMoves.Difference(Path(), Path().Insert(5, new FanEvent(1))), Is.Not.Null);
         Assert.That(SameMoves.Difference(Path().Insert(5, new FanEvent(1)), Path().Insert(6, new FanEvent(1))), Is.Not.Null);
-        Assert.That(SameMoves.Difference(Path().Insert(5, new PauseEvent()).Insert(5, new FanEvent(1)), Path().Insert(5, new FanEvent(1)).Insert(5, new PauseEvent())), Is.Not.Null);
+        Assert.That(SameMoves.Difference(Path().Insert(5, new PauseEvent()).Insert(5, new FanEvent(1)),
+            Path().Insert(5, new FanEvent(1)).Insert(5, new PauseEvent())), Is.Not.Null);
     }
 
     [Test]
@@ -74,7 +75,8 @@ public class SameMovesTests
         builder.AddLayer(new Layer(1, 0.6, 0.3, ""));
         for (var i = 0; i < 20; i++)
         {
-            var move = new Move(i, builder.Position, new Vec3(10 * Math.Sqrt(i + 2), 7 * (i % 3) + 0.12345, 0.3), 0.123456 * (1 + i % 4), 0.123456 * (1 + i % 4), 30, MoveKind.Print, Role.OuterWall, 0, 0, i + 1, null);
+            var move = new Move(i, builder.Position, new Vec3(10 * Math.Sqrt(i + 2), 7 * (i % 3) + 0.12345, 0.3), 0.123456 * (1 + i % 4),
+                0.123456 * (1 + i % 4), 30, MoveKind.Print, Role.OuterWall, 0, 0, i + 1, null);
             if (i == skip) continue;
             if (change is not null) move = change(move, i);
             builder.Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source, move.Arc);

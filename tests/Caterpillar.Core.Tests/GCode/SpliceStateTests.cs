@@ -34,16 +34,19 @@ public class SpliceStateTests
     [Test]
     public void Each_tool_has_its_own_retraction()
     {
-        const string Text = "M83\nG1 X1 Y1 Z1 F600\n;LAYER:0\nG1 X5 E1\nG1 E-2\nT1\n;LAYER:1\nG1 X9 E1\nG1 E-3\nT0\n;LAYER:2\nG1 E2\nG1 X20 E1\nG1 E-2\nT1\nG1 E3\nG1 X30 E1\n";
+        const string Text = "M83\nG1 X1 Y1 Z1 F600\n;LAYER:0\nG1 X5 E1\nG1 E-2\nT1\n;LAYER:1\nG1 X9 E1\nG1 E-3\nT0\n;LAYER:2\nG1 E2\nG1 X20 E1\nG1 "
+            + "E-2\nT1\nG1 E3\nG1 X30 E1\n";
         var edited = Edit(Text, t => t.Remove(new MoveFilter { FirstLayer = 1, LastLayer = 1 }));
         var back = Decode(edited).Toolpath;
-        Assert.That(back.Moves().Where(m => m.Tool == 1).Select(m => (m.Kind, m.E)), Is.EqualTo(new[] { (MoveKind.Retract, -3.0), (MoveKind.Restore, 3), (MoveKind.Print, 1) }), edited);
+        Assert.That(back.Moves().Where(m => m.Tool == 1).Select(m => (m.Kind, m.E)),
+            Is.EqualTo(new[] { (MoveKind.Retract, -3.0), (MoveKind.Restore, 3), (MoveKind.Print, 1) }), edited);
     }
 
     [Test]
     public void Modes_units_and_names_in_cut_lines_hold_behind_them()
     {
-        const string Text = "G21\nM83\nG1 X10 Y10 Z1 F600\n;LAYER:0\nG1 X50 E1\n;LAYER:1\nG20\nG91\nG1 X1 E1\nG92 X0\nM82\nG92 E7\n;LAYER:2\nG1 X1 E0.1 F20\nG90\nG21\nG1 X5 E30\n";
+        const string Text = "G21\nM83\nG1 X10 Y10 Z1 F600\n;LAYER:0\nG1 X50 E1\n;LAYER:1\nG20\nG91\nG1 X1 E1\nG92 X0\nM82\nG92 E7\n;LAYER:2\nG1 X1 E0.1 "
+            + "F20\nG90\nG21\nG1 X5 E30\n";
         var edited = Edit(Text, t => t.Remove(new MoveFilter { FirstLayer = 1, LastLayer = 1 }));
         var expected = Decode(Text).Toolpath.Moves().Where(m => m.Layer != 1).Select(m => (m.End, m.E, m.Speed));
         var kept = Decode(edited).Toolpath.Moves().Where(m => m.E != 0 || m.Layer < 0).Select(m => (m.End, m.E, m.Speed)).ToArray();
@@ -78,7 +81,8 @@ public class SpliceStateTests
     {
         const string Text = "M83\nG28\nG1 X10 Y10 Z1 F600\nG1 X20 E1\nG28 X\nG1 X5 E1\n";
         static Toolpath Moved(Toolpath t) => t.Transformed(Affine.Move(new Vec3(3, 2, 1)));
-        Assert.That(Moved(Decode(Text).Toolpath).Moves().Select(m => m.End), Is.EqualTo(new[] { new Vec3(13, 12, 2), new Vec3(23, 12, 2), new Vec3(0, 12, 2), new Vec3(8, 12, 2) }));
+        Assert.That(Moved(Decode(Text).Toolpath).Moves().Select(m => m.End),
+            Is.EqualTo(new[] { new Vec3(13, 12, 2), new Vec3(23, 12, 2), new Vec3(0, 12, 2), new Vec3(8, 12, 2) }));
         Assert.That(Edit(Text, Moved), Is.EqualTo("M83\nG28\nG1 X13 Y12 Z2 F600\nG1 X23 E1\nG28 X\nG1 X8 E1.6\n"));
         Assert.That(Edit(Text, t => t.Remove(new MoveFilter { Kinds = [MoveKind.Travel] })), Does.Contain("G28 X\n"));
     }
@@ -89,7 +93,8 @@ public class SpliceStateTests
         const string Text = "M83\nG1 X1 Y1 Z1 F600\nG1 X5 E1\nG1 E-2\nG1 X9\nG1 E2\nG1 X20 E1\n";
         static Toolpath Tooled(Toolpath t) => t.Insert(3, new ToolEvent(1));
         var edited = Tooled(Decode(Text).Toolpath);
-        Assert.That(edited.Moves().Select(m => m.Kind), Is.EqualTo(new[] { MoveKind.Travel, MoveKind.Print, MoveKind.Retract, MoveKind.Travel, MoveKind.Prime, MoveKind.Print }));
+        Assert.That(edited.Moves().Select(m => m.Kind),
+            Is.EqualTo(new[] { MoveKind.Travel, MoveKind.Print, MoveKind.Retract, MoveKind.Travel, MoveKind.Prime, MoveKind.Print }));
         Assert.That(edited.Tools, Has.Count.EqualTo(2));
         Assert.That(Decode(Edit(Text, Tooled)).Toolpath.Moves().Select(m => (m.Kind, m.Tool)), Is.EqualTo(edited.Moves().Select(m => (m.Kind, m.Tool))));
     }
@@ -102,7 +107,8 @@ public class SpliceStateTests
         Assert.That(Said(GCodeWriter.ToBytes(toolpath, new GCodeFormat { Dialect = DialectTable.Bfb, Comments = false })), Is.EqualTo(
             "G90\nG0 X1 Y1 Z1 F600\nM101\nG1 X5\nG1 X9\nM103\nG0 X20\nM101\nG1 X30\nM103\n"));
         Assert.That(SetupFormat.Of(new PrintSetup(), toolpath).Diagnostics.Select(d => d.Code), Does.Contain("gcode.no_amounts"));
-        Assert.That(GCodeConverter.ToDocument(Decode(Text, "bfb"), new ConvertOptions { Dialect = DialectTable.Marlin2 }).Diagnostics.Single().Code, Is.EqualTo("gcode.no_amounts"));
+        Assert.That(GCodeConverter.ToDocument(Decode(Text, "bfb"), new ConvertOptions { Dialect = DialectTable.Marlin2 }).Diagnostics.Single().Code,
+            Is.EqualTo("gcode.no_amounts"));
     }
 
     [TestCase("grbl", "gcode.no_extruder", "G0 X1 Y1 Z1 F600\nG1 X5\nG0 X20\nG1 X30\n")]
@@ -125,7 +131,8 @@ public class SpliceStateTests
     [Test]
     public void Fans_speak_in_the_scale_of_the_target()
     {
-        Assert.That(Convert("M106 S0.5\nM106 S255\n", "reprapfirmware", new ConvertOptions { Dialect = DialectTable.Marlin2 }), Is.EqualTo("M106 S128\nM106 S255\n"));
+        Assert.That(Convert("M106 S0.5\nM106 S255\n", "reprapfirmware", new ConvertOptions { Dialect = DialectTable.Marlin2 }),
+            Is.EqualTo("M106 S128\nM106 S255\n"));
         Assert.That(Convert("M106 S1 ; low\n", "marlin2", new ConvertOptions { Dialect = DialectTable.RepRapFirmware }), Is.EqualTo("M106 S0.004 ; low\n"));
     }
 
@@ -135,7 +142,8 @@ public class SpliceStateTests
         const string Text = "M83\nG1 X1 Y1 Z1 F600\nG1 X5 E1\n; filament_diameter = 1.75\n; use_volumetric_e = 0\n";
         var text = Convert(Text, "marlin2", new ConvertOptions { Volumetric = true });
         Assert.That(text, Does.Contain("M200 D1.75\nG1 X5 E2.40528\n").And.Contain("; use_volumetric_e = 1\n"));
-        Assert.That(Convert(text, "marlin2", new ConvertOptions { Volumetric = false }), Does.Contain("G1 X5 E1\n").And.Contain("; use_volumetric_e = 0\n").And.Not.Contain("M200"));
+        Assert.That(Convert(text, "marlin2", new ConvertOptions { Volumetric = false }),
+            Does.Contain("G1 X5 E1\n").And.Contain("; use_volumetric_e = 0\n").And.Not.Contain("M200"));
         var unknown = GCodeConverter.ToDocument(Decode("M83\nG1 X1 Y1 E1\n"), new ConvertOptions { Dialect = DialectTable.Ultigcode });
         Assert.That(unknown.Diagnostics.Single(d => d.Severity == Severity.Error).Code, Is.EqualTo("gcode.diameter_unknown"));
     }
@@ -143,7 +151,8 @@ public class SpliceStateTests
     [Test]
     public void Decimals_can_be_limited_and_what_rounding_leaves_of_E_is_carried_on()
     {
-        var text = Convert("M83\nG1 X1.2345 Y1 Z1 F600.4\nG1 X5 E.0006\nG1 X9 E.0006\nG1 X12 E.0006\n", "marlin2", new ConvertOptions { DecimalsXyz = 2, DecimalsE = 3, DecimalsF = 0 });
+        var text = Convert("M83\nG1 X1.2345 Y1 Z1 F600.4\nG1 X5 E.0006\nG1 X9 E.0006\nG1 X12 E.0006\n", "marlin2",
+            new ConvertOptions { DecimalsXyz = 2, DecimalsE = 3, DecimalsF = 0 });
         Assert.That(text, Is.EqualTo("M83\nG1 X1.23 Y1 Z1 F600\nG1 X5 E.001\nG1 X9 E0\nG1 X12 E.001\n"));
     }
 
@@ -168,7 +177,8 @@ public class SpliceStateTests
     public void Numbered_lines_may_be_extended_commands()
         => Assert.That(Decode("N1 PAUSE*80\nG1 X1\n", "klipper").Toolpath.Events.Single().Event, Is.EqualTo(new PauseEvent()));
 
-    private static string Convert(string text, string dialect, ConvertOptions options) => Said(GCodeConverter.ToDocument(Decode(text, dialect), options).Value!.ToBytes());
+    private static string Convert(string text, string dialect, ConvertOptions options)
+        => Said(GCodeConverter.ToDocument(Decode(text, dialect), options).Value!.ToBytes());
 
     private static string Edit(string text, Func<Toolpath, Toolpath> edit)
     {
@@ -176,9 +186,11 @@ public class SpliceStateTests
         return Said(GCodeEditor.ToDocument(decoding, edit(decoding.Toolpath)).Value!.ToBytes());
     }
 
-    private static string Written(string text, Func<Toolpath, Toolpath> edit) => Said(GCodeWriter.ToBytes(edit(Decode(text).Toolpath), new GCodeFormat { Comments = false }));
+    private static string Written(string text, Func<Toolpath, Toolpath> edit)
+        => Said(GCodeWriter.ToBytes(edit(Decode(text).Toolpath), new GCodeFormat { Comments = false }));
 
     private static string Said(byte[] bytes) => Encoding.ASCII.GetString(bytes);
 
-    private static DecodedGCode Decode(string text, string dialect = "marlin2") => GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Find(dialect) }).Value!;
+    private static DecodedGCode Decode(string text, string dialect = "marlin2")
+        => GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Find(dialect) }).Value!;
 }

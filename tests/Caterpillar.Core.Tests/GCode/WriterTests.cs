@@ -68,7 +68,8 @@ public class WriterTests
         var builder = new ToolpathBuilder(MoveSource.Steps, null);
         PrinterEvent[] events =
         [
-            new HomeEvent(), new NozzleTemperatureEvent(215), new NozzleTemperatureEvent(210.5, true, 1), new BedTemperatureEvent(60, true), new FanEvent(1), new FanEvent(0),
+            new HomeEvent(), new NozzleTemperatureEvent(215), new NozzleTemperatureEvent(210.5, true, 1), new BedTemperatureEvent(60, true), new FanEvent(1),
+                new FanEvent(0),
             new AccelerationEvent(800), new PauseEvent(), new DwellEvent(1.5),
         ];
         builder.Add(new Vec3(1, 0, 0.3), 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
@@ -105,7 +106,8 @@ public class WriterTests
         foreach (var line in text.Split('\n').Where(l => l.Length > 0))
         {
             var star = line.IndexOf('*');
-            Assert.That(line.Substring(0, star).Aggregate(0, (sum, c) => sum ^ c), Is.EqualTo(int.Parse(line.Substring(star + 1), System.Globalization.CultureInfo.InvariantCulture)));
+            Assert.That(line.Substring(0, star).Aggregate(0, (sum, c) => sum ^ c),
+                Is.EqualTo(int.Parse(line.Substring(star + 1), System.Globalization.CultureInfo.InvariantCulture)));
         }
     }
 

@@ -28,7 +28,8 @@ public class MeshHeightsTests
         var random = new Random(61);
         for (var round = 0; round < 20; round++)
         {
-            var points = Enumerable.Range(0, 60).Select(_ => new Vec3(random.NextDouble() * 20, random.NextDouble() * (round % 2 == 0 ? 20 : 0.1), random.NextDouble() * 5)).ToArray();
+            var points = Enumerable.Range(0, 60)
+                .Select(_ => new Vec3(random.NextDouble() * 20, random.NextDouble() * (round % 2 == 0 ? 20 : 0.1), random.NextDouble() * 5)).ToArray();
             var mesh = TriMesh.Create(points, Enumerable.Range(0, 90).Select(_ => random.Next(60)).ToArray());
             var heights = new MeshHeights(mesh);
             for (var i = 0; i < 100; i++)

@@ -9,7 +9,8 @@ public class RegionLineTests
 {
     private static readonly Region Ring = Region.Rectangle(0, 0, 30, 30).Subtract(Region.Rectangle(10, 10, 20, 20));
 
-    private static Polyline Line(params double[] xyz) => new(Enumerable.Range(0, xyz.Length / 3).Select(i => new Vec3(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2])));
+    private static Polyline Line(params double[] xyz)
+        => new(Enumerable.Range(0, xyz.Length / 3).Select(i => new Vec3(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2])));
 
     [Test]
     public void A_line_through_a_hole_gives_its_parts_with_their_heights()
@@ -62,12 +63,14 @@ public class RegionLineTests
         for (var k = 0; k < 60; k++)
         {
             var region = Region.From(RegionReference.Star(random, 50, 0, 0, 3, 10));
-            var lines = Enumerable.Range(0, 20).Select(_ => RegionReference.Random(random, 6, 22)).Select(p => new Polyline(p.Points.Select(q => q - new Vec3(11, 11)))).ToArray();
+            var lines = Enumerable.Range(0, 20).Select(_ => RegionReference.Random(random, 6, 22))
+                .Select(p => new Polyline(p.Points.Select(q => q - new Vec3(11, 11)))).ToArray();
             var inside = region.ClipLines(lines);
             var outside = region.ClipLines(lines, outside: true);
             Assert.That(inside.Sum(p => p.Length) + outside.Sum(p => p.Length), Is.EqualTo(lines.Sum(p => p.Length)).Within(1e-6));
             foreach (var p in inside.Where(p => p.Length > 1e-3)) Assert.That(region.Contains(Vec3.Lerp(p[0], p[1], 0.5).X, Vec3.Lerp(p[0], p[1], 0.5).Y));
-            foreach (var p in outside.Where(p => p.Length > 1e-3)) Assert.That(region.Contains(Vec3.Lerp(p[0], p[1], 0.5).X, Vec3.Lerp(p[0], p[1], 0.5).Y), Is.False);
+            foreach (var p in outside.Where(p => p.Length > 1e-3)) Assert.That(region.Contains(Vec3.Lerp(p[0], p[1], 0.5).X, Vec3.Lerp(p[0], p[1], 0.5).Y),
+                Is.False);
         }
     }
 

@@ -239,7 +239,8 @@ public class RegionOffsetTests
                 var simple = region.Simplified(tolerance);
                 RegionReference.AssertValid(simple);
                 Assert.That(simple.VertexCount, Is.LessThanOrEqualTo(region.VertexCount));
-                var turned = Region.From(region.Contours.Select(c => new Polyline(c.Points.Skip(77).Concat(c.Points.Take(77)), closed: true))).Simplified(tolerance);
+                var turned = Region.From(region.Contours.Select(c => new Polyline(c.Points.Skip(77).Concat(c.Points.Take(77)), closed: true)))
+                    .Simplified(tolerance);
                 Assert.That(turned.Xor(simple).IsEmpty, "it depends on where the contour begins");
                 foreach (var p in region.Contours[0].Points)
                 {

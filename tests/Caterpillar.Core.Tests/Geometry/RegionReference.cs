@@ -64,7 +64,8 @@ internal static class RegionReference
     }
 
     /// <summary>
-    /// An offset without an offset curve: the region and, added or taken away, a rectangle at every edge and the join at every corner that turns away, each a polygon of its own.
+    /// An offset without an offset curve: the region and, added or taken away, a rectangle at every edge and the join at every corner that turns away, each a
+    /// polygon of its own.
     /// </summary>
     public static Region OffsetBySweeping(Region region, double d, JoinStyle join, double miterLimit)
     {

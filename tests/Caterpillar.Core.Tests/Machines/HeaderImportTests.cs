@@ -87,7 +87,8 @@ public class HeaderImportTests
         var lines = Render(Import(Ender, Footer, out _), p => p.StartTemplate);
         Assert.That(lines, Is.EqualTo(new[]
         {
-            "; start of the Ender", "G90", "M83 ; relative E", "M190 S60", "M109 S205", "G28", "G92 E0", "G1 Z2.0 F3000", "G1 X0.1 Y20 Z0.3 F5000", "G1 X0.1 Y200 F1500 E15", "G1 X0.4 Y200",
+            "; start of the Ender", "G90", "M83 ; relative E", "M190 S60", "M109 S205", "G28", "G92 E0", "G1 Z2.0 F3000", "G1 X0.1 Y20 Z0.3 F5000",
+                "G1 X0.1 Y200 F1500 E15", "G1 X0.4 Y200",
             "G1 X0.4 Y20 E30", "; invalid: G1 0 0 .3", "; invalid: F300 E3", "G1 X100 Y100 Z0.1", "G91",
         }));
     }
@@ -118,7 +119,8 @@ public class HeaderImportTests
     public void The_footer_states_the_modes_that_it_relies_on_and_stays_in_the_machine()
     {
         var found = Import(Ender, Footer, out var problems);
-        Assert.That(Render(found, p => p.EndTemplate).Take(3), Is.EqualTo(new[] { "G91 ; as the header leaves it", "M83 ; as the header leaves it", "G1 E-3" }));
+        Assert.That(Render(found, p => p.EndTemplate).Take(3),
+            Is.EqualTo(new[] { "G91 ; as the header leaves it", "M83 ; as the header leaves it", "G1 E-3" }));
         Assert.That(Render(found, p => p.EndTemplate, 20), Does.Contain("G1 Z100 F5000"));
         Assert.That(Render(found, p => p.EndTemplate, 200), Does.Contain("G1 Z45 F5000"));
         Assert.That(problems.Select(p => p.Code), Does.Contain("header.lift"));
@@ -158,7 +160,8 @@ public class HeaderImportTests
     [Test]
     public void Macros_texts_and_flags_are_no_mistakes()
     {
-        var found = Import("START_PRINT BED=60 EXTRUDER=210\nM117 Hello, 5 words {x}\nG28 X Y\nM84 X Y E\nN5 G1 X5*33\n(note) G1 X{x}\nM98 P\"start.g\"\nG4 S5", "", out var problems);
+        var found = Import("START_PRINT BED=60 EXTRUDER=210\nM117 Hello, 5 words {x}\nG28 X Y\nM84 X Y E\nN5 G1 X5*33\n(note) G1 X{x}\nM98 P\"start.g\"\nG4 S5",
+            "", out var problems);
         Assert.That(problems.Where(p => p.Severity != Severity.Remark), Is.Empty);
         Assert.That(Render(found, p => p.StartTemplate)[0], Is.EqualTo("START_PRINT BED=60 EXTRUDER=210"));
     }

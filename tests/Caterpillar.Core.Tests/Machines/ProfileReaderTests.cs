@@ -115,7 +115,8 @@ public class ProfileReaderTests
     [Test]
     public void What_is_written_is_read_again()
     {
-        var printer = new Printer { Name = "x", RetractionDistance = 0.123456789012345, HeadBoxes = new ValueList<Bounds>(new Bounds(Vec3.Zero, new Vec3(1, 2, 3))), StartTemplate = new ValueList<string>("M117 \"ü\" \\ {{") };
+        var printer = new Printer { Name = "x", RetractionDistance = 0.123456789012345,
+            HeadBoxes = new ValueList<Bounds>(new Bounds(Vec3.Zero, new Vec3(1, 2, 3))), StartTemplate = new ValueList<string>("M117 \"ü\" \\ {{") };
         Assert.That(ProfileReader.ReadPrinter(ProfileWriter.Write(printer), "f", "x").Value, Is.EqualTo(printer));
         var material = new Material { Name = "m", FilamentDiameter = 2.85, CostPerKg = 1e-7 };
         Assert.That(ProfileReader.ReadMaterial(ProfileWriter.Write(material), "f", "m").Value, Is.EqualTo(material));
@@ -127,7 +128,8 @@ public class ProfileReaderTests
     public void Changed_bytes_never_throw()
     {
         var random = new Random(11);
-        var text = ProfileWriter.Write(new Printer { StartTemplate = new ValueList<string>("G28", "{if bed_temperature_c > 0}M190 S{bed_temperature_c}{endif}") });
+        var text = ProfileWriter.Write(new Printer { StartTemplate =
+            new ValueList<string>("G28", "{if bed_temperature_c > 0}M190 S{bed_temperature_c}{endif}") });
         for (var i = 0; i < 3000; i++)
         {
             var chars = text.ToCharArray();

@@ -30,7 +30,8 @@ public class ProfileSchemaTests
     {
         var profile = JObject.Parse(File.ReadAllText(Path.Combine(Folder, file)));
         var named = Path.GetFullPath(Path.Combine(Folder, Path.GetDirectoryName(file)!, (string)profile["$schema"]!));
-        var kind = file.StartsWith("materials/", StringComparison.Ordinal) ? "material" : file.StartsWith("settings/", StringComparison.Ordinal) ? "settings" : "printer";
+        var kind = file.StartsWith("materials/", StringComparison.Ordinal) ? "material" : file.StartsWith("settings/", StringComparison.Ordinal) ? "settings"
+            : "printer";
         Assert.That(Path.GetFileName(named), Is.EqualTo(kind + ".schema.json"));
         Assert.That(Problems(profile, JObject.Parse(Schema(kind)), file), Is.Empty);
     }
@@ -69,7 +70,8 @@ public class ProfileSchemaTests
         static int Properties(Type type) => type.GetProperties().Count(p => p.CanWrite && p.Name != "Name");
     }
 
-    private static string Schema(string kind) => kind switch { "printer" => ProfileSchema.Printer, "material" => ProfileSchema.Material, _ => ProfileSchema.Settings };
+    private static string Schema(string kind)
+        => kind switch { "printer" => ProfileSchema.Printer, "material" => ProfileSchema.Material, _ => ProfileSchema.Settings };
 
     private static void Current(string file, string expected)
     {

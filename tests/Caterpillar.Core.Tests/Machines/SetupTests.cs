@@ -28,7 +28,8 @@ public class SetupTests
     [Test]
     public void Values_of_all_three_profiles_are_set_by_their_keys()
     {
-        var setup = new PrintSetup().With("layer_height_mm=0.3", "bed_temperature_c=0", "build_volume_mm=300,310,400", "bead_shape = circle", "sort_paths=no", "end_template=M104 S0\\nM84").Value!;
+        var setup = new PrintSetup().With("layer_height_mm=0.3", "bed_temperature_c=0", "build_volume_mm=300,310,400", "bead_shape = circle", "sort_paths=no",
+            "end_template=M104 S0\\nM84").Value!;
         Assert.That(setup.Settings.LayerHeight, Is.EqualTo(0.3));
         Assert.That(setup.Material.BedTemperature, Is.Zero);
         Assert.That(setup.Printer.BuildVolume, Is.EqualTo(new Vec3(300, 310, 400)));
@@ -70,7 +71,8 @@ public class SetupTests
         Assert.That((mine.Name, mine.Title, mine.NozzleDiameter, mine.Dialect), Is.EqualTo(("mine", "Mine", 0.6, DialectTable.Marlin1)));
         Assert.That(mine.StartTemplate, Is.Not.Empty);
         var setup = library.Setup("mine", "wood", null, ["layer_height_mm=0.28"]).Value!;
-        Assert.That((setup.Material.NozzleTemperature, setup.Material.BedTemperature, setup.Settings.Name, setup.Settings.LayerHeight), Is.EqualTo((190.0, 60.0, "standard", 0.28)));
+        Assert.That((setup.Material.NozzleTemperature, setup.Material.BedTemperature, setup.Settings.Name, setup.Settings.LayerHeight),
+            Is.EqualTo((190.0, 60.0, "standard", 0.28)));
     }
 
     [Test]

@@ -45,7 +45,8 @@ public class ShippedProfileTests
     {
         var setup = Library.Setup().Value!;
         var plain = new PrintSetup();
-        Assert.That(setup.Printer with { StartTemplate = ValueList<string>.Empty, EndTemplate = ValueList<string>.Empty, Title = plain.Printer.Title }, Is.EqualTo(plain.Printer));
+        Assert.That(setup.Printer with { StartTemplate = ValueList<string>.Empty, EndTemplate = ValueList<string>.Empty, Title = plain.Printer.Title },
+            Is.EqualTo(plain.Printer));
         Assert.That(setup.Settings with { Title = plain.Settings.Title }, Is.EqualTo(plain.Settings));
     }
 

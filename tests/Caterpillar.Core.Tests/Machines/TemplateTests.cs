@@ -35,7 +35,8 @@ public class TemplateTests
     public void The_first_branch_that_holds_is_taken(double bed, string expected)
     {
         var setup = Pla with { Material = Pla.Material with { BedTemperature = bed } };
-        string[] template = ["{if bed_temperature_c == 0}", "cold", "{elsif bed_temperature_c < 80}", "warm", "{elsif bed_temperature_c < 100 and bed_max_x_mm > 0}", "hot", "{else}", "very hot", "{endif}"];
+        string[] template = ["{if bed_temperature_c == 0}", "cold", "{elsif bed_temperature_c < 80}", "warm",
+            "{elsif bed_temperature_c < 100 and bed_max_x_mm > 0}", "hot", "{else}", "very hot", "{endif}"];
         Assert.That(Render(setup, template), Is.EqualTo(new[] { expected }));
     }
 
@@ -43,13 +44,15 @@ public class TemplateTests
     public void Branches_nest_and_stand_inside_lines()
     {
         Assert.That(Render(Pla, "A{if bed_temperature_c > 0}B{if nozzle_temperature_c > 300}C{else}D{endif}{endif}E"), Is.EqualTo(new[] { "ABDE" }));
-        Assert.That(Render(Pla, "{if nozzle_temperature_c > 300}", "{if bed_temperature_c > 0}", "x", "{else}", "y", "{endif}", "{else}", "z", "{endif}"), Is.EqualTo(new[] { "z" }));
+        Assert.That(Render(Pla, "{if nozzle_temperature_c > 300}", "{if bed_temperature_c > 0}", "x", "{else}", "y", "{endif}", "{else}", "z", "{endif}"),
+            Is.EqualTo(new[] { "z" }));
         Assert.That(Render(Pla, "{if nozzle_temperature_c > 300}M104{endif}", "G28"), Is.EqualTo(new[] { "G28" }));
     }
 
     [Test]
     public void Arithmetic_is_written_with_up_to_five_decimals()
-        => Assert.That(Render(Pla, "G1 X{bed_max_x_mm / 3} Y{-bed_min_y_mm} Z{min(1000, bed_max_z_mm)} E{1 / 3}"), Is.EqualTo(new[] { "G1 X73.33333 Y0 Z250 E0.33333" }));
+        => Assert.That(Render(Pla, "G1 X{bed_max_x_mm / 3} Y{-bed_min_y_mm} Z{min(1000, bed_max_z_mm)} E{1 / 3}"),
+            Is.EqualTo(new[] { "G1 X73.33333 Y0 Z250 E0.33333" }));
 
     [Test]
     public void Doubled_braces_are_braces_of_the_text()
@@ -59,7 +62,8 @@ public class TemplateTests
     public void The_first_layer_may_have_its_own_temperature()
     {
         Assert.That(Render(Pla, "{start_nozzle_temperature_c}").Single(), Is.EqualTo("205"));
-        Assert.That(Render(Pla with { Material = Pla.Material with { FirstLayerNozzleTemperature = 215 } }, "{start_nozzle_temperature_c}").Single(), Is.EqualTo("215"));
+        Assert.That(Render(Pla with { Material = Pla.Material with { FirstLayerNozzleTemperature = 215 } }, "{start_nozzle_temperature_c}").Single(),
+            Is.EqualTo("215"));
     }
 
     [TestCase("G1 X{", 1, 5)]
@@ -79,7 +83,8 @@ public class TemplateTests
         var result = Template.Parse(template.Split('|'), new SourceLocation("p.json", Key: "start_template"));
         Assert.That(result.Value, Is.Null);
         var error = result.Diagnostics[0];
-        Assert.That((error.Source!.Line, error.Source.Column, error.Source.File, error.Source.Key), Is.EqualTo((line, column, "p.json", "start_template")), error.ToString());
+        Assert.That((error.Source!.Line, error.Source.Column, error.Source.File, error.Source.Key), Is.EqualTo((line, column, "p.json", "start_template")),
+            error.ToString());
     }
 
     [Test]
@@ -89,9 +94,11 @@ public class TemplateTests
     [Test]
     public void What_is_not_known_yet_is_an_error()
     {
-        var result = Template.Parse(["{layer_count}", "{if print_max_z_mm > 3}a{endif}", "{1 / (nozzle_temperature_c - 205)}"]).Value!.Render(TemplateValues.Of(Pla));
+        var result = Template.Parse(["{layer_count}", "{if print_max_z_mm > 3}a{endif}", "{1 / (nozzle_temperature_c - 205)}"])
+            .Value!.Render(TemplateValues.Of(Pla));
         Assert.That(result.Value, Is.Null);
-        Assert.That(result.Diagnostics.Select(d => (d.Code, d.Source!.Line)), Is.EqualTo(new[] { ("template.no_value", (int?)1), ("template.no_value", 2), ("template.not_finite", 3) }));
+        Assert.That(result.Diagnostics.Select(d => (d.Code, d.Source!.Line)),
+            Is.EqualTo(new[] { ("template.no_value", (int?)1), ("template.no_value", 2), ("template.not_finite", 3) }));
     }
 
     [Test]
@@ -130,7 +137,8 @@ public class TemplateTests
         string[] pieces = ["{", "}", "{if ", "{elsif ", "{else}", "{endif}", "1", "bed_temperature_c", ">", "(", " ", "G1", "x", "{{", "}}", "\t", "ü", "\0"];
         for (var i = 0; i < 3000; i++)
         {
-            var lines = Enumerable.Range(0, random.Next(4)).Select(_ => string.Concat(Enumerable.Range(0, random.Next(10)).Select(_ => pieces[random.Next(pieces.Length)]))).ToArray();
+            var lines = Enumerable.Range(0, random.Next(4))
+                .Select(_ => string.Concat(Enumerable.Range(0, random.Next(10)).Select(_ => pieces[random.Next(pieces.Length)]))).ToArray();
             var template = Template.Parse(lines);
             Assert.That(template.Value is null, Is.EqualTo(template.Diagnostics.Count > 0));
             template.Value?.Render(TemplateValues.Of(Pla));

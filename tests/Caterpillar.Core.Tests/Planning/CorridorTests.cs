@@ -64,15 +64,18 @@ public class CorridorTests
     public void Combing_goes_straight_inside_the_part_and_lifts_over_everything_else()
     {
         // A U of 30 x 20 mm: its arms are 10 mm wide.
-        var u = Region.From(new Polyline([new Vec3(0, 0), new Vec3(30, 0), new Vec3(30, 20), new Vec3(20, 20), new Vec3(20, 10), new Vec3(10, 10), new Vec3(10, 20), new Vec3(0, 20)], closed: true));
+        var u = Region.From(new Polyline([new Vec3(0, 0), new Vec3(30, 0), new Vec3(30, 20), new Vec3(20, 20), new Vec3(20, 10), new Vec3(10, 10),
+            new Vec3(10, 20), new Vec3(0, 20)], closed: true));
         var rules = Rules with { Lift = LiftRule.Highest, MinRetractTravel = 2, Comb = true };
         PathStep In(Region? region, PrintPath path) => new(path) { Region = region };
         Step[] steps =
         [
-            In(u, Line(1, 5, 5, 5, 0.2)), In(u, Line(25, 5, 25, 15, 0.2)), In(u, Line(5, 15, 5, 10, 0.2)), In(u, Line(5, 5, 1, 5, 0.4)), In(null, Line(4, 2, 8, 2, 0.4)),
+            In(u, Line(1, 5, 5, 5, 0.2)), In(u, Line(25, 5, 25, 15, 0.2)), In(u, Line(5, 15, 5, 10, 0.2)), In(u, Line(5, 5, 1, 5, 0.4)),
+                In(null, Line(4, 2, 8, 2, 0.4)),
         ];
         var plan = PlanningTests.Plan(steps, rules, new PlanOptions { Start = new Vec3(1, 5, 0.2) });
-        Assert.That(PlanningTests.Text(plan.Toolpath).Take(4), Is.EqualTo(new[] { "Print 5,5,0.2 1 50", "Travel 25,5,0.2 0 150", "Print 25,15,0.2 2.5 50", "Retract 25,15,0.2 -1 40" }));
+        Assert.That(PlanningTests.Text(plan.Toolpath).Take(4),
+            Is.EqualTo(new[] { "Print 5,5,0.2 1 50", "Travel 25,5,0.2 0 150", "Print 25,15,0.2 2.5 50", "Retract 25,15,0.2 -1 40" }));
         Assert.That((plan.Report.Combed, plan.Report.Lifts, plan.Report.Retractions), Is.EqualTo((1, 3, 3)));
         Assert.That(PlanningTests.Plan(steps, rules with { Comb = false }).Report.Combed, Is.Zero);
     }
@@ -91,7 +94,8 @@ public class CorridorTests
                 var b = a + new Vec3(random.NextDouble() * 20 - 10, random.NextDouble() * 20 - 10, random.Next(3) == 0 ? random.NextDouble() * 4 : 0);
                 steps.Add(new PrintPath([a, b], new Bead(0.04 + random.NextDouble() * 0.2, 0.3)));
             }
-            var plan = PlanningTests.Plan(steps, Rules with { Detour = round % 2 == 0, Head = new HeadCorridor(0.1 + random.NextDouble()) }, new PlanOptions { Start = new Vec3(0, 0, 50) });
+            var plan = PlanningTests.Plan(steps, Rules with { Detour = round % 2 == 0, Head = new HeadCorridor(0.1 + random.NextDouble()) },
+                new PlanOptions { Start = new Vec3(0, 0, 50) });
             AssertClear(plan.Toolpath, 0.05);
             lifts += plan.Report.CorridorLifts;
             detours += plan.Report.Detours;

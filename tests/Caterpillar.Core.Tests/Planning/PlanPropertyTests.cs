@@ -17,7 +17,8 @@ public class PlanPropertyTests
     {
         foreach (var (steps, rules, random) in Designs(60))
         {
-            var plan = PlanningTests.Plan(steps, rules with { StartDistance = 0, StopDistance = 0, Tools = Array.ConvertAll(rules.Tools, t => t with { ExtraE = 0 }) });
+            var plan = PlanningTests.Plan(steps,
+                rules with { StartDistance = 0, StopDistance = 0, Tools = Array.ConvertAll(rules.Tools, t => t with { ExtraE = 0 }) });
             for (var tool = 0; tool < rules.Tools.Length; tool++)
             {
                 var expected = steps.OfType<PathStep>().Where(p => p.Path.Tool == tool).Sum(p => p.Path.Volume) / rules.Tools[tool].VolumePerE!.Value;
@@ -71,7 +72,8 @@ public class PlanPropertyTests
         {
             var toolpath = PlanningTests.Plan(steps, rules with { StopDistance = 0 }).Toolpath;
             var printed = toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => Key(m.Start, m.End)).OrderBy(k => k).ToArray();
-            var drawn = steps.OfType<PathStep>().SelectMany(p => Enumerable.Range(0, p.Path.SegmentCount).Select(i => Key(p.Path.Points[i], p.Path.EndOf(i)))).OrderBy(k => k).ToArray();
+            var drawn = steps.OfType<PathStep>().SelectMany(p => Enumerable.Range(0, p.Path.SegmentCount).Select(i => Key(p.Path.Points[i], p.Path.EndOf(i))))
+                .OrderBy(k => k).ToArray();
             Assert.That(printed, Is.EqualTo(drawn));
         }
 
@@ -100,7 +102,8 @@ public class PlanPropertyTests
         foreach (var (steps, rules, _) in Designs(40))
         {
             var top = double.NegativeInfinity;
-            foreach (var move in PlanningTests.Plan(steps.Where(s => s is PathStep).ToList(), rules with { Lift = LiftRule.Highest, MinLiftTravel = 0, StopDistance = 0 }).Toolpath.Moves())
+            foreach (var move in PlanningTests.Plan(steps.Where(s => s is PathStep).ToList(),
+                rules with { Lift = LiftRule.Highest, MinLiftTravel = 0, StopDistance = 0 }).Toolpath.Moves())
             {
                 if (move.Kind == MoveKind.Print) top = Math.Max(top, Math.Max(move.Start.Z, move.End.Z));
                 if (move.Kind == MoveKind.Travel && (move.End - move.Start).LengthXY > 1e-9)

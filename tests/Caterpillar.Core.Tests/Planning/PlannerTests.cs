@@ -46,7 +46,8 @@ public class PlannerTests
     public void Volumetric_E_and_pens()
     {
         Step[] steps = [Line(0, 0, 0.2, 0), Line(20, 0, 0.2, 0)];
-        var volumetric = Planner.Plan(steps, new PrintSetup(Printer with { ExtrusionUnit = ExtrusionUnit.Mm3 }, new Material { FilamentDiameter = 2 }, Settings), From0).Value!;
+        var volumetric = Planner.Plan(steps,
+            new PrintSetup(Printer with { ExtrusionUnit = ExtrusionUnit.Mm3 }, new Material { FilamentDiameter = 2 }, Settings), From0).Value!;
         Assert.That(volumetric.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.E), Is.All.EqualTo(4).Within(1e-12));
         Assert.That(volumetric.Moves().Single(m => m.Kind == MoveKind.Retract).E, Is.EqualTo(-2 * Math.PI).Within(1e-12));
         var pen = Planner.Plan(steps, new PrintSetup(Printer with { ExtrusionUnit = ExtrusionUnit.None }, new Material(), Settings), From0).Value!;
@@ -90,7 +91,8 @@ public class PlannerTests
     [Test]
     public void The_head_s_outline_becomes_rings_at_the_height_of_their_inner_edge()
     {
-        Assert.That(HeadCorridor.Rings([(0.5, 0.0), (4.5, 8.0), (20, 8.0)]), Is.EqualTo(new[] { (0.5, 0.0), (1.5, 0.0), (2.5, 2.0), (3.5, 4.0), (4.5, 6.0), (20, 8.0) }));
+        Assert.That(HeadCorridor.Rings([(0.5, 0.0), (4.5, 8.0), (20, 8.0)]),
+            Is.EqualTo(new[] { (0.5, 0.0), (1.5, 0.0), (2.5, 2.0), (3.5, 4.0), (4.5, 6.0), (20, 8.0) }));
     }
 
     [Test]

@@ -50,7 +50,8 @@ public class PlanningTests
     [Test]
     public void As_drawn_adds_nothing()
     {
-        Assert.That(Moves([Line(0, 0, 10, 0, 0), Line(10, 10, 0, 10, 0.2)], Rules with { Policy = PlanPolicy.AsDrawn, WipeDistance = 2, StartDistance = 1, StopDistance = 1 }),
+        Assert.That(Moves([Line(0, 0, 10, 0, 0), Line(10, 10, 0, 10, 0.2)],
+            Rules with { Policy = PlanPolicy.AsDrawn, WipeDistance = 2, StartDistance = 1, StopDistance = 1 }),
             Is.EqualTo(new[] { "Print 10,0,0 2.5 50", "Travel 10,10,0.2 0 150", "Print 0,10,0.2 2.5 50" }));
     }
 
@@ -95,7 +96,8 @@ public class PlanningTests
         var plan = Plan(steps, Rules);
         Assert.That(Text(plan.Toolpath), Is.EqualTo(new[]
         {
-            "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Travel 11,0,0 0 150", "Travel 11,5,0 0 33", "Travel 12,5,0 0 33", "Restore 12,5,0 1 30", "Print 20,5,0 2 50",
+            "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Travel 11,0,0 0 150", "Travel 11,5,0 0 33", "Travel 12,5,0 0 33", "Restore 12,5,0 1 30",
+                "Print 20,5,0 2 50",
         }));
         Assert.That((plan.Report.DrawnTravels, plan.Report.Travels, plan.Report.Retractions, plan.Report.Restores), Is.EqualTo((2, 0, 1, 1)));
         Assert.That(Moves([Line(0, 0, 10, 0, 0), new TravelStep(new Vec3(10, 1)), Line(10, 1, 20, 1, 0)]), Has.None.StartsWith("Retract"));
@@ -106,7 +108,8 @@ public class PlanningTests
     {
         Assert.That(Moves([Line(0, 0, 10, 0, 0), new TravelStep(new Vec3(10, 0, 1)), Line(20, 0, 30, 0, 0)]), Is.EqualTo(new[]
         {
-            "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Travel 10,0,1 0 150", "Travel 10,0,1.5 0 10", "Travel 20,0,1.5 0 150", "Travel 20,0,0 0 10", "Restore 20,0,0 1 30",
+            "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Travel 10,0,1 0 150", "Travel 10,0,1.5 0 10", "Travel 20,0,1.5 0 150", "Travel 20,0,0 0 10",
+                "Restore 20,0,0 1 30",
             "Print 30,0,0 2.5 50",
         }));
     }
@@ -168,8 +171,10 @@ public class PlanningTests
         var toolpath = Plan(steps, Rules with { NozzleTemperature = 200, Fan = 1 }).Toolpath;
         Assert.That(toolpath.Events, Is.EqualTo(new MoveEvent[]
         {
-            new(0, new FanEvent(1)), new(1, new NozzleTemperatureEvent(230)), new(1, new FanEvent(0)), new(3, new NozzleTemperatureEvent(200)), new(3, new FanEvent(1)),
-            new(4, new FanEvent(0.5)), new(4, new NozzleTemperatureEvent(230)), new(4, new FanEvent(0)), new(5, new NozzleTemperatureEvent(200)), new(5, new FanEvent(0.5)),
+            new(0, new FanEvent(1)), new(1, new NozzleTemperatureEvent(230)), new(1, new FanEvent(0)), new(3, new NozzleTemperatureEvent(200)),
+                new(3, new FanEvent(1)),
+            new(4, new FanEvent(0.5)), new(4, new NozzleTemperatureEvent(230)), new(4, new FanEvent(0)), new(5, new NozzleTemperatureEvent(200)),
+                new(5, new FanEvent(0.5)),
         }));
     }
 
@@ -205,7 +210,8 @@ public class PlanningTests
     {
         var rules = Rules with { WipeDistance = 3, Lift = LiftRule.None };
         var bent = new PrintPath([new Vec3(0, 0), new Vec3(10, 0), new Vec3(10, 1)], new Bead(0.5));
-        Assert.That(Moves([bent, Line(30, 0, 40, 0, 0)], rules).Skip(2).Take(3), Is.EqualTo(new[] { "Wipe 10,0,0 -0.33333 120", "Wipe 8,0,0 -0.66667 120", "Travel 30,0,0 0 150" }));
+        Assert.That(Moves([bent, Line(30, 0, 40, 0, 0)], rules).Skip(2).Take(3),
+            Is.EqualTo(new[] { "Wipe 10,0,0 -0.33333 120", "Wipe 8,0,0 -0.66667 120", "Travel 30,0,0 0 150" }));
         var loop = new PrintPath([new Vec3(0, 0), new Vec3(2, 0), new Vec3(2, 9)], new Bead(0.5), closed: true);
         Assert.That(Moves([loop, Line(30, 0, 40, 0, 0)], rules).Skip(3).Take(2), Is.EqualTo(new[] { "Wipe 2,0,0 -0.66667 120", "Wipe 2,1,0 -0.33333 120" }));
     }

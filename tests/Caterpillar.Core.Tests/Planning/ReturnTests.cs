@@ -18,7 +18,8 @@ public class ReturnTests
     {
         Step[] steps = [Path(0, 0, 0, 10, 0, 5), Return(0, 0, 0), Path(0, 0, 0, 0, 10, 5)];
         var plan = PlanningTests.Plan(steps, Rules);
-        Assert.That(PlanningTests.Text(plan.Toolpath).Skip(1).Take(4), Is.EqualTo(new[] { "Retract 10,0,5 -1 40", "Travel 0,0,5 0 150", "Travel 0,0,0 0 10", "Restore 0,0,0 1 30" }));
+        Assert.That(PlanningTests.Text(plan.Toolpath).Skip(1).Take(4),
+            Is.EqualTo(new[] { "Retract 10,0,5 -1 40", "Travel 0,0,5 0 150", "Travel 0,0,0 0 10", "Restore 0,0,0 1 30" }));
         Assert.That((plan.Report.ReturnsOver, plan.Report.ReturnsAlong, plan.Report.BlockedReturns), Is.EqualTo((1, 0, 0)));
     }
 
@@ -29,7 +30,8 @@ public class ReturnTests
         Step[] steps = [Path(4, -2, 30, 4, 2, 30), new TravelStep([new Vec3(0, 0, 30), new Vec3(0, 0, 0)]), branch, Return(0, 0, 0), Path(0, 0, 0, -5, 0, 0)];
         var plan = PlanningTests.Plan(steps, Rules with { MinRetractTravel = 1000 }, new PlanOptions { Start = new Vec3(4, -2, 30) });
         Assert.That((plan.Report.ReturnsOver, plan.Report.ReturnsAlong, plan.Report.BlockedReturns), Is.EqualTo((0, 1, 0)));
-        Assert.That(PlanningTests.Text(plan.Toolpath).Skip(6), Is.EqualTo(new[] { "Travel 8,6,0 0 150", "Travel 0,6,0 0 150", "Travel 0,0,0 0 150", "Print -5,0,0 1.25 50" }));
+        Assert.That(PlanningTests.Text(plan.Toolpath).Skip(6),
+            Is.EqualTo(new[] { "Travel 8,6,0 0 150", "Travel 0,6,0 0 150", "Travel 0,0,0 0 150", "Print -5,0,0 1.25 50" }));
         // A strand across the branch closes the way along.
         steps = [.. steps.Take(1), Path(1, 6, 20, 1, 7, 20), .. steps.Skip(1)];
         Assert.That(PlanningTests.Plan(steps, Rules).Report.ReturnsOver, Is.EqualTo(1));
@@ -41,7 +43,8 @@ public class ReturnTests
         Step[] steps = [Path(0, 0, 0, 10, 0, 0), new TravelStep(new Vec3(0, -5, 2)), Path(0, -5, 2, 0, 5, 2), Return(0, 0, 0)];
         var result = PlanRun.Run(steps, Rules, new PlanOptions { Start = Vec3.Zero }, null, default);
         Assert.That(result.Value!.Report.BlockedReturns, Is.EqualTo(1));
-        Assert.That(result.Diagnostics.Single(), Has.Property("Code").EqualTo("plan.blocked_return").And.Property("Source").EqualTo(new SourceLocation(Step: 3)));
+        Assert.That(result.Diagnostics.Single(),
+            Has.Property("Code").EqualTo("plan.blocked_return").And.Property("Source").EqualTo(new SourceLocation(Step: 3)));
     }
 
     [Test]
@@ -92,7 +95,8 @@ public class ReturnTests
         steps.Add(Return(at.X, at.Y, at.Z));
     }
 
-    private static PrintPath Path(double x0, double y0, double z0, double x1, double y1, double z1) => new([new Vec3(x0, y0, z0), new Vec3(x1, y1, z1)], new Bead(0.5));
+    private static PrintPath Path(double x0, double y0, double z0, double x1, double y1, double z1)
+        => new([new Vec3(x0, y0, z0), new Vec3(x1, y1, z1)], new Bead(0.5));
 
     private static TravelStep Return(double x, double y, double z) => new(new Vec3(x, y, z), 0, TravelIntent.Return);
 }

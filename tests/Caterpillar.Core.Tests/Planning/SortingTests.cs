@@ -43,7 +43,8 @@ public class SortingTests
     [Test]
     public void Loops_of_many_vertices_still_begin_at_the_nearest()
     {
-        var circle = new PrintPath(Enumerable.Range(0, 1000).Select(i => new Vec3(100 + 50 * Math.Cos(i * 0.00628), 50 * Math.Sin(i * 0.00628))), Bead, closed: true);
+        var circle = new PrintPath(Enumerable.Range(0, 1000).Select(i => new Vec3(100 + 50 * Math.Cos(i * 0.00628), 50 * Math.Sin(i * 0.00628))), Bead,
+            closed: true);
         PrintPath[] paths = [Line(0, 0, 10, 20), circle];
         var vertex = PathSorter.Order(paths)[1].Vertex;
         var nearest = Enumerable.Range(0, 1000).OrderBy(i => circle.Points[i].DistanceTo(new Vec3(10, 20))).First();
@@ -217,7 +218,8 @@ public class SortingTests
 
     private static PrintPath Line(double x0, double y0, double x1, double y1) => new([new Vec3(x0, y0), new Vec3(x1, y1)], Bead);
 
-    private static PrintPath Loop(params double[] xy) => new(Enumerable.Range(0, xy.Length / 2).Select(i => new Vec3(xy[2 * i], xy[2 * i + 1])), Bead, closed: true);
+    private static PrintPath Loop(params double[] xy)
+        => new(Enumerable.Range(0, xy.Length / 2).Select(i => new Vec3(xy[2 * i], xy[2 * i + 1])), Bead, closed: true);
 
     internal static PrintPath[] Random(int count, Random random)
     {

@@ -38,7 +38,8 @@ public class StepOrderTests
     [Test]
     public void Islands_below_zero_lead()
     {
-        Step[] steps = [Path(0, 1, new StepGroup(0, 0)), Path(90, 91, new StepGroup(0, -1)), Path(99, 100, new StepGroup(0, -2)), Path(80, 81, new StepGroup(0, 1))];
+        Step[] steps = [Path(0, 1, new StepGroup(0, 0)), Path(90, 91, new StepGroup(0, -1)), Path(99, 100, new StepGroup(0, -2)),
+            Path(80, 81, new StepGroup(0, 1))];
         Assert.That(StepOrder.Find(steps, new SortOptions(Start: Vec3.Zero), null, default).Select(o => o.Source), Is.EqualTo(new[] { 2, 1, 3, 0 }));
     }
 

@@ -52,7 +52,8 @@ public class DeformationTests
     public void The_identity_changes_nothing_but_rounding()
     {
         var random = new Random(5);
-        var path = new PrintPath(Enumerable.Range(0, 50).Select(_ => new Vec3(random.NextDouble() * 40 - 20, random.NextDouble() * 40 - 20, random.NextDouble())), new Bead(1));
+        var path = new PrintPath(Enumerable.Range(0, 50)
+            .Select(_ => new Vec3(random.NextDouble() * 40 - 20, random.NextDouble() * 40 - 20, random.NextDouble())), new Bead(1));
         var same = Deformation.Cylindrical(p => p, axis: new Vec3(3, 4)).Apply([path], 0.01).Value!.Single();
         Assert.That(same.Length, Is.EqualTo(path.Length).Within(1e-9));
         Assert.That(same.Volume, Is.EqualTo(path.Volume).Within(1e-9));

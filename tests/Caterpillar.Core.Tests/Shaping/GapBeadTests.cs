@@ -102,7 +102,8 @@ public class GapBeadTests
     public void A_helix_starts_thin_and_then_lies_on_its_own_last_turn()
     {
         // Two turns of radius 10 with a pitch of 0.4 mm.
-        var helix = new PrintPath([new Vec3(10, 0, 0), new Vec3(10, 0, 0.4), new Vec3(10, 0, 0.8)], [Bead, Bead], false, [new Arc(Vec3.Zero, 360), new Arc(Vec3.Zero, 360)]);
+        var helix = new PrintPath([new Vec3(10, 0, 0), new Vec3(10, 0, 0.4), new Vec3(10, 0, 0.8)], [Bead, Bead], false,
+            [new Arc(Vec3.Zero, 360), new Arc(Vec3.Zero, 360)]);
         var path = Apply(Gap, helix).Single();
         Assert.That(path.HasArcs, Is.True);
         var length = 0.0;
@@ -122,7 +123,8 @@ public class GapBeadTests
     [Test]
     public void Closed_paths_stay_closed_and_strokes_stay_strokes()
     {
-        var square = new PrintPath([new Vec3(0, 0, 0.3), new Vec3(9, 0, 0.3), new Vec3(9, 9, 0.3), new Vec3(0, 9, 0.3)], Bead, closed: true) { Name = "square" };
+        var square = new PrintPath([new Vec3(0, 0, 0.3), new Vec3(9, 0, 0.3), new Vec3(9, 9, 0.3), new Vec3(0, 9, 0.3)], Bead,
+            closed: true) { Name = "square" };
         var path = Apply(Gap, square).Single();
         Assert.That((path.IsClosed, path.SegmentCount, path.Name), Is.EqualTo((true, 4, "square")));
         Assert.That(path.Points, Is.EqualTo(square.Points));

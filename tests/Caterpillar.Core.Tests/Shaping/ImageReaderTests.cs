@@ -71,11 +71,23 @@ public class ImageReaderTests
     private static readonly object[] ForeignImages =
     [
         // 4-bit gray, interlaced
-        new object[] { "iVBORw0KGgoAAAANSUhEUgAAAAMAAAADBAAAAAHBtDf0AAAAFUlEQVR4nGNgYFBgyGcQYChgMAkAAAedAZT+slCVAAAAAElFTkSuQmCC", new double[] { 0.0, 0.06666666666666667, 0.13333333333333333, 0.2, 0.26666666666666666, 0.3333333333333333, 0.4, 0.4666666666666667, 1.0 } },
+        new object[] { "iVBORw0KGgoAAAANSUhEUgAAAAMAAAADBAAAAAHBtDf0AAAAFUlEQVR4nGNgYFBgyGcQYChgMAkAAAedAZT+slCVAAAAAElFTkSuQmCC",
+            new double[] { 0.0, 0.06666666666666667, 0.13333333333333333, 0.2, 0.26666666666666666, 0.3333333333333333, 0.4, 0.4666666666666667, 1.0 } },
         // palette of 2 bits with transparency
-        new object[] { "iVBORw0KGgoAAAANSUhEUgAAAAMAAAACAgMAAADgGo6JAAAADFBMVEUAAAD/////AAAAAAAsH9zHAAAABHRSTlP///8AQCqp9AAAAAxJREFUeJxjkGA4AgABEADdEeUPIgAAAABJRU5ErkJggg==", new double[] { 0, 1, 0.2126, 1, 0, 1 } },
+        new object[]
+        {
+            "iVBORw0KGgoAAAANSUhEUgAAAAMAAAACAgMAAADgGo6JAAAADFBMVEUAAAD/////AAAAAAAsH9zHAAAABHRSTlP///8AQCqp9AAAAAxJREFUeJ"
+                + "xjkGA4AgABEADdEeUPIgAAAABJRU5ErkJggg==",
+            new double[] { 0, 1, 0.2126, 1, 0, 1 },
+        },
         // 16-bit gray with alpha and the filters sub, up, average and Paeth
-        new object[] { "iVBORw0KGgoAAAANSUhEUgAAAAMAAAAEEAQAAACxtJHPAAAAOklEQVR4nGNkYPgPBAwMjYwMDEzMLxgYOC4yMHTvYGRkfvmmocF7BwOD6Z6GBhYxaQYGxgygEl8GBgCzXw5EU5IOAgAAAABJRU5ErkJggg==", new double[] { 0.0, 1.0, 0.500007629511, 0.015259021897, 0.030518043793, 1.0, 0.915541313802, 0.762951094835, 0.610360875868, 0.001876859693, 0.006958113985, 0.012039368276 } },
+        new object[]
+        {
+            "iVBORw0KGgoAAAANSUhEUgAAAAMAAAAEEAQAAACxtJHPAAAAOklEQVR4nGNkYPgPBAwMjYwMDEzMLxgYOC4yMHTvYGRkfvmmocF7BwOD6Z6GBh"
+                + "YxaQYGxgygEl8GBgCzXw5EU5IOAgAAAABJRU5ErkJggg==",
+            new double[] { 0.0, 1.0, 0.500007629511, 0.015259021897, 0.030518043793, 1.0,
+                0.915541313802, 0.762951094835, 0.610360875868, 0.001876859693, 0.006958113985, 0.012039368276 },
+        },
     ];
 
     private static GrayImage Read(string text) => ImageReader.Read(Encoding.ASCII.GetBytes(text), "a.pgm").Value!;

@@ -30,7 +30,8 @@ public class ModulationTests
     [Test]
     public void Flow_changes_at_a_constant_speed_and_a_mask_limits_it()
     {
-        var modulation = new Modulation(ModulationMode.Flow, Fields.Constant(1), 1, 1.5) { Resolution = 2, Mask = Fields.Inside(new Bounds(new Vec3(-1, -1, -1), new Vec3(10, 1, 1))) };
+        var modulation = new Modulation(ModulationMode.Flow, Fields.Constant(1), 1, 1.5) { Resolution = 2,
+            Mask = Fields.Inside(new Bounds(new Vec3(-1, -1, -1), new Vec3(10, 1, 1))) };
         var path = modulation.Apply([Line]).Value!.Single();
         Assert.That(Enumerable.Range(0, 5).Select(i => path.BeadOf(i).Area), Is.All.EqualTo(0.6).Within(1e-12));
         Assert.That(Enumerable.Range(5, 5).Select(i => path.BeadOf(i)), Is.All.EqualTo(new Bead(0.4, 0.2, 30)));
@@ -63,7 +64,8 @@ public class ModulationTests
     {
         var field = Fields.Image(TwoHalves, ImageMappings.Plan(Vec3.Zero, 20, 20));
         Assert.That(new Modulation(ModulationMode.Speed, field, 1, 0.6) { Resolution = 1 }.Apply([Line]).Diagnostics, Is.Empty);
-        Assert.That(new Modulation(ModulationMode.Speed, field, 1, 0.5) { Resolution = 1 }.Apply([Line]).Diagnostics.Single().Code, Is.EqualTo("shape.modulation_ratio"));
+        Assert.That(new Modulation(ModulationMode.Speed, field, 1, 0.5) { Resolution = 1 }.Apply([Line]).Diagnostics.Single().Code,
+            Is.EqualTo("shape.modulation_ratio"));
     }
 
     [Test]

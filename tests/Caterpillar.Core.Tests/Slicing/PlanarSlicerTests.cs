@@ -14,7 +14,8 @@ public class PlanarSlicerTests
 {
     private static readonly PrintSettings Plain = new()
     {
-        LayerHeight = 0.2, FirstLayerHeight = 0.2, LineWidth = 0.4, BeadShape = BeadShape.Rectangle, WallCount = 2, InfillPercent = 20, InfillAngle = 0, InfillOverlapPercent = 15,
+        LayerHeight = 0.2, FirstLayerHeight = 0.2, LineWidth = 0.4, BeadShape = BeadShape.Rectangle, WallCount = 2, InfillPercent = 20, InfillAngle = 0,
+            InfillOverlapPercent = 15,
         SimplifyTolerance = 0, SkirtLoops = 0,
     };
 
@@ -155,7 +156,8 @@ public class PlanarSlicerTests
     {
         using var source = new System.Threading.CancellationTokenSource();
         source.Cancel();
-        Assert.That(() => PlanarSlicer.Slice([new NamedMesh("a", Block(0, 0, 0, 10, 10, 10))], Plain, cancel: source.Token), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(() => PlanarSlicer.Slice([new NamedMesh("a", Block(0, 0, 0, 10, 10, 10))], Plain, cancel: source.Token),
+            Throws.InstanceOf<OperationCanceledException>());
     }
 
     private static SliceResult Slice(PrintSettings settings, params TriMesh[] meshes)

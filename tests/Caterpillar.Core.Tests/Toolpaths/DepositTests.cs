@@ -63,7 +63,8 @@ public class DepositTests
     public void Paths_add_the_strands_of_their_segments_and_arcs()
     {
         var deposit = new Deposit();
-        deposit.Add(new PrintPath([new Vec3(10, 0, 1), new Vec3(-10, 0, 1), new Vec3(-10, -20, 1)], [new Bead(0.1, 0.2), new Bead(0)], false, [new Arc(Vec3.Zero, 180), null]));
+        deposit.Add(new PrintPath([new Vec3(10, 0, 1), new Vec3(-10, 0, 1), new Vec3(-10, -20, 1)], [new Bead(0.1, 0.2), new Bead(0)], false,
+            [new Arc(Vec3.Zero, 180), null]));
         Assert.That(deposit.TopUnder(new Vec3(0, 10), 5), Is.EqualTo(1));
         Assert.That(deposit.TopUnder(new Vec3(0, 9.7), 5), Is.EqualTo(double.NegativeInfinity));
         Assert.That(deposit.TopUnder(new Vec3(-10, -10), 5), Is.EqualTo(double.NegativeInfinity), "a stroke without material");
@@ -208,7 +209,8 @@ public class DepositTests
         for (var i = 0; i < count; i++)
         {
             var a = Point(random);
-            var b = random.Next(10) == 0 ? a.WithZ(random.Next(4)) : random.Next(3) == 0 ? Point(random) : a + new Vec3(random.NextDouble() * 6 - 3, random.NextDouble() * 6 - 3);
+            var b = random.Next(10) == 0 ? a.WithZ(random.Next(4)) : random.Next(3) == 0 ? Point(random)
+                : a + new Vec3(random.NextDouble() * 6 - 3, random.NextDouble() * 6 - 3);
             strands.Add((a, b, random.NextDouble()));
         }
         return strands;

@@ -90,10 +90,12 @@ public class PathArcsTests
                 {
                     Assert.That(path.BeadOf(k), Is.EqualTo(fitted.BeadOf(i)));
                     var (p, q) = (path.Points[k] - arc.Center, path.EndOf(k) - arc.Center);
-                    // At the vertices and the middles, where it is tested, the tolerance holds; between them the flat of a chord may lie a little nearer to the center.
+                    // At the vertices and the middles, where it is tested, the tolerance holds; between them the flat of a chord may lie a little nearer to the
+                    // center.
                     Assert.That(Math.Abs(q.LengthXY - radius), Is.LessThan(tolerance + 1e-9));
                     Assert.That(Math.Abs((0.5 * (p + q)).LengthXY - radius), Is.LessThan(tolerance + 1e-9));
-                    for (var share = 0.125; share < 1; share += 0.125) Assert.That(Math.Abs((p + (q - p) * share).LengthXY - radius), Is.LessThan(tolerance * 1.2));
+                    for (var share = 0.125; share < 1; share += 0.125) Assert.That(Math.Abs((p + (q - p) * share).LengthXY - radius),
+                        Is.LessThan(tolerance * 1.2));
                     turned += Angle.Atan2(p.X * q.Y - p.Y * q.X, p.X * q.X + p.Y * q.Y);
                     var height = fitted.Points[i].Z + (fitted.EndOf(i).Z - fitted.Points[i].Z) * turned / arc.Sweep;
                     Assert.That(Math.Abs(height - path.EndOf(k).Z), Is.LessThan(tolerance + 1e-9));

@@ -14,7 +14,8 @@ namespace Caterpillar.Tests.Toolpaths;
 public class ToolpathMappingTests
 {
     private const string TwoLayers =
-        "G21\nG90\nM83\nG1 X0 Y-3 E5 F600\n;LAYER:0\nG0 X0 Y0 Z0.2 F6000\nG1 X40 E2 F1200\nG3 X40 Y20 I0 J10 E1\nG1 E-1 F2400\n;LAYER:1\nG0 X0 Y0 Z0.4 F6000\nG1 E1 F2400\nG1 X40 E2 F1200\nG1 Y20 E1\n";
+        "G21\nG90\nM83\nG1 X0 Y-3 E5 F600\n;LAYER:0\nG0 X0 Y0 Z0.2 F6000\nG1 X40 E2 F1200\nG3 X40 Y20 I0 J10 E1\nG1 E-1 F2400\n;LAYER:1\nG0 X0 Y0 Z0.4 "
+            + "F6000\nG1 E1 F2400\nG1 X40 E2 F1200\nG1 Y20 E1\n";
 
     private static readonly MoveFilter Layers = new() { FirstLayer = 0 };
 
@@ -55,7 +56,8 @@ public class ToolpathMappingTests
         var after = before.Transformed(new MoveFilter { Kinds = [MoveKind.Print] }, Affine.Move(new Vec3(3, 4)));
         Assert.That(after.Moves().Select(m => m.End), Is.EqualTo(new[]
         {
-            new Vec3(0, 0, 0.2), new Vec3(13, 14, 0.2), new Vec3(13, 14, 0.2), new Vec3(23, 14, 0.2), new Vec3(23, 14, 0.2), new Vec3(23, 14, 5), new Vec3(0, 200, 5),
+            new Vec3(0, 0, 0.2), new Vec3(13, 14, 0.2), new Vec3(13, 14, 0.2), new Vec3(23, 14, 0.2), new Vec3(23, 14, 0.2), new Vec3(23, 14, 5),
+                new Vec3(0, 200, 5),
         }));
         Assert.That(after.Moves().Select(m => m.Kind), Is.EqualTo(before.Moves().Select(m => m.Kind)));
     }
@@ -105,7 +107,9 @@ public class ToolpathMappingTests
     public void Angles_run_on_along_strands()
     {
         // Three quarters of a circle in chords, whose angle is halved: three eighths, without a jump at 180°.
-        var text = "G90\nM83\n;LAYER:0\nG0 X10 Y0 Z0.2 F6000\n" + string.Concat(Enumerable.Range(1, 27).Select(i => FormattableString.Invariant($"G1 X{10 * Math.Cos(i * Math.PI / 18)} Y{10 * Math.Sin(i * Math.PI / 18)} E1\n")));
+        var text = "G90\nM83\n;LAYER:0\nG0 X10 Y0 Z0.2 F6000\n"
+            + string.Concat(Enumerable.Range(1, 27)
+            .Select(i => FormattableString.Invariant($"G1 X{10 * Math.Cos(i * Math.PI / 18)} Y{10 * Math.Sin(i * Math.PI / 18)} E1\n")));
         var half = DeformationText.Compile("r, theta / 2, z", null, null, DeformationSystem.Cylindrical).Value!;
         var after = Decode(text).Deform(Layers, half).Value!;
         var end = after[after.Count - 1].End;

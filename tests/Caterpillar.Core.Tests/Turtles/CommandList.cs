@@ -14,7 +14,8 @@ internal static class CommandList
 {
     public static IEnumerable<string[]> Read(string file)
     {
-        using var stream = file.EndsWith(".gz", StringComparison.Ordinal) ? new GZipStream(File.OpenRead(file), CompressionMode.Decompress) : (Stream)File.OpenRead(file);
+        using var stream = file.EndsWith(".gz", StringComparison.Ordinal) ? new GZipStream(File.OpenRead(file), CompressionMode.Decompress)
+            : (Stream)File.OpenRead(file);
         using var reader = new StreamReader(stream);
         while (reader.ReadLine() is { } line)
         {
@@ -87,7 +88,8 @@ internal static class CommandList
                 if (move.Length > 1e-9) totals.TravelMoves++;
             }
         }
-        (totals.PrintLength, totals.TravelLength, totals.EPrint, totals.EExtrude, totals.PrintTime) = (printLength.Value, travelLength.Value, ePrint.Value, eExtrude.Value, time.Value);
+        (totals.PrintLength, totals.TravelLength, totals.EPrint, totals.EExtrude, totals.PrintTime) = (printLength.Value, travelLength.Value, ePrint.Value,
+            eExtrude.Value, time.Value);
         return totals;
     }
 

@@ -24,7 +24,8 @@ internal sealed class ExampleTests
 
     private static string Folder => Path.Combine(TestData.Repository, "examples", "turtle");
 
-    public static IEnumerable<string> Names => Directory.GetFiles(Folder, "*.turtle").Select(f => Path.GetFileNameWithoutExtension(f)!).OrderBy(n => n, StringComparer.Ordinal);
+    public static IEnumerable<string> Names
+        => Directory.GetFiles(Folder, "*.turtle").Select(f => Path.GetFileNameWithoutExtension(f)!).OrderBy(n => n, StringComparer.Ordinal);
 
     public static Turtle Run(string name, int seed = 0)
     {
@@ -57,12 +58,16 @@ internal sealed class ExampleTests
         ["tall_bumpy_star"] = Of(50 * 7, At(2 + 50 * 0.6), 50 * 7 * 50 * 0.2),
         // Heights of x and -x cancel; a step is sqrt(1 + climb²) long.
         ["nonplanar_star"] = Of(30 * 7 * 51, At(0.15 + 30 * 0.15), 0.05 * 7 * Sum(0, 29, l => Sum(-25, 25, x => Hypot(1, l / 30 * (x / 25) * 0.3)))),
-        ["nonplanar_column"] = Of(100 * 100, At(0.25 + 100 * 0.25), 0.05 * Sum(0, 99, l => Sum(0, 99, k => Hypot(40 * Math.PI / 100, 18 * Math.Min(l / 20, 1) * Sin(10.8 * k) / 100)))),
+        ["nonplanar_column"] = Of(100 * 100, At(0.25 + 100 * 0.25),
+            0.05 * Sum(0, 99, l => Sum(0, 99, k => Hypot(40 * Math.PI / 100, 18 * Math.Min(l / 20, 1) * Sin(10.8 * k) / 100)))),
         // The circles close; what remains is the way of the spiral, whose first step has no length.
         ["nonplanar_vase"] = Of(3999 + 200 * 100, Walk(0.5 + 200 * 0.25, 0, 3999, k => k * 0.005 * 2 * Math.PI / 100, -3.6),
-            0.05 * (0.005 * 2 * Math.PI / 100 * 3999 * 4000 / 2 + Sum(0, 199, l => Sum(0, 99, k => Hypot(2 * Math.PI * VaseRadius(l) / 100, 18 * Math.Min(l / 20, 1) * Sin(10.8 * k) / 100))))),
-        ["nonplanar_bump"] = Of(10 * 2400, At(0.15 + 20 * 0.15), 0.05 * 2 * Sum(0, 9, l => 1200 * 1201 / 2.0 / 60 * Hypot(2 * Math.PI / 30, l / 10 * 12 / 23980))),
-        ["spiral"] = Of(6000, Walk(0.2, 0, 5999, k => (30 - 0.005 * k) * 2 * Math.PI / 100, -3.6), 0.05 * 2 * Math.PI / 100 * (30 * 6000 - 0.005 * 5999 * 6000 / 2)),
+            0.05 * (0.005 * 2 * Math.PI / 100 * 3999 * 4000 / 2
+                + Sum(0, 199, l => Sum(0, 99, k => Hypot(2 * Math.PI * VaseRadius(l) / 100, 18 * Math.Min(l / 20, 1) * Sin(10.8 * k) / 100))))),
+        ["nonplanar_bump"] = Of(10 * 2400, At(0.15 + 20 * 0.15),
+            0.05 * 2 * Sum(0, 9, l => 1200 * 1201 / 2.0 / 60 * Hypot(2 * Math.PI / 30, l / 10 * 12 / 23980))),
+        ["spiral"] = Of(6000, Walk(0.2, 0, 5999, k => (30 - 0.005 * k) * 2 * Math.PI / 100, -3.6),
+            0.05 * 2 * Math.PI / 100 * (30 * 6000 - 0.005 * 5999 * 6000 / 2)),
         // The 66 · 8 chords go 8 times through all n from 1 to 66; the sum of sin(n π / N) is cot(π / 2N).
         ["cardioid"] = Of(66 * (67 + 8), At(0.3 + 66 * 0.3), 0.07 * 66 * 67 * 50 * Sin(180 / 67.0) + 0.03 * 8 * 50 / Math.Tan(Math.PI / 134)),
         ["not_a_cardioid"] = Of(78 * (79 + 10), At(0.3 + 78 * 0.3), 0.07 * 78 * 79 * 50 * Sin(180 / 79.0) + 0.03 * 10 * 50 / Math.Tan(Math.PI / 158)),
@@ -70,13 +75,17 @@ internal sealed class ExampleTests
         ["dreamcatcher"] = new Recipe(Is.EqualTo(50 * 101), null, 0.3 + 50 * 0.3, null),
         ["koch_snowflake"] = Of(40 * 3 * 1024, At(0.3 + 40 * 0.3), 40 * 3 * 1024 * 50 / 243.0 * 0.05),
         // 3 · 4^g sides of four moves; in the first layer of a generation two of them have no length. A side's moves are side + gap long.
-        ["evolving_snowflake"] = Of(4 * 3 * 85 * 40 - 2 * 3 * 85, At(0.3 + 160 * 0.3), 0.05 * Sum(0, 3, g => 3 * Math.Pow(4, g) * Sum(0, 39, l => 50 / Math.Pow(3, g) * (1 + l / 40 / 3)))),
+        ["evolving_snowflake"] = Of(4 * 3 * 85 * 40 - 2 * 3 * 85, At(0.3 + 160 * 0.3),
+            0.05 * Sum(0, 3, g => 3 * Math.Pow(4, g) * Sum(0, 39, l => 50 / Math.Pow(3, g) * (1 + l / 40 / 3)))),
         ["hilbert"] = Of(20 * 1023, new Vec3(60, 60, 0.3 + 20 * 0.3), 20 * 1023 * 2 * 0.05),
-        ["pine_tree"] = Of(1600 + 60 * 20, Walk(0.2 + 650 * 0.05, 0, 1599, PineBase, -9), 0.05 * (Sum(0, 1599, PineBase) + 20 * Sum(0, 59, l => 15 * (1 - l / 60))) + 650 * 0.1),
+        ["pine_tree"] = Of(1600 + 60 * 20, Walk(0.2 + 650 * 0.05, 0, 1599, PineBase, -9),
+            0.05 * (Sum(0, 1599, PineBase) + 20 * Sum(0, 59, l => 15 * (1 - l / 60))) + 650 * 0.1),
         ["palm_tree"] = Of(1600 + 59 * 20, PalmEnd(), 0.06 * (Sum(0, 1599, PineBase) + 20 * Sum(0, 59, l => 20 * Math.Pow(l / 60, 4))) + 650 * 0.1),
         // Bumps of two moves of 1 mm, as many as there are more segments than sides.
-        ["braille_bumps"] = Random(Is.InRange(2500 + 2 * 300, 2500 + 2 * 500).And.Matches<int>(n => n % 2 == 0), At(15.3), n => 0.03 * (2500 * 40 * Sin(3.6) + (n - 2500))),
-        ["braille_gradient"] = Random(Is.InRange(20000 + 2 * 1700, 20000 + 2 * 2300).And.Matches<int>(n => n % 2 == 0), At(30.3), n => 0.06 * (20000 * 40 * Sin(0.9) + (n - 20000))),
+        ["braille_bumps"] = Random(Is.InRange(2500 + 2 * 300, 2500 + 2 * 500).And.Matches<int>(n => n % 2 == 0), At(15.3),
+            n => 0.03 * (2500 * 40 * Sin(3.6) + (n - 2500))),
+        ["braille_gradient"] = Random(Is.InRange(20000 + 2 * 1700, 20000 + 2 * 2300).And.Matches<int>(n => n % 2 == 0), At(30.3),
+            n => 0.06 * (20000 * 40 * Sin(0.9) + (n - 20000))),
         ["braille_directed"] = Of(2500, At(15.3), 0.06 * 2500 * 40 * Sin(3.6)),
         ["braille_rule30"] = Of(3000 + 2 * Rule30(20, 3), At(18.3), 0.06 * (3000 * 40 * Sin(3.6) + 2 * Rule30(20, 3))),
         ["circle_by_chords"] = Of(360, At(2.2), 0.05 * 360 * 40 * Sin(5)),
@@ -86,7 +95,8 @@ internal sealed class ExampleTests
         ["horizontal_brush"] = Of(20 * 8 + 5 * 20, new Vec3(60, 100, 5.25), 0.05 * 20 * 96 + 0.02 * 100 * 80 + 100 * 0.3),
         ["hair_bridge"] = Of(20 * 8 + 5 * 20, At(5.25), 0.05 * 20 * 96 + 0.02 * 100 * 64),
         ["gappy_prism"] = Of(50 * 5 * 2, new Vec3(90, 90, 15.3), 0.06 * 50 * 5 * 24),
-        ["random_hourglass"] = new Recipe(Is.EqualTo(1680), null, 0.2 + 1680 * 0.2 / 7, _ => 0.04 * Sum(0, 1679, l => 10 * Math.Sqrt(12 * Math.Pow(l / 1680 - 0.5, 2) + 1)) + 1680 * 0.4),
+        ["random_hourglass"] = new Recipe(Is.EqualTo(1680), null, 0.2 + 1680 * 0.2 / 7,
+            _ => 0.04 * Sum(0, 1679, l => 10 * Math.Sqrt(12 * Math.Pow(l / 1680 - 0.5, 2) + 1)) + 1680 * 0.4),
         ["random_polygon"] = new Recipe(Is.EqualTo(420), null, 0.3 + 420 * 0.3 / 7, _ => 0.02 * 420 * 20 + 420 * 0.8),
         ["feedrate_test"] = Of(800, At(60.3), 800 * 30 * 0.05),
         ["kanada_cylinder"] = Of(1152, At(0.4 + 16 * 0.4), 1152 * Hypot(1, 0.4 / 72) * Kanada),
@@ -99,7 +109,8 @@ internal sealed class ExampleTests
         ["random_walk_wall"] = new Recipe(Is.EqualTo(20 * 120), null, 21, null),
         ["hexagonal_prism"] = Of(360, At(12.2), 360 * 15 * 0.1),
         ["prism_bottoms"] = Of((33 + 20) * 5 + 101 + 80 + 1440 + 20 * 48, new Vec3(165, 40, 4.2),
-            0.05 * (5 * Sum(0, 32, k => 24 - k * Math.Tan(Math.PI / 5)) + 100 * 24 + 51 * 25 + 50 * 0.5 + 80 * 25 + Sum(1, 1440, k => Chord(k / 96, (k - 1) / 96, 7.5)) + 20 * 48 * 30 * Sin(3.75))),
+            0.05 * (5 * Sum(0, 32, k => 24 - k * Math.Tan(Math.PI / 5)) + 100 * 24 + 51 * 25 + 50 * 0.5 + 80 * 25
+                + Sum(1, 1440, k => Chord(k / 96, (k - 1) / 96, 7.5)) + 20 * 48 * 30 * Sin(3.75))),
         ["filled_cube"] = Of(50 * (81 + 41 + 21), new Vec3(140, 110, 10), 0.05 * 50 * (41 * 20 + 20 + 21 * 20 + 20 + 11 * 20 + 20)),
         ["oscillating_circle"] = Of(40 * 360, new Vec3(130, 100, 41), 2 / Filament * Sum(0, 39, n => Sum(1, 360, k => Ring(n, k).DistanceTo(Ring(n, k - 1))))),
         ["textile_circle"] = Of(200 * 200 * 4, At(60.3), 0.01 * 40000 * (80 * Sin(0.9) + 4)),
@@ -107,7 +118,8 @@ internal sealed class ExampleTests
         ["furry_prism"] = Of(100 * 5 * 46, At(15.15), 0.05 * 100 * 5 * (25 + 30)),
         ["bumpy_prism"] = Of(50 * 6 * 5, At(10.2), 0.05 * 50 * 6 * 24),
         // Two pieces along the edge where x > 0: not in every tenth layer.
-        ["string_art_square"] = Of(50 * 11 + 45 * 2, At(0.3 + 50 * 0.9), 0.06 * 150 * (100 + 50 * Math.Sqrt(2)) + 0.03 * 5 * Sum(0, 9, i => 2 * Hypot(5 * i, 50 - 5 * i) + 10 * i)),
+        ["string_art_square"] = Of(50 * 11 + 45 * 2, At(0.3 + 50 * 0.9), 0.06 * 150 * (100 + 50 * Math.Sqrt(2))
+            + 0.03 * 5 * Sum(0, 9, i => 2 * Hypot(5 * i, 50 - 5 * i) + 10 * i)),
         ["string_art_parabola"] = Of(6 + 72, new Vec3(80, 80, 1.8),
             0.06 * 360 + 0.03 * 3 * Sum(1, 24, k => 60 * Hypot(k / 25 - (1 - k / 25) * 0.5, (1 - k / 25) * Math.Sqrt(0.75)))),
         ["rose"] = Of(20 * 720, new Vec3(130, 100, 6.3), 0.05 * 20 * Sum(1, 720, k => Rose(k).DistanceTo(Rose(k - 1)))),
@@ -135,7 +147,8 @@ internal sealed class ExampleTests
     [TestCase("hexagonal_prism", "hexagonal_prism")]
     public void Programs_draw_what_the_recorded_lists_draw(string program, string list)
     {
-        var file = TestData.Shared($"turtle/{list}.turtle.txt.gz".Replace(".gz", File.Exists(Path.Combine(TestData.Shared("turtle"), list + ".turtle.txt")) ? "" : ".gz"));
+        var file = TestData.Shared($"turtle/{list}.turtle.txt.gz".Replace(".gz", File.Exists(Path.Combine(TestData.Shared("turtle"), list + ".turtle.txt"))
+            ? "" : ".gz"));
         var ours = Prints(Run(program));
         var theirs = Prints(CommandList.Replay(file));
         Assert.That(ours, Has.Count.EqualTo(theirs.Count));
@@ -153,7 +166,8 @@ internal sealed class ExampleTests
         byte[] Write()
         {
             var plan = Planner.Plan(Run(name).ToSteps(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn });
-            Assert.That(LimitCheck.Run(plan.Value!, new PrintSetup()).Where(d => d.Code.StartsWith("bed.", StringComparison.Ordinal)), Is.Empty, "it fits on a printer");
+            Assert.That(LimitCheck.Run(plan.Value!, new PrintSetup()).Where(d => d.Code.StartsWith("bed.", StringComparison.Ordinal)), Is.Empty,
+                "it fits on a printer");
             return GCodeWriter.ToBytes(plan.Value!);
         }
         Golden.Check($"turtle/{name}.gcode", Golden.Under("de-DE", Write));
@@ -173,7 +187,8 @@ internal sealed class ExampleTests
 
     private static Recipe Of(int segments, Vec3 end, double filament) => new(Is.EqualTo(segments), end, null, _ => filament);
 
-    private static Recipe Random(NUnit.Framework.Constraints.IResolveConstraint segments, Vec3 end, Func<int, double>? filament = null) => new(segments, end, null, filament);
+    private static Recipe Random(NUnit.Framework.Constraints.IResolveConstraint segments, Vec3 end, Func<int, double>? filament = null)
+        => new(segments, end, null, filament);
 
     private static Vec3 At(double z) => new(100, 100, z);
 
@@ -222,7 +237,8 @@ internal sealed class ExampleTests
     private static Vec3 Ring(double layer, double k)
         => new((30 + 3 * Sin(12 * k)) * Sin(k + 90), (30 + 3 * Sin(12 * k)) * Sin(k), 0.6 * Math.Min(layer / 20, 1) * Sin(6 * k));
 
-    private static Vec3 Rose(double k) => new(30 * Sin(5 / 3.0 * 540 * k / 720 + 90) * Sin(540 * k / 720 + 90), 30 * Sin(5 / 3.0 * 540 * k / 720 + 90) * Sin(540 * k / 720));
+    private static Vec3 Rose(double k)
+        => new(30 * Sin(5 / 3.0 * 540 * k / 720 + 90) * Sin(540 * k / 720 + 90), 30 * Sin(5 / 3.0 * 540 * k / 720 + 90) * Sin(540 * k / 720));
 
     // Bumps: living cells of every generation, each printed in some layers. Rule 30 is left xor (middle or right).
     private static int Rule30(int generations, int layers)

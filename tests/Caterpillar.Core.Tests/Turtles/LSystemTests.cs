@@ -26,7 +26,8 @@ internal sealed class LSystemTests
         Assert.That(Word(0, "A", rules), Is.EqualTo("A"));
         Assert.That(Word(5, "A", rules), Is.EqualTo("ABAABABAABAAB"));
         // Lengths are Fibonacci numbers.
-        Assert.That(Enumerable.Range(0, 12).Select(g => System("A", rules).Grow(g).Value!.Count), Is.EqualTo(new[] { 1, 2, 3, 5, 8, 13, 21, 34, 55, 89, 144, 233 }));
+        Assert.That(Enumerable.Range(0, 12).Select(g => System("A", rules).Grow(g).Value!.Count),
+            Is.EqualTo(new[] { 1, 2, 3, 5, 8, 13, 21, 34, 55, 89, 144, 233 }));
     }
 
     [Test]

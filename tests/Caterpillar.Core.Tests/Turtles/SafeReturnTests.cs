@@ -33,8 +33,10 @@ internal sealed class SafeReturnTests
         // Where branches begin, strands of the same height lie side by side.
         Assert.That(worst, Is.LessThan(0.08));
         // The check sees what it should: straight ways back do go through strands.
-        var drawn = Planner.Plan(TurtleScript.Compile(Tree).Value!.Run().Value!.ToSteps(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn }).Value!.Moves().ToArray();
-        Assert.That(drawn.Where(m => m.Kind == MoveKind.Print).Sum(m => m.Length), Is.EqualTo(moves.Where(m => m.Kind == MoveKind.Print).Sum(m => m.Length)).Within(1e-9));
+        var drawn = Planner.Plan(TurtleScript.Compile(Tree).Value!.Run().Value!.ToSteps(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn })
+            .Value!.Moves().ToArray();
+        Assert.That(drawn.Where(m => m.Kind == MoveKind.Print).Sum(m => m.Length),
+            Is.EqualTo(moves.Where(m => m.Kind == MoveKind.Print).Sum(m => m.Length)).Within(1e-9));
         Assert.That(Worst(drawn), Is.GreaterThan(0.3));
     }
 
@@ -43,7 +45,8 @@ internal sealed class SafeReturnTests
     {
         var moves = Plan(Tree).Moves().ToArray();
         Assert.That(moves.Where(m => m.Kind is MoveKind.Retract or MoveKind.Restore).Sum(m => m.E), Is.LessThanOrEqualTo(1e-9).And.GreaterThanOrEqualTo(-5));
-        Assert.That(moves.Where(m => m.Kind == MoveKind.Print).Sum(m => m.E), Is.EqualTo(moves.Where(m => m.Kind == MoveKind.Print).Sum(m => m.Length) * 0.05).Within(1e-9));
+        Assert.That(moves.Where(m => m.Kind == MoveKind.Print).Sum(m => m.E),
+            Is.EqualTo(moves.Where(m => m.Kind == MoveKind.Print).Sum(m => m.Length) * 0.05).Within(1e-9));
     }
 
     private static double Worst(IEnumerable<Move> moves)

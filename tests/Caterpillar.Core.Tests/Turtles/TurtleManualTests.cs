@@ -36,8 +36,12 @@ internal sealed class TurtleManualTests
         example = example.Substring(0, example.IndexOf("```", StringComparison.Ordinal));
         Assert.That(TurtleScript.Compile(example).Value!.Run().Value!.Z, Is.EqualTo(12.2).Within(1e-9));
         // Every C# name of the mapping is a member.
-        var members = typeof(Turtle).GetMembers().Concat(typeof(TurtleOptions).GetMembers()).Concat(typeof(TurtleHistory).GetMembers()).Select(m => m.Name).ToArray();
-        foreach (var name in new[] { "StartAt", "ToSteps", "Forward", "Backward", "ForwardLift", "Lift", "LiftWorld", "TurnYaw", "TurnPitch", "TurnRoll", "SetHeading", "ChangeHeading", "Face", "GoTo", "PenUp", "PenDown", "SetDensity", "SetBead", "Extrude", "SetRate", "Dwell", "Pause", "NozzleTemperature", "BedTemperature", "Mix", "Tool", "Raw", "Comment", "Pose", "Yaw", "AngleUnit", "Copy", "SetState", "Push", "Pop", "Color", "Layer", "NextLayer", "Triangle", "Of", "Circle", "CircleAround", "Polygon", "SetArea", "SetSpeed", "JumpTo" })
+        var members = typeof(Turtle).GetMembers().Concat(typeof(TurtleOptions).GetMembers()).Concat(typeof(TurtleHistory).GetMembers()).Select(m => m.Name)
+            .ToArray();
+        foreach (var name in new[] { "StartAt", "ToSteps", "Forward", "Backward", "ForwardLift", "Lift", "LiftWorld", "TurnYaw", "TurnPitch", "TurnRoll",
+            "SetHeading", "ChangeHeading", "Face", "GoTo", "PenUp", "PenDown", "SetDensity", "SetBead", "Extrude", "SetRate", "Dwell", "Pause",
+            "NozzleTemperature", "BedTemperature", "Mix", "Tool", "Raw", "Comment", "Pose", "Yaw", "AngleUnit", "Copy", "SetState", "Push", "Pop", "Color",
+            "Layer", "NextLayer", "Triangle", "Of", "Circle", "CircleAround", "Polygon", "SetArea", "SetSpeed", "JumpTo" })
             Assert.That(members, Does.Contain(name));
     }
 }

@@ -142,7 +142,8 @@ internal sealed class TurtleScriptTests
     public void Texts_may_hold_formulas()
     {
         var steps = Run("let n = 3\ncomment \"layer {n + 0.5} of {2*n}\"\nraw \"M117 {n}\"\npause").ToSteps();
-        Assert.That(steps.Cast<EventStep>().Select(e => e.Event), Is.EqualTo(new PrinterEvent[] { new CommentEvent("layer 3.5 of 6"), new RawEvent("M117 3"), new PauseEvent() }));
+        Assert.That(steps.Cast<EventStep>().Select(e => e.Event),
+            Is.EqualTo(new PrinterEvent[] { new CommentEvent("layer 3.5 of 6"), new RawEvent("M117 3"), new PauseEvent() }));
     }
 
     [Test]
@@ -289,7 +290,8 @@ internal sealed class TurtleScriptTests
         using var source = new CancellationTokenSource();
         source.CancelAfter(50);
         var limits = new TurtleLimits { MaxSteps = long.MaxValue };
-        Assert.That(() => TurtleScript.Compile("while 1 [ left 1 ]").Value!.Run(limits: limits, cancel: source.Token), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(() => TurtleScript.Compile("while 1 [ left 1 ]").Value!.Run(limits: limits, cancel: source.Token),
+            Throws.InstanceOf<OperationCanceledException>());
         using var done = new CancellationTokenSource();
         done.Cancel();
         Assert.That(() => LSystem.Parse("F", ["F -> FF"]).Value!.Grow(20, cancel: done.Token), Throws.InstanceOf<OperationCanceledException>());
@@ -299,7 +301,8 @@ internal sealed class TurtleScriptTests
     public void No_text_makes_it_throw()
     {
         var random = new Random(21);
-        string[] words = ["forward", "repeat", "[", "]", "4", "x", "=", "for", "i", "to", "if", "else", "def", "f", "(", ")", "+", "-", "\n", ";", "\"F\"", "lsystem", "array", "push", "pop", "while", "let", "param", "arc", "{", "break", "return"];
+        string[] words = ["forward", "repeat", "[", "]", "4", "x", "=", "for", "i", "to", "if", "else", "def", "f", "(", ")", "+", "-", "\n", ";", "\"F\"",
+            "lsystem", "array", "push", "pop", "while", "let", "param", "arc", "{", "break", "return"];
         var limits = new TurtleLimits { MaxSteps = 2000, MaxMoves = 200, MaxDepth = 50, MaxSymbols = 100 };
         for (var i = 0; i < 4000; i++)
         {

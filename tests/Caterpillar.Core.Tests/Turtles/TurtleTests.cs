@@ -58,10 +58,14 @@ internal sealed class TurtleTests
             var again = new Turtle().SetHeading(t.Yaw, t.Pitch, t.Roll);
             Assert.That(again.Pose.X.DistanceTo(t.Pose.X) + again.Pose.Y.DistanceTo(t.Pose.Y), Is.LessThan(1e-7));
             if (Math.Abs(pitch) == 90) Assert.That(t.Roll, Is.Zero);
-            else Assert.That((t.Yaw, t.Pitch, t.Roll), Is.EqualTo((yaw, pitch, roll)).Using<(double A, double B, double C)>((p, q) => Math.Abs(p.A - q.A) + Math.Abs(p.B - q.B) + Math.Abs(p.C - q.C) < 1e-5));
+            else Assert.That((t.Yaw, t.Pitch, t.Roll),
+                Is.EqualTo((yaw, pitch, roll))
+                .Using<(double A, double B, double C)>((p, q) => Math.Abs(p.A - q.A) + Math.Abs(p.B - q.B) + Math.Abs(p.C - q.C) < 1e-5));
         }
         var straightUp = new Turtle().SetHeading(30, 90);
-        Assert.That((straightUp.Yaw, straightUp.Pitch, straightUp.Roll), Is.EqualTo((30.0, 90.0, 0.0)).Using<(double A, double B, double C)>((p, q) => Math.Abs(p.A - q.A) + Math.Abs(p.B - q.B) + Math.Abs(p.C - q.C) < 1e-12));
+        Assert.That((straightUp.Yaw, straightUp.Pitch, straightUp.Roll),
+            Is.EqualTo((30.0, 90.0, 0.0)).Using<(double A, double B, double C)>((p, q) => Math.Abs(p.A - q.A) + Math.Abs(p.B - q.B)
+            + Math.Abs(p.C - q.C) < 1e-12));
         var radians = new Turtle { AngleUnit = AngleUnit.Radians };
         radians.SetHeading(0.5, -0.25, 0.125);
         Assert.That(radians.Yaw, Is.EqualTo(0.5).Within(1e-14));
@@ -102,7 +106,8 @@ internal sealed class TurtleTests
         var random = new Random(9);
         for (var i = 0; i < 100; i++)
         {
-            var t = new Turtle().StartAt(random.NextDouble() * 100, random.NextDouble() * 100, 3).SetHeading(random.NextDouble() * 360, random.NextDouble() * 90, random.NextDouble() * 90);
+            var t = new Turtle().StartAt(random.NextDouble() * 100, random.NextDouble() * 100, 3)
+                .SetHeading(random.NextDouble() * 360, random.NextDouble() * 90, random.NextDouble() * 90);
             var pose = t.Pose;
             Assert.That(t.Circle(random.NextDouble() * 20, i).Pose, Is.EqualTo(pose));
             Assert.That(t.Arc(5, -360, 0, 7).Pose, Is.EqualTo(pose));
@@ -178,12 +183,16 @@ internal sealed class TurtleTests
     [Test]
     public void Events_stand_at_their_place()
     {
-        var t = new Turtle().NozzleTemperature(210).BedTemperature(0, wait: false).StartAt(5, 5).Extrude(2).Fan(0.5).Dwell(250).Forward(1).Pause("turn").Comment("c").Raw("M400").Mix(0.25).Acceleration(500);
+        var t = new Turtle().NozzleTemperature(210).BedTemperature(0, wait: false).StartAt(5, 5).Extrude(2).Fan(0.5).Dwell(250).Forward(1).Pause("turn")
+            .Comment("c").Raw("M400").Mix(0.25).Acceleration(500);
         Assert.That(t.ToSteps().Select(s => s is EventStep e ? e.Event.ToString() : s.GetType().Name), Is.EqualTo(new[]
         {
-            new NozzleTemperatureEvent(210, true).ToString(), new BedTemperatureEvent(0).ToString(), "TravelStep", new ExtrudeEvent(2 * FilamentArea, 1000 / 60.0).ToString(),
-            new FanEvent(0.5).ToString(), new DwellEvent(0.25).ToString(), "PathStep", new PauseEvent("turn").ToString(), new CommentEvent("c").ToString(), new RawEvent("M400").ToString(),
-            new RawEvent("M163 S0 P0.25").ToString(), new RawEvent("M163 S1 P0.75").ToString(), new RawEvent("M164 S0").ToString(), new AccelerationEvent(500).ToString(),
+            new NozzleTemperatureEvent(210, true).ToString(), new BedTemperatureEvent(0).ToString(), "TravelStep",
+                new ExtrudeEvent(2 * FilamentArea, 1000 / 60.0).ToString(),
+            new FanEvent(0.5).ToString(), new DwellEvent(0.25).ToString(), "PathStep", new PauseEvent("turn").ToString(), new CommentEvent("c").ToString(),
+                new RawEvent("M400").ToString(),
+            new RawEvent("M163 S0 P0.25").ToString(), new RawEvent("M163 S1 P0.75").ToString(), new RawEvent("M164 S0").ToString(),
+                new AccelerationEvent(500).ToString(),
         }));
         Assert.That(t.ToSteps().OfType<TravelStep>().Single().Points.Single(), Is.EqualTo(new Vec3(5, 5)), "an extrusion in place needs a place");
     }
@@ -227,9 +236,12 @@ internal sealed class TurtleTests
     {
         IEnumerable<TestDelegate> bad =
         [
-            () => new Turtle().Forward(double.NaN), () => new Turtle().Forward(double.PositiveInfinity), () => new Turtle().TurnYaw(double.NaN), () => new Turtle().SetRate(0),
-            () => new Turtle().SetDensity(-1), () => new Turtle().SetArea(double.NaN), () => new Turtle().Fan(2), () => new Turtle().Dwell(-1), () => new Turtle().Extrude(double.NaN),
-            () => new Turtle().Polygon(2, 1), () => new Turtle().Arc(-1, 90), () => new Turtle().Color(0x1000000), () => new Turtle().Tool(-1), () => new Turtle().NozzleTemperature(-5),
+            () => new Turtle().Forward(double.NaN), ()
+                => new Turtle().Forward(double.PositiveInfinity), () => new Turtle().TurnYaw(double.NaN), () => new Turtle().SetRate(0),
+            () => new Turtle().SetDensity(-1), ()
+                => new Turtle().SetArea(double.NaN), () => new Turtle().Fan(2), () => new Turtle().Dwell(-1), () => new Turtle().Extrude(double.NaN),
+            () => new Turtle().Polygon(2, 1), ()
+                => new Turtle().Arc(-1, 90), () => new Turtle().Color(0x1000000), () => new Turtle().Tool(-1), () => new Turtle().NozzleTemperature(-5),
             () => new Turtle().Layer(-1), () => new Turtle().Mix(1.5), () => new Turtle().StartAt(double.NaN, 0),
         ];
         foreach (var act in bad) Assert.That(act, Throws.InstanceOf<ArgumentException>());

@@ -11,7 +11,8 @@ namespace Caterpillar.Tests.WholeWay;
 /// <summary>The three lines of G-code that the Caterpillar paper (Zheng 2019) prints.</summary>
 public class PaperSampleTests
 {
-    private const string Sample = "G1 X65.7029 Y67.4932 Z44.1218 E0 F2160.0000\nG1 X65.7029 Y68.4932 Z40.1287 E1.3947 F2160.0000\nG1 X66.6977 Y67.4932 Z40.2310 E1.5861 F1440.0000\n";
+    private const string Sample =
+        "G1 X65.7029 Y67.4932 Z44.1218 E0 F2160.0000\nG1 X65.7029 Y68.4932 Z40.1287 E1.3947 F2160.0000\nG1 X66.6977 Y67.4932 Z40.2310 E1.5861 F1440.0000\n";
 
     [Test]
     public void By_the_rule_of_the_paper_a_move_prints_when_E_rises()
@@ -36,5 +37,6 @@ public class PaperSampleTests
     private static MoveKind[] Kinds(string text, ExtrusionRule rule) => Decode(text, rule).Select(m => m.Kind).ToArray();
 
     private static Move[] Decode(string text, ExtrusionRule rule)
-        => Caterpillar.GCode.GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2, Rule = rule }).Value!.Toolpath.Moves().ToArray();
+        => Caterpillar.GCode.GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2, Rule = rule })
+            .Value!.Toolpath.Moves().ToArray();
 }

@@ -17,7 +17,8 @@ namespace Caterpillar.Tests.WholeWay;
 public class RoundTripTests
 {
     private static readonly string[] Closed =
-        ["fandisk.stl", "spot.obj", "cheburashka.ply", "homer.stl", "plate_holes.stl", "torus.obj", "nested_boxes.obj", "overlap_boxes.stl", "tube_thin.stl", "igea.ply"];
+        ["fandisk.stl", "spot.obj", "cheburashka.ply", "homer.stl", "plate_holes.stl", "torus.obj", "nested_boxes.obj", "overlap_boxes.stl", "tube_thin.stl",
+            "igea.ply"];
 
     private static IEnumerable<TestCaseData> Cases()
     {
@@ -39,7 +40,8 @@ public class RoundTripTests
         var planned = Plan(mesh, setup);
         var written = SafeWriter.ToDocument(planned, setup);
         Assert.That(written.Diagnostics.Where(d => d.Severity == Severity.Error), Is.Empty);
-        var decoded = GCodeDecoder.Decode(written.Value!, new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter }).Value!.Toolpath;
+        var decoded = GCodeDecoder.Decode(written.Value!,
+            new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter }).Value!.Toolpath;
 
         var decimals = setup.Printer.DecimalsXyz;
         var before = Sums.Of(planned);

@@ -7,8 +7,8 @@ using Mono.Cecil;
 namespace Caterpillar.GH.Tests.Api;
 
 /// <summary>
-/// Compares assemblies with the lists of the public API. Of the stand-ins: every type, base, member, constant and enum value. Of the plug-in: every reference, every
-/// override, and that everything abstract is implemented.
+/// Compares assemblies with the lists of the public API. Of the stand-ins: every type, base, member, constant and enum value. Of the plug-in: every reference,
+/// every override, and that everything abstract is implemented.
 /// </summary>
 internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs, AllowList allow)
 {
@@ -41,7 +41,8 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
             if (type.BaseType?.FullName == "System.MulticastDelegate") continue;
             foreach (var field in type.Fields.Where(f => f.IsPublic || f.IsFamily || f.IsFamilyOrAssembly)) CheckField(type, field);
             // What overrides is checked where it is declared.
-            foreach (var method in type.Methods.Where(m => (m.IsPublic || m.IsFamily || m.IsFamilyOrAssembly) && (!m.IsVirtual || m.IsNewSlot))) CheckMethod(name, method, host);
+            foreach (var method in type.Methods.Where(m => (m.IsPublic || m.IsFamily || m.IsFamilyOrAssembly)
+                && (!m.IsVirtual || m.IsNewSlot))) CheckMethod(name, method, host);
             CheckAbstract(type, name);
         }
     }
@@ -57,7 +58,8 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
         foreach (var reference in plugin.GetMemberReferences().Where(m => IsHost(Definition(m.DeclaringType).Scope)))
         {
             if (reference is MethodReference method) CheckMethod(Canonical.Name(method.DeclaringType), Resolved(method) ?? method, plugin);
-            else if (reference is FieldReference field && field.Resolve() is null && !Known(Canonical.Name(field.DeclaringType), field.Name)) _problems.Add($"{field.FullName} does not exist.");
+            else if (reference is FieldReference field && field.Resolve() is null
+                && !Known(Canonical.Name(field.DeclaringType), field.Name)) _problems.Add($"{field.FullName} does not exist.");
         }
         foreach (var type in plugin.GetTypes().Where(t => t.IsClass)) CheckType(type);
     }
@@ -117,7 +119,8 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
     }
 
     private void CheckExact(
-        string owner, string name, string[] parameters, char access, bool isStatic, bool isPublic, MethodDefinition? definition, MethodReference method, string text)
+        string owner, string name, string[] parameters, char access, bool isStatic, bool isPublic, MethodDefinition? definition, MethodReference method,
+            string text)
     {
         var member = Line(exact, owner).SelectMany(t => t.Members).FirstOrDefault(m => m.Name == name && m.Parameters!.SequenceEqual(parameters));
         if (member is null)
@@ -132,8 +135,10 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
         if (access == 's' && !member.CanWrite) _problems.Add($"{text} can't be set.");
         if (access == 'g' && !member.CanRead) _problems.Add($"{text} can't be read.");
         var returns = access == 's' ? null : Canonical.Of(method.ReturnType);
-        if (name != "#ctor" && returns is not null && member.Returns is not null && member.Returns != returns) _problems.Add($"{text} returns {member.Returns}, not {returns}.");
-        if (definition is { IsVirtual: true, IsFinal: false, IsNewSlot: true } && !definition.DeclaringType.IsInterface && !member.IsVirtual) _problems.Add($"{text} is not virtual.");
+        if (name != "#ctor" && returns is not null && member.Returns is not null
+            && member.Returns != returns) _problems.Add($"{text} returns {member.Returns}, not {returns}.");
+        if (definition is { IsVirtual: true, IsFinal: false, IsNewSlot: true } && !definition.DeclaringType.IsInterface
+            && !member.IsVirtual) _problems.Add($"{text} is not virtual.");
     }
 
     private void CheckGrasshopper(
@@ -149,13 +154,15 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
         // A member of the documentation may have other parameters in another overload: then its types are known and must agree.
         var typed = documentedType?.Members.Where(m => m.Name == name && m.Count == parameters.Length).ToList() ?? [];
         // Implements an interface that has it.
-        if (definition is { IsFinal: true, IsVirtual: true } && definition.DeclaringType.Interfaces.Any(i => Known(Canonical.Name(i.InterfaceType), name))) return;
+        if (definition is { IsFinal: true, IsVirtual: true }
+            && definition.DeclaringType.Interfaces.Any(i => Known(Canonical.Name(i.InterfaceType), name))) return;
         if (!inDocumentation && (same.Count == 0 || typed.Count >= same.Select(m => m.Count).Count() && typed.Count > 0))
         {
             _problems.Add($"{text} does not exist.");
             return;
         }
-        if (isPublic && shown && evidence is null && same.Count == 0 && !(definition?.DeclaringType.IsInterface ?? false)) _problems.Add($"{text} is not public.");
+        if (isPublic && shown && evidence is null && same.Count == 0
+            && !(definition?.DeclaringType.IsInterface ?? false)) _problems.Add($"{text} is not public.");
         if (!isPublic && same.Count > 0 && name != "#ctor") _problems.Add($"{text} is public.");
         if (same.Count > 0 && name != "#ctor" && same.All(m => m.IsStatic != isStatic)) _problems.Add($"{text} is {(isStatic ? "not " : "")}static.");
         if (access == 's' && same.Count > 0 && same.All(m => !m.CanWrite)) _problems.Add($"{text} can't be set.");
@@ -177,13 +184,15 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
     private void CheckBases(TypeDefinition type, string name)
     {
         var list = name.StartsWith("Grasshopper.", StringComparison.Ordinal) ? stubs : exact;
-        var claimed = type.Interfaces.Select(i => i.InterfaceType).Where(i => !IsHost(i.Scope) && i is not TypeDefinition || i.Resolve() is { IsPublic: true }).ToList();
+        var claimed = type.Interfaces.Select(i => i.InterfaceType).Where(i => !IsHost(i.Scope) && i is not TypeDefinition || i.Resolve() is { IsPublic: true })
+            .ToList();
         if (type.BaseType is not null) claimed.Add(type.BaseType);
         var above = Above(list, name);
         foreach (var parent in claimed)
         {
             var parentName = Canonical.Of(parent);
-            if (parentName is "System.Object" or "System.ValueType" or "System.Enum" or "System.MulticastDelegate" or "System.Collections.IEnumerable") continue;
+            if (parentName is "System.Object" or "System.ValueType" or "System.Enum" or "System.MulticastDelegate"
+                or "System.Collections.IEnumerable") continue;
             if (!above.Contains(parentName)) _problems.Add($"{name} is not known to be a {parentName}.");
         }
         if (exact.Types.TryGetValue(name, out var known))
@@ -207,7 +216,8 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
     private bool Known(string type) => exact.Types.ContainsKey(type) || documented.Types.ContainsKey(type) || stubs.Types.ContainsKey(type)
         || allow.Allows(allow.Public, type);
 
-    private bool Known(string type, string member) => type.StartsWith("System.", StringComparison.Ordinal) || new[] { exact, documented, stubs }.SelectMany(l => Line(l, type)).SelectMany(t => t.Members).Any(m => m.Name == member);
+    private bool Known(string type, string member) => type.StartsWith("System.", StringComparison.Ordinal)
+        || new[] { exact, documented, stubs }.SelectMany(l => Line(l, type)).SelectMany(t => t.Members).Any(m => m.Name == member);
 
     // Everything a type is known to be, from a list and from the facts.
     private HashSet<string> Above(ApiList list, string name)
@@ -263,7 +273,8 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
     private static bool SameValue(string listed, object constant)
     {
         if (constant is double or float)
-            return double.TryParse(listed, NumberStyles.Float, CultureInfo.InvariantCulture, out var number) && number == Convert.ToDouble(constant, CultureInfo.InvariantCulture);
+            return double.TryParse(listed, NumberStyles.Float, CultureInfo.InvariantCulture, out var number)
+                && number == Convert.ToDouble(constant, CultureInfo.InvariantCulture);
         return listed == Convert.ToString(constant, CultureInfo.InvariantCulture);
     }
 
@@ -273,7 +284,8 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
     // The type and those of its bases that are ours: the host's own do not count as an implementation.
     private static IEnumerable<TypeDefinition> Chain(TypeDefinition type)
     {
-        for (TypeDefinition? t = type; t is not null && !IsHostName(t.Module.Assembly.Name.Name); t = t.BaseType is null || IsHost(Definition(t.BaseType).Scope) ? null : t.BaseType.Resolve())
+        for (TypeDefinition? t = type; t is not null && !IsHostName(t.Module.Assembly.Name.Name); t = t.BaseType is null
+            || IsHost(Definition(t.BaseType).Scope) ? null : t.BaseType.Resolve())
             yield return t;
     }
 

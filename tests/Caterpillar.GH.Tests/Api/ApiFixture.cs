@@ -35,7 +35,8 @@ internal static class ApiFixture
     private static (ApiList, ApiList, ApiList) Lists()
     {
         var folder = Path.GetFullPath(Path.Combine(Caterpillar.Tests.TestData.Repository, "..", "shared", "reference", "api"));
-        if (!Files.All(f => File.Exists(Path.Combine(folder, f)))) Assert.Ignore("The lists of Rhino's and Grasshopper's public API are not here: shared/reference/api");
+        if (!Files.All(f => File.Exists(Path.Combine(folder,
+            f)))) Assert.Ignore("The lists of Rhino's and Grasshopper's public API are not here: shared/reference/api");
         ApiList exact = new(), documented = new(), stubs = new();
         ListReader.ReadExact(ListReader.Lines(Path.Combine(folder, Files[0])), exact);
         ListReader.ReadExact(ListReader.Lines(Path.Combine(folder, Files[1])), exact);

@@ -6,7 +6,8 @@ using Mono.Cecil;
 namespace Caterpillar.GH.Tests.Api;
 
 /// <summary>
-/// One spelling for types, whatever list or assembly they come from: <c>Name{Arguments}</c>, nested types behind a dot, <c>@</c> for by reference, <c>*</c> for any generic parameter.
+/// One spelling for types, whatever list or assembly they come from: <c>Name{Arguments}</c>, nested types behind a dot, <c>@</c> for by reference, <c>*</c> for
+/// any generic parameter.
 /// </summary>
 internal static class Canonical
 {

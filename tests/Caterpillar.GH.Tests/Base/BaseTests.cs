@@ -56,7 +56,8 @@ public sealed class BaseTests
 
     [Test]
     public void A_mistake_in_long_work_arrives_as_itself()
-        => Assert.That(() => LongWork.Run<string>("Testing", (_, _) => throw new ArgumentException("wrong")), Throws.ArgumentException.With.Message.EqualTo("wrong"));
+        => Assert.That(() => LongWork.Run<string>("Testing", (_, _) => throw new ArgumentException("wrong")),
+            Throws.ArgumentException.With.Message.EqualTo("wrong"));
 
     [Test]
     public void A_definition_of_a_newer_version_warns_and_one_of_this_version_does_not()

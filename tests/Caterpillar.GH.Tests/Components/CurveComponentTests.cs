@@ -18,7 +18,8 @@ public sealed class CurveComponentTests
     [Test]
     public void A_bead_comes_from_width_and_height()
     {
-        var canvas = new Canvas<ConstructBeadComponent>().Feed("Width", 0.8).Feed("Height", 0.4).Feed("Multiplier", 1.017).Feed("Model", "Rectangle").Feed("Speed", 24.0).Solve();
+        var canvas = new Canvas<ConstructBeadComponent>().Feed("Width", 0.8).Feed("Height", 0.4).Feed("Multiplier", 1.017).Feed("Model", "Rectangle")
+            .Feed("Speed", 24.0).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(canvas.One<double>("Area"), Is.EqualTo(0.8 * 0.4 * 1.017).Within(1e-12));
         // The sample of the Caterpillar paper.
@@ -31,7 +32,8 @@ public sealed class CurveComponentTests
     public void A_curve_becomes_a_path_with_its_bead()
     {
         var curve = Rg.NurbsCurve.Create(false, 3, new Rg.Point3d[] { new(0, 0, 1), new(5, 0, 1), new(10, 5, 1), new(10, 10, 1), new(20, 12, 1) });
-        var canvas = new Canvas<ConstructPrintPathComponent>().Feed("Curve", curve).Feed("Bead", new BeadGoo(Thin)).Feed("Role", "Outer Wall").Feed("Subdivision", 0.5).Feed("Layer", 4).Solve();
+        var canvas = new Canvas<ConstructPrintPathComponent>().Feed("Curve", curve).Feed("Bead", new BeadGoo(Thin)).Feed("Role", "Outer Wall")
+            .Feed("Subdivision", 0.5).Feed("Layer", 4).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var path = canvas.One<PrintPath>("Print Path");
         Assert.That((path.Role, path.Layer!.Index, path.BeadOf(0)), Is.EqualTo((Role.OuterWall, 4, Thin)));
@@ -66,7 +68,8 @@ public sealed class CurveComponentTests
     public void Curves_are_scaled_to_mm()
     {
         using var _ = new InDocument(UnitSystem.Centimeters);
-        var canvas = new Canvas<ConstructPrintPathComponent>().Feed("Curve", new Rg.ArcCurve(new Rg.Circle(new Rg.Point3d(0, 0, 0.1), 2))).Feed("Keep Arc", true).Solve();
+        var canvas = new Canvas<ConstructPrintPathComponent>().Feed("Curve", new Rg.ArcCurve(new Rg.Circle(new Rg.Point3d(0, 0, 0.1), 2)))
+            .Feed("Keep Arc", true).Solve();
         Assert.That(canvas.One<PrintPath>("Print Path").Length, Is.EqualTo(40 * Math.PI).Within(1e-9));
         Assert.That(canvas.Remarks, Has.Some.Contains("centimeters"));
     }
@@ -78,7 +81,8 @@ public sealed class CurveComponentTests
         var canvas = new Canvas<ConstructPrintPathComponent>().Feed("Curve", line, null, line).Solve();
         Assert.That(canvas.All("Print Path").Select(p => p is null), Is.EqualTo(new[] { false, true, false }));
         Assert.That(canvas.Warnings, Has.Member("{0}[1]: Curve is missing."));
-        Assert.That(new Canvas<ConstructPrintPathComponent>().Feed("Curve", line).Feed("Subdivision", 0.0).Solve().Errors, Has.Some.Contains("greater than zero"));
+        Assert.That(new Canvas<ConstructPrintPathComponent>().Feed("Curve", line).Feed("Subdivision", 0.0).Solve().Errors,
+            Has.Some.Contains("greater than zero"));
         var below = new Canvas<ConstructPrintPathComponent>().Feed("Curve", new Rg.LineCurve(new Rg.Point3d(0, 0, -1), new Rg.Point3d(10, 0, 0))).Solve();
         Assert.That(below.Warnings, Has.Some.Contains("curves.below_bed"));
         Assert.That(below.All("Diagnostics"), Has.Count.EqualTo(1));
@@ -103,7 +107,8 @@ public sealed class CurveComponentTests
     [Test]
     public void Arcs_are_fitted_and_the_message_counts()
     {
-        var circle = new PrintPath(Enumerable.Range(0, 60).Select(i => new Vec3(10 * Math.Cos(i * Math.PI / 30), 10 * Math.Sin(i * Math.PI / 30))), Thin, closed: true);
+        var circle = new PrintPath(Enumerable.Range(0, 60).Select(i => new Vec3(10 * Math.Cos(i * Math.PI / 30), 10 * Math.Sin(i * Math.PI / 30))), Thin,
+            closed: true);
         var canvas = new Canvas<FitArcsComponent>().Feed("Print Paths", circle).Solve();
         var fitted = canvas.One<PrintPath>("Print Paths");
         Assert.That(fitted.SegmentCount, Is.EqualTo(2));
@@ -133,5 +138,6 @@ public sealed class CurveComponentTests
     private static PrintPath Line(double from, double to) => new([new Vec3(from, 0), new Vec3(to, 0)], Thin);
 
     private static double Nearest(Rg.Curve curve, Vec3 p)
-        => Enumerable.Range(0, 5001).Min(i => curve.PointAt(curve.Domain.ParameterAt(i / 5000.0)).DistanceTo(new Rg.Point3d(p.X, p.Y, p.Z))) - curve.GetLength() / 5000;
+        => Enumerable.Range(0, 5001).Min(i => curve.PointAt(curve.Domain.ParameterAt(i / 5000.0))
+            .DistanceTo(new Rg.Point3d(p.X, p.Y, p.Z))) - curve.GetLength() / 5000;
 }

@@ -9,7 +9,8 @@ namespace Caterpillar.GH.Tests.Components;
 
 public sealed class DeconstructPrintPathTests
 {
-    private static PrintPath Path(double x = 0) => new([new Vec3(x, 0, 0.2), new Vec3(x + 10, 0, 0.2), new Vec3(x + 10, 5, 0.2)], [new Bead(0.08, 0.2, 40), new Bead(0.1, 0.2)])
+    private static PrintPath Path(double x = 0)
+        => new([new Vec3(x, 0, 0.2), new Vec3(x + 10, 0, 0.2), new Vec3(x + 10, 5, 0.2)], [new Bead(0.08, 0.2, 40), new Bead(0.1, 0.2)])
     {
         Role = Role.OuterWall,
         Layer = new Layer(3, 0.8, 0.2),
@@ -29,7 +30,8 @@ public sealed class DeconstructPrintPathTests
     [Test]
     public void A_list_gives_a_branch_each_and_a_tree_keeps_its_branches()
     {
-        Assert.That(new Canvas<DeconstructPrintPathComponent>().Feed("Print Path", Path(), Path(1)).Solve().Paths("Points"), Is.EqualTo(new[] { "{0;0}", "{0;1}" }));
+        Assert.That(new Canvas<DeconstructPrintPathComponent>().Feed("Print Path", Path(), Path(1)).Solve().Paths("Points"),
+            Is.EqualTo(new[] { "{0;0}", "{0;1}" }));
         var tree = new Canvas<DeconstructPrintPathComponent>().FeedTree("Print Path", [Path()], [Path(), Path()]).Solve();
         Assert.That(tree.Paths("Points"), Is.EqualTo(new[] { "{0;0}", "{1;0}", "{1;1}" }));
         Assert.That(tree.Paths("Role"), Is.EqualTo(new[] { "{0}", "{1}" }));

@@ -42,8 +42,10 @@ public sealed class GCodeTests
         Assert.That(write.Output("G-code").VolatileData.get_Branch(0)[0]!.ToString(), Does.Contain("lines").And.Contain("bytes of G-code"));
         var (planned, decoded) = (ToolpathTotals.Of(plan.One<Toolpath>("Toolpath")), decode.One<Toolpath>("Toolpath"));
         var walls = decoded.Moves().Where(m => m.Kind == MoveKind.Print && m.Role == Role.OuterWall).Sum(m => m.Length);
-        Assert.That(walls, Is.EqualTo(plan.One<Toolpath>("Toolpath").Moves().Where(m => m.Role == Role.OuterWall && m.Kind == MoveKind.Print).Sum(m => m.Length)).Within(0.05));
-        Assert.That(decoded.Moves().Where(m => m.Kind == MoveKind.Print && m.Role is not (Role.Unspecified or Role.Purge)).Sum(m => m.Deposited), Is.EqualTo(planned.DepositedE).Within(1e-3));
+        Assert.That(walls, Is.EqualTo(plan.One<Toolpath>("Toolpath").Moves().Where(m => m.Role == Role.OuterWall && m.Kind == MoveKind.Print)
+            .Sum(m => m.Length)).Within(0.05));
+        Assert.That(decoded.Moves().Where(m => m.Kind == MoveKind.Print && m.Role is not (Role.Unspecified or Role.Purge)).Sum(m => m.Deposited),
+            Is.EqualTo(planned.DepositedE).Within(1e-3));
     }
 
     [TestCase("de-DE")]
@@ -74,7 +76,8 @@ public sealed class GCodeTests
     [Test]
     public void Steps_of_several_branches_follow_each_other()
     {
-        var canvas = new Canvas<PlanToolpathComponent>().FeedTree("Steps", [Line(20)], [Line(40), new StepGoo(new DwellEvent(2))], [Line(60)]).Feed("Printer", "generic").Solve();
+        var canvas = new Canvas<PlanToolpathComponent>().FeedTree("Steps", [Line(20)], [Line(40), new StepGoo(new DwellEvent(2))], [Line(60)])
+            .Feed("Printer", "generic").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var toolpath = canvas.One<Toolpath>("Toolpath");
         Assert.That(toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Start.X), Is.EqualTo(new[] { 20.0, 40, 60 }));
@@ -85,7 +88,8 @@ public sealed class GCodeTests
     [Test]
     public void A_plan_as_drawn_adds_nothing_and_choices_take_their_names()
     {
-        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), Line(40)).Feed("Printer", "generic").Feed("Policy", "as drawn").Feed("Sort", "none").Solve();
+        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), Line(40)).Feed("Printer", "generic").Feed("Policy", "as drawn")
+            .Feed("Sort", "none").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(canvas.One<Toolpath>("Toolpath").Moves().Select(m => m.Kind), Has.None.EqualTo(MoveKind.Retract));
         Assert.That(canvas.Feed("Policy", "sideways").Solve().Errors, Is.EqualTo(new[] { "Data conversion failed from Text to Integer" }));
@@ -104,8 +108,10 @@ public sealed class GCodeTests
     [Test]
     public void A_plan_needs_steps()
     {
-        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Solve().Warnings, Is.EqualTo(new[] { "Input parameter S failed to collect data" }));
-        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Feed("Steps", null).Solve().Warnings, Has.Member("{0}[0]: Steps are missing."));
+        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Solve().Warnings,
+            Is.EqualTo(new[] { "Input parameter S failed to collect data" }));
+        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Feed("Steps", null).Solve().Warnings,
+            Has.Member("{0}[0]: Steps are missing."));
     }
 
     [Test]

@@ -117,7 +117,8 @@ public sealed class SetupTests
     [Test]
     public void Settings_take_the_values_given_and_keep_those_of_the_base()
     {
-        var canvas = new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "standard").Feed("Layer Height", 0.1, 0.3).Feed("Overrides", "wall_count=4").Solve();
+        var canvas = new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "standard").Feed("Layer Height", 0.1, 0.3).Feed("Overrides", "wall_count=4")
+            .Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var settings = canvas.All("Settings").Cast<PrintSettings>().ToArray();
         Assert.That(settings.Select(s => s.LayerHeight), Is.EqualTo(new[] { 0.1, 0.3 }));
@@ -135,5 +136,6 @@ public sealed class SetupTests
 
     [Test]
     public void An_unknown_base_is_a_failed_conversion()
-        => Assert.That(new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "no such settings").Solve().Errors, Is.EqualTo(new[] { "Data conversion failed from Text to Print Settings" }));
+        => Assert.That(new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "no such settings").Solve().Errors,
+            Is.EqualTo(new[] { "Data conversion failed from Text to Print Settings" }));
 }

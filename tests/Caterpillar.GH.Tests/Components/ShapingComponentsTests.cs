@@ -22,7 +22,8 @@ public sealed class ShapingComponentsTests
     [Test]
     public void Formulas_bend_paths()
     {
-        var canvas = new Canvas<DeformComponent>().Feed("Print Paths", Line).Feed("X", "x + z").Feed("Area", "2 * c").Feed("Speed", "v / 3").Feed("Tolerance", 0.0).Solve();
+        var canvas = new Canvas<DeformComponent>().Feed("Print Paths", Line).Feed("X", "x + z").Feed("Area", "2 * c").Feed("Speed", "v / 3")
+            .Feed("Tolerance", 0.0).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var path = canvas.One<PrintPath>("Print Paths");
         Assert.That(path.Points, Is.EqualTo(new[] { new Vec3(1, 0, 1), new Vec3(11, 0, 1), new Vec3(13, 10, 3) }));
@@ -34,7 +35,8 @@ public sealed class ShapingComponentsTests
     {
         using var _ = new InDocument(UnitSystem.Centimeters);
         var path = Helix.Transformed(Affine.Move(new Vec3(50, 20, 5)));
-        var canvas = new Canvas<DeformComponent>().Feed("Print Paths", path).Feed("System", "Cylindrical").Feed("X", "r + z").Feed("Y", "theta").Feed("Tolerance", 0.01)
+        var canvas = new Canvas<DeformComponent>().Feed("Print Paths", path).Feed("System", "Cylindrical").Feed("X", "r + z").Feed("Y", "theta")
+            .Feed("Tolerance", 0.01)
             .Feed("Plane", new Rg.Plane(new Rg.Point3d(5, 2, 0.5), Rg.Vector3d.XAxis, Rg.Vector3d.YAxis)).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var cone = canvas.One<PrintPath>("Print Paths");
@@ -58,7 +60,8 @@ public sealed class ShapingComponentsTests
         Assert.That(canvas.All("Print Paths").Select(p => p is null), Is.EqualTo(new[] { true, true }));
         Assert.That(canvas.Errors.Single(), Does.Contain("shape.position").And.Contain("2 times"));
         Assert.That(canvas.Warnings.Single(), Does.Contain("1 null item"));
-        var one = new Canvas<DeformComponent>().Feed("Print Paths", Line, new PrintPath([new Vec3(0, 0, 5), new Vec3(1, 1, 5)], new Bead(0.2))).Feed("X", "x / (z - 1)").Feed("Tolerance", 0.0).Solve();
+        var one = new Canvas<DeformComponent>().Feed("Print Paths", Line, new PrintPath([new Vec3(0, 0, 5), new Vec3(1, 1, 5)], new Bead(0.2)))
+            .Feed("X", "x / (z - 1)").Feed("Tolerance", 0.0).Solve();
         Assert.That(one.All("Print Paths").Select(p => p is null), Is.EqualTo(new[] { true, false }));
         Assert.That(one.All("Diagnostics").Single(), Does.StartWith("step 0: error shape.position"));
     }
@@ -71,10 +74,12 @@ public sealed class ShapingComponentsTests
         Assert.That(canvas.Errors, Has.Count.EqualTo(2));
         Assert.That(canvas.Errors[0], Does.Contain("line 1:5: position.x").And.Contain("x + w"));
         Assert.That(new Canvas<DeformComponent>().Feed("X", "x").Solve().Warnings.Single(), Does.Contain("failed to collect data"));
-        Assert.That(new Canvas<DeformComponent>().Feed("Print Paths", Line).Feed("Tolerance", -1.0).Solve().Errors.Single(), Does.Contain("Tolerance must be 0 or more"));
+        Assert.That(new Canvas<DeformComponent>().Feed("Print Paths", Line).Feed("Tolerance", -1.0).Solve().Errors.Single(),
+            Does.Contain("Tolerance must be 0 or more"));
         var slow = new Canvas<DeformComponent>().Feed("Print Paths", new PrintPath([Vec3.Zero, Vec3.UnitX], new Bead(0.2))).Feed("Speed", "v / 2").Solve();
         Assert.That(slow.Warnings.Single(), Does.Contain("v is 0"));
-        Assert.That(new Canvas<DeformComponent>().FeedTree("Print Paths", [Line], [Line, Helix]).Solve().Paths("Print Paths"), Is.EqualTo(new[] { "{0;0}", "{1;0}" }));
+        Assert.That(new Canvas<DeformComponent>().FeedTree("Print Paths", [Line], [Line, Helix]).Solve().Paths("Print Paths"),
+            Is.EqualTo(new[] { "{0;0}", "{1;0}" }));
     }
 
     [Test]
@@ -100,19 +105,23 @@ public sealed class ShapingComponentsTests
             Assert.That(canvas.Errors, Is.Empty);
             var path = canvas.One<PrintPath>("Print Paths");
             // The first half of each turn is black, the other white.
-            Assert.That(Enumerable.Range(0, 360).Select(i => path.BeadOf(i).Speed), Is.EqualTo(Enumerable.Range(0, 360).Select(i => i % 36 < 18 ? 30.0 : 30 * 0.7)).Within(1e-12));
-            var twice = new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Image", file).Feed("High", 0.7).Feed("Repeat", 2).Solve().One<PrintPath>("Print Paths");
+            Assert.That(Enumerable.Range(0, 360).Select(i => path.BeadOf(i).Speed),
+                Is.EqualTo(Enumerable.Range(0, 360).Select(i => i % 36 < 18 ? 30.0 : 30 * 0.7)).Within(1e-12));
+            var twice = new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Image", file).Feed("High", 0.7).Feed("Repeat", 2).Solve()
+                .One<PrintPath>("Print Paths");
             Assert.That(twice.BeadOf(10).Speed, Is.EqualTo(21).Within(1e-12));
             foreach (var mapping in new[] { "Globe", "Plan", "Along" })
             {
-                var other = new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Image", file).Feed("High", 0.7).Feed("Mapping", mapping).Feed("Smooth", true).Solve();
+                var other = new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Image", file).Feed("High", 0.7).Feed("Mapping", mapping)
+                    .Feed("Smooth", true).Solve();
                 Assert.That(other.Errors, Is.Empty, mapping);
                 Assert.That(other.One<PrintPath>("Print Paths").IsUniform, Is.False, mapping);
             }
             var flat = new PrintPath([Vec3.Zero, Vec3.UnitX], new Bead(0.2, 0, 30));
             Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", flat).Feed("Image", file).Solve().Errors.Single(), Does.Contain("too flat"));
             File.WriteAllText(file, "no image");
-            Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Image", file).Solve().Errors.Single(), Does.Contain("image.unreadable"));
+            Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Image", file).Solve().Errors.Single(),
+                Does.Contain("image.unreadable"));
         }
         finally
         {
@@ -125,7 +134,8 @@ public sealed class ShapingComponentsTests
     public void Masks_resolution_and_reference_speed_count()
     {
         var path = new PrintPath([Vec3.Zero, new Vec3(10, 0, 0)], new Bead(0.2));
-        var canvas = new Canvas<ModulateComponent>().Feed("Print Paths", path).Feed("Expression", "1").Feed("Mask", "step(5, x)").Feed("Resolution", 2.5).Feed("Reference Speed", 40.0).Solve();
+        var canvas = new Canvas<ModulateComponent>().Feed("Print Paths", path).Feed("Expression", "1").Feed("Mask", "step(5, x)").Feed("Resolution", 2.5)
+            .Feed("Reference Speed", 40.0).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var parts = canvas.One<PrintPath>("Print Paths");
         Assert.That(Enumerable.Range(0, parts.SegmentCount).Select(i => parts.BeadOf(i).Speed), Is.EqualTo(new[] { 40.0, 40, 26, 26 }).Within(1e-12));
@@ -134,7 +144,8 @@ public sealed class ShapingComponentsTests
     [Test]
     public void Bad_modulations_are_named()
     {
-        Canvas<ModulateComponent> With(string input, object? value) => new Canvas<ModulateComponent>().Feed("Print Paths", Line).Feed("Expression", "u").Feed(input, value).Solve();
+        Canvas<ModulateComponent> With(string input, object? value)
+            => new Canvas<ModulateComponent>().Feed("Print Paths", Line).Feed("Expression", "u").Feed(input, value).Solve();
         Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", Line).Solve().Warnings.Single(), Does.Contain("Image or Expression is missing"));
         Assert.That(With("Image", "map.png").Errors.Single(), Does.Contain("not both"));
         Assert.That(With("Expression", "q").Errors.Single(), Does.Contain("line 1:1: expression.field"));
@@ -159,17 +170,21 @@ public sealed class ShapingComponentsTests
         var paths = canvas.All("Print Paths").Cast<PrintPath>().ToArray();
         Assert.That(paths[0].Length / paths[0].BeadOf(0).Speed, Is.EqualTo(4).Within(1e-9));
         Assert.That(paths[1].BeadOf(0).Speed, Is.EqualTo(50));
-        var kanada = new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Min Layer Time", 0.0).Feed("Speed By Length", true).Solve().One<PrintPath>("Print Paths");
+        var kanada = new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Min Layer Time", 0.0).Feed("Speed By Length", true).Solve()
+            .One<PrintPath>("Print Paths");
         Assert.That(kanada.BeadOf(0).Speed, Is.EqualTo(11));
-        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Ring(1, 0.2)).Feed("Max Segment Rate", 50.0).Feed("Min Layer Time", 0.0).Solve().Warnings.Single(), Does.Contain("shape.short_segments"));
+        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Ring(1, 0.2)).Feed("Max Segment Rate", 50.0).Feed("Min Layer Time", 0.0).Solve()
+            .Warnings.Single(), Does.Contain("shape.short_segments"));
     }
 
     [Test]
     public void Bad_cooling_is_named()
     {
         Assert.That(new Canvas<CoolLayersComponent>().Solve().Warnings.Single(), Does.Contain("failed to collect data"));
-        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Min Layer Time", -1.0).Solve().Errors.Single(), Does.Contain("0 or more"));
-        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Min Speed", 0.0).Solve().Errors.Single(), Does.Contain("Min Speed must be greater than zero"));
+        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Min Layer Time", -1.0).Solve().Errors.Single(),
+            Does.Contain("0 or more"));
+        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Min Speed", 0.0).Solve().Errors.Single(),
+            Does.Contain("Min Speed must be greater than zero"));
         var canvas = new Canvas<CoolLayersComponent>().FeedTree("Print Paths", [Line, null], [Helix]).Solve();
         Assert.That(canvas.Paths("Print Paths"), Is.EqualTo(new[] { "{0;0}", "{1;0}" }));
         Assert.That(canvas.Warnings, Has.Some.Contain("1 null item"));

@@ -14,7 +14,8 @@ public sealed class SlicerTests
 {
     private static readonly PrintSettings Quick = new() { LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.6, WallCount = 1 };
 
-    private static Canvas<PlanarSlicerComponent> Slice(params object?[] geometry) => new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick).Feed("Geometry", geometry).Solve();
+    private static Canvas<PlanarSlicerComponent> Slice(params object?[] geometry)
+        => new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick).Feed("Geometry", geometry).Solve();
 
     [TearDown]
     public void TearDown() => GH_Document.EscapeKey = () => false;
@@ -30,7 +31,8 @@ public sealed class SlicerTests
         var region = (Rg.Curve)canvas.All("Regions")[0]!;
         Assert.That(region.GetLength(), Is.EqualTo(40).Within(1e-4));
         Assert.That(canvas.Component.Message, Is.EqualTo("4 layers"));
-        Assert.That(canvas.Output("Print Paths").VolatileData.get_Branch(0)[0]!.ToString(), Does.StartWith("Print Path (OuterWall, ").And.EndsWith(", closed)"));
+        Assert.That(canvas.Output("Print Paths").VolatileData.get_Branch(0)[0]!.ToString(),
+            Does.StartWith("Print Path (OuterWall, ").And.EndsWith(", closed)"));
     }
 
     [Test]
@@ -38,7 +40,8 @@ public sealed class SlicerTests
     {
         var (mesh, solid) = (Slice(Shapes.Box()), Slice(Shapes.Solid()));
         Assert.That(solid.Errors, Is.Empty);
-        Assert.That(solid.All("Print Paths").Cast<PrintPath>().Select(p => p.Length), Is.EqualTo(mesh.All("Print Paths").Cast<PrintPath>().Select(p => p.Length)));
+        Assert.That(solid.All("Print Paths").Cast<PrintPath>().Select(p => p.Length),
+            Is.EqualTo(mesh.All("Print Paths").Cast<PrintPath>().Select(p => p.Length)));
     }
 
     [Test]

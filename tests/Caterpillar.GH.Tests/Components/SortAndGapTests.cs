@@ -109,6 +109,7 @@ public sealed class SortAndGapTests
         Assert.That(curve.Errors, Has.One.Contains("has no surface"));
         var bare = new PrintPath([new Vec3(0, 0, 0.2), new Vec3(9, 0, 0.2)], new Bead(0.1));
         Assert.That(new Canvas<GapBeadComponent>().Feed("Print Paths", bare).Solve().Errors, Has.One.Contains("gap.no_width"));
-        Assert.That(new Canvas<GapBeadComponent>().Feed("Print Paths", bare).Feed("Width", 0.5).Solve().One<PrintPath>("Print Paths").BeadOf(0).Area, Is.EqualTo(0.1).Within(1e-12));
+        Assert.That(new Canvas<GapBeadComponent>().Feed("Print Paths", bare).Feed("Width", 0.5).Solve().One<PrintPath>("Print Paths").BeadOf(0).Area,
+            Is.EqualTo(0.1).Within(1e-12));
     }
 }

@@ -14,10 +14,12 @@ namespace Caterpillar.GH.Tests.Components;
 
 public sealed class ToolpathEditTests
 {
-    private const string File = "; by hand\nM104 S210\nM109 S210\nG90\nM83\n;LAYER_CHANGE\n;TYPE:Perimeter\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200 ; one\n"
+    private const string File = "; by hand\nM104 S210\nM109 S210\nG90\nM83\n;LAYER_CHANGE\n;TYPE:Perimeter\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200 ; "
+        + "one\n"
         + ";TYPE:Internal infill\nG1 X20 Y20 E0.5\n;LAYER_CHANGE\n;TYPE:Perimeter\nG1 X20 Y20 Z0.4\nG1 X10 Y20 E0.5\n; end\n";
 
-    private static ToolpathGoo Decoded() => (ToolpathGoo)new Canvas<DecodeGCodeComponent>().Feed("G-code", File).Solve().Output("Toolpath").VolatileData.get_Branch(0)[0]!;
+    private static ToolpathGoo Decoded()
+        => (ToolpathGoo)new Canvas<DecodeGCodeComponent>().Feed("G-code", File).Solve().Output("Toolpath").VolatileData.get_Branch(0)[0]!;
 
     private static Toolpath Value(ToolpathGoo goo) => goo.Value;
 
@@ -50,10 +52,12 @@ public sealed class ToolpathEditTests
     {
         var infill = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Roles", "infill").Solve();
         Assert.That(infill.Errors, Is.Empty);
-        Assert.That(infill.One<Toolpath>("Toolpath").Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Role).Distinct(), Is.EqualTo(new[] { Role.Infill }));
+        Assert.That(infill.One<Toolpath>("Toolpath").Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Role).Distinct(),
+            Is.EqualTo(new[] { Role.Infill }));
         var first = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Last Layer", 0).Feed("Remove", true).Solve();
         Assert.That(first.One<Toolpath>("Toolpath").Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
-        var box = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Box", Rg.Brep.CreateFromBox(new Rg.BoundingBox(15, 5, 0, 25, 15, 1))).Solve();
+        var box = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Box", Rg.Brep.CreateFromBox(new Rg.BoundingBox(15, 5, 0, 25, 15, 1)))
+            .Solve();
         Assert.That(box.One<Toolpath>("Toolpath").Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
         Assert.That(infill.Feed("Roles", "infill", 99).Solve().Errors, Has.One.Contains("Roles has no choice 99"));
     }
@@ -63,7 +67,8 @@ public sealed class ToolpathEditTests
     {
         var goo = Decoded();
         using var _ = new InDocument(UnitSystem.Centimeters);
-        var box = new Canvas<FilterToolpathComponent>().Feed("Toolpath", goo).Feed("Box", Rg.Brep.CreateFromBox(new Rg.BoundingBox(1.5, 0.5, 0, 2.5, 1.5, 1))).Solve();
+        var box = new Canvas<FilterToolpathComponent>().Feed("Toolpath", goo).Feed("Box", Rg.Brep.CreateFromBox(new Rg.BoundingBox(1.5, 0.5, 0, 2.5, 1.5, 1)))
+            .Solve();
         Assert.That(box.One<Toolpath>("Toolpath").Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
     }
 
@@ -84,7 +89,8 @@ public sealed class ToolpathEditTests
 
     [Test]
     public void An_unedited_file_comes_back_byte_for_byte()
-        => Assert.That(new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Printer", "generic").Solve().One<GCodeDocument>("G-code").ToBytes(),
+        => Assert.That(new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Printer", "generic").Solve().One<GCodeDocument>("G-code")
+            .ToBytes(),
             Is.EqualTo(Encoding.UTF8.GetBytes(File)));
 
     [Test]
@@ -127,22 +133,26 @@ public sealed class ToolpathEditTests
         Assert.That(bend.Feed("Z", "z").Feed("Tolerance", 0).Solve().Errors, Has.One.Contains("Tolerance must be greater than zero"));
         var turned = new Canvas<DeformToolpathComponent>().Feed("Toolpath", Decoded()).Feed("System", "Cylindrical").Feed("Y", "theta + 90")
             .Feed("Plane", new Rg.Plane(new Rg.Point3d(10, 10, 0), Rg.Vector3d.XAxis, Rg.Vector3d.YAxis)).Solve();
-        Assert.That(turned.One<Toolpath>("Toolpath").Moves().First(m => m.Kind == MoveKind.Print).End.DistanceTo(new Caterpillar.Geometry.Vec3(10, 20, 0.2)), Is.LessThan(1e-9));
+        Assert.That(turned.One<Toolpath>("Toolpath").Moves().First(m => m.Kind == MoveKind.Print).End.DistanceTo(new Caterpillar.Geometry.Vec3(10, 20, 0.2)),
+            Is.LessThan(1e-9));
     }
 
     [Test]
     public void Start_and_end_code_of_a_decoded_file_are_replaced_and_checked()
     {
-        var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Printer", "generic").Feed("Start Code", "M104 S200\nM109 S200\nG28").Feed("End Code", "M84").Solve();
+        var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Printer", "generic").Feed("Start Code", "M104 S200\nM109 S200\nG28")
+            .Feed("End Code", "M84").Solve();
         Assert.That(write.Errors, Is.Empty);
         var text = Encoding.UTF8.GetString(write.One<GCodeDocument>("G-code").ToBytes());
-        Assert.That(text, Does.StartWith("M104 S200\nM109 S200\nG28\n").And.EndWith("M84\n").And.Contain("G1 X20 Y10 E0.5 F1200 ; one").And.Not.Contain("by hand"));
+        Assert.That(text, Does.StartWith("M104 S200\nM109 S200\nG28\n").And.EndWith("M84\n").And.Contain("G1 X20 Y10 E0.5 F1200 ; one")
+            .And.Not.Contain("by hand"));
         Assert.That(write.Feed("Start Code", "M104 S200\nG1 X900").Solve().Errors, Is.Not.Empty, "the new lines are checked too");
         Assert.That(write.Feed("Write Anew", true).Solve().Warnings, Has.Some.Contains("Start Code"));
     }
 
     private static string Written(object? goo)
-        => Encoding.UTF8.GetString(new Canvas<GenerateGCodeComponent>().Feed("Toolpath", goo).Feed("Printer", "generic").Solve().One<GCodeDocument>("G-code").ToBytes());
+        => Encoding.UTF8.GetString(new Canvas<GenerateGCodeComponent>().Feed("Toolpath", goo).Feed("Printer", "generic").Solve().One<GCodeDocument>("G-code")
+            .ToBytes());
 
     [Test]
     public void Saving_happens_once_at_the_press_and_never_over_a_file_unasked()
@@ -174,7 +184,8 @@ public sealed class ToolpathEditTests
             Assert.That(canvas.All("Path"), Is.EqualTo(new object?[] { null }), "Other G-code is not in the file yet.");
             Assert.That(Directory.GetFiles(folder), Has.Length.EqualTo(1));
             canvas.Feed("File", "out.bgcode").Feed("Save", true).Solve();
-            Assert.That(GCodeDocument.ReadFile(Path.Combine(folder, "out.bgcode")).ToBytes(), Is.EqualTo(Encoding.ASCII.GetBytes("\nG28\n")), "The name asks for binary code.");
+            Assert.That(GCodeDocument.ReadFile(Path.Combine(folder, "out.bgcode")).ToBytes(), Is.EqualTo(Encoding.ASCII.GetBytes("\nG28\n")),
+                "The name asks for binary code.");
         }
         finally
         {
@@ -185,7 +196,8 @@ public sealed class ToolpathEditTests
     [Test]
     public void A_folder_that_is_not_there_is_an_error()
     {
-        var canvas = new Canvas<SaveGCodeComponent>().Feed("G-code", "G28", null).Feed("File", Path.Combine(Path.GetTempPath(), "no such folder", "a.gcode")).Feed("Save", true).Solve();
+        var canvas = new Canvas<SaveGCodeComponent>().Feed("G-code", "G28", null).Feed("File", Path.Combine(Path.GetTempPath(), "no such folder", "a.gcode"))
+            .Feed("Save", true).Solve();
         Assert.That(canvas.Errors, Has.Count.EqualTo(1));
         Assert.That(canvas.Warnings, Has.Member("{0}[1]: G-code is missing."));
     }

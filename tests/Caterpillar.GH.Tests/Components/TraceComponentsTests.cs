@@ -21,7 +21,8 @@ public sealed class TraceComponentsTests
         Assert.That(canvas.Errors, Is.Empty);
         var circle = Math.PI * 0.25 * 0.25;
         Assert.That(canvas.All("Area").Cast<double>(), Is.EqualTo(new[] { 0.25, circle, circle }).Within(1e-12));
-        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.5).Feed("Height", 0.0).Feed("Model", "Circle").Solve().One<double>("Area"), Is.EqualTo(circle).Within(1e-12));
+        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.5).Feed("Height", 0.0).Feed("Model", "Circle").Solve().One<double>("Area"),
+            Is.EqualTo(circle).Within(1e-12));
     }
 
     [Test]
@@ -31,9 +32,12 @@ public sealed class TraceComponentsTests
         Assert.That(canvas.All("Bead").Select(b => b is null), Is.EqualTo(new[] { false, true, true, true, false }));
         Assert.That(canvas.Warnings.Single(), Does.StartWith("{0}[1]").And.Contain("Width is missing"));
         Assert.That(canvas.Errors, Has.Count.EqualTo(2));
-        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Model", "Stadium").Solve().Errors.Single(), Does.Contain("at least as wide as high"));
-        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Model", 7).Solve().Errors.Single(), Does.Contain("no choice 7"));
-        Assert.That(new Canvas<ConstructBeadComponent>().FeedTree("Width", [0.4], [0.5, 0.6]).Feed("Height", 0.2).Solve().Paths("Bead"), Is.EqualTo(new[] { "{0}", "{1}" }));
+        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Model", "Stadium").Solve().Errors.Single(),
+            Does.Contain("at least as wide as high"));
+        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Model", 7).Solve().Errors.Single(),
+            Does.Contain("no choice 7"));
+        Assert.That(new Canvas<ConstructBeadComponent>().FeedTree("Width", [0.4], [0.5, 0.6]).Feed("Height", 0.2).Solve().Paths("Bead"),
+            Is.EqualTo(new[] { "{0}", "{1}" }));
     }
 
     [Test]
@@ -43,7 +47,8 @@ public sealed class TraceComponentsTests
         var plane = new Rg.Plane(new Rg.Point3d(1, 2, 3), Rg.Vector3d.YAxis, Rg.Vector3d.ZAxis);
         var path = Path(new Canvas<CircleTraceComponent>().Feed("Plane", plane).Feed("Radius", 10.0).Feed("Bead", Strand).Feed("Strings Per Turn", 4));
         Assert.That(path.SegmentCount, Is.EqualTo(4));
-        Assert.That(path.Points.Select(p => p.ToString()), Is.EqualTo(new[] { "(10, 30, 30)", "(10, 20, 40)", "(10, 10, 30)", "(10, 20, 20)", "(10, 30, 30)" }));
+        Assert.That(path.Points.Select(p => p.ToString()),
+            Is.EqualTo(new[] { "(10, 30, 30)", "(10, 20, 40)", "(10, 10, 30)", "(10, 20, 20)", "(10, 30, 30)" }));
         Assert.That(path.BeadOf(0), Is.EqualTo(Strand));
     }
 
@@ -67,11 +72,13 @@ public sealed class TraceComponentsTests
     [Test]
     public void A_helix_climbs_and_its_flow_ramps()
     {
-        var plain = Path(new Canvas<HelixTraceComponent>().Feed("Radius", 10.0).Feed("Height", 4.0).Feed("Pitch", 0.4).Feed("Bead", Strand).Feed("Strings Per Turn", 36));
+        var plain = Path(new Canvas<HelixTraceComponent>().Feed("Radius", 10.0).Feed("Height", 4.0).Feed("Pitch", 0.4).Feed("Bead", Strand)
+            .Feed("Strings Per Turn", 36));
         Assert.That(plain.SegmentCount, Is.EqualTo(360));
         Assert.That(plain.End.Z, Is.EqualTo(4).Within(1e-12));
         Assert.That(plain.IsUniform, Is.True);
-        var ramp = Path(new Canvas<HelixTraceComponent>().Feed("Radius", 10.0).Feed("Height", 4.0).Feed("Pitch", 0.4).Feed("Bead", Strand).Feed("Strings Per Turn", 36).Feed("Ramp", "Start").Feed("Least Flow", 0.5));
+        var ramp = Path(new Canvas<HelixTraceComponent>().Feed("Radius", 10.0).Feed("Height", 4.0).Feed("Pitch", 0.4).Feed("Bead", Strand)
+            .Feed("Strings Per Turn", 36).Feed("Ramp", "Start").Feed("Least Flow", 0.5));
         // The middle of the first string is 1/72 of a turn on.
         Assert.That(ramp.BeadOf(0).Area / 0.196, Is.EqualTo(0.5 + 0.5 / 72).Within(1e-12));
         Assert.That(ramp.BeadOf(359).Area, Is.EqualTo(0.196));
@@ -82,7 +89,8 @@ public sealed class TraceComponentsTests
     [Test]
     public void Cylinders_and_cones_have_their_size()
     {
-        var cylinder = Path(new Canvas<CylinderTraceComponent>().Feed("Radius", 5.0).Feed("Height", 1.0).Feed("Vertical Pitch", 0.25).Feed("Horizontal Pitch", 0.5));
+        var cylinder = Path(new Canvas<CylinderTraceComponent>().Feed("Radius", 5.0).Feed("Height", 1.0).Feed("Vertical Pitch", 0.25)
+            .Feed("Horizontal Pitch", 0.5));
         Assert.That(cylinder.SegmentCount, Is.EqualTo(4 * 720 + 3));
         Assert.That(cylinder.Bounds.Max.Z, Is.EqualTo(0.75));
         var cone = Path(new Canvas<ConeTraceComponent>().Feed("Bottom Radius", 10.0).Feed("Top Radius", 0.0).Feed("Height", 5.0).Feed("Pitch", 0.5));
@@ -98,8 +106,10 @@ public sealed class TraceComponentsTests
         Assert.That(canvas.Errors.Single(), Does.StartWith("{0}[2]").And.Contain("Radius must be greater than zero"));
         Assert.That(Error(new Canvas<HelixTraceComponent>().Feed("Radius", 10.0).Feed("Height", 1.0).Feed("Pitch", 1e-12)), Does.Contain("100 million"));
         Assert.That(Error(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Strings Per Turn", 2)), Does.Contain("three strings"));
-        Assert.That(Error(new Canvas<ConeTraceComponent>().Feed("Bottom Radius", -1.0).Feed("Top Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4)), Does.Contain("0 or more"));
-        Assert.That(Error(new Canvas<HelixTraceComponent>().Feed("Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4).Feed("Ramp", 1).Feed("Least Flow", 2.0)), Does.Contain("between 0 and 1"));
+        Assert.That(Error(new Canvas<ConeTraceComponent>().Feed("Bottom Radius", -1.0).Feed("Top Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4)),
+            Does.Contain("0 or more"));
+        Assert.That(Error(new Canvas<HelixTraceComponent>().Feed("Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4).Feed("Ramp", 1).Feed("Least Flow", 2.0)),
+            Does.Contain("between 0 and 1"));
         Assert.That(Error(new Canvas<SpiralTraceComponent>().Feed("Radius", double.PositiveInfinity).Feed("Pitch", 0.5)), Does.Contain("finite"));
         Assert.That(Error(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Bead", 0.2)), Does.Contain("conversion"), "a number is no bead");
         Assert.That(new Canvas<CylinderTraceComponent>().Solve().All("Print Path"), Is.Empty.Or.EqualTo(new object?[] { null }));

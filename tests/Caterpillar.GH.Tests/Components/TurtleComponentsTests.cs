@@ -26,11 +26,14 @@ public sealed class TurtleComponentsTests
     [Test]
     public void A_script_in_lines_becomes_a_program_with_its_variables()
     {
-        var canvas = new Canvas<TurtleProgramComponent>().Feed("Script", "param side = 10", "repeat 4 [ forward side; left 90 ]").Feed("Variables", "side=20").Solve();
+        var canvas = new Canvas<TurtleProgramComponent>().Feed("Script", "param side = 10", "repeat 4 [ forward side; left 90 ]").Feed("Variables", "side=20")
+            .Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(Paths(canvas.One<TurtleProgram>("Program")).Single().Length, Is.EqualTo(80).Within(1e-9));
-        Assert.That(new Canvas<TurtleProgramComponent>().Feed("Script", "forward 1").Feed("Variables", "size=20").Solve().Warnings.Single(), Does.Contain("no parameter 'size'"));
-        Assert.That(new Canvas<TurtleProgramComponent>().Feed("Script", "forward 1").Feed("Variables", "size").Solve().Errors.Single(), Does.Contain("name=value"));
+        Assert.That(new Canvas<TurtleProgramComponent>().Feed("Script", "forward 1").Feed("Variables", "size=20").Solve().Warnings.Single(),
+            Does.Contain("no parameter 'size'"));
+        Assert.That(new Canvas<TurtleProgramComponent>().Feed("Script", "forward 1").Feed("Variables", "size").Solve().Errors.Single(),
+            Does.Contain("name=value"));
     }
 
     [Test]
@@ -46,7 +49,8 @@ public sealed class TurtleComponentsTests
     [Test]
     public void Commands_make_a_program_too()
     {
-        var canvas = new Canvas<TurtleProgramComponent>().Feed("Commands", TurtleCommand.Of(TurtleAction.Forward, 5), null, TurtleCommand.Of(TurtleAction.Forward, 7)).Solve();
+        var canvas = new Canvas<TurtleProgramComponent>()
+            .Feed("Commands", TurtleCommand.Of(TurtleAction.Forward, 5), null, TurtleCommand.Of(TurtleAction.Forward, 7)).Solve();
         Assert.That(Paths(canvas.One<TurtleProgram>("Program")).Single().Length, Is.EqualTo(12).Within(1e-12));
         Assert.That(canvas.Warnings.Single(), Does.Contain("Commands has 1 null item"));
         var both = new Canvas<TurtleProgramComponent>().Feed("Script", "forward 1").Feed("Commands", TurtleCommand.Of(TurtleAction.Forward, 5)).Solve();
@@ -57,7 +61,8 @@ public sealed class TurtleComponentsTests
     public void Moves_turns_and_the_rest_give_their_commands()
     {
         Assert.That(Line(new Canvas<TurtleMoveComponent>()), Is.EqualTo("forward 10"));
-        Assert.That(Line(new Canvas<TurtleMoveComponent>().Feed("Kind", "Forward And Up").Feed("Distance", 2.0).Feed("Height", 3.0)), Is.EqualTo("forward_lift 2 3"));
+        Assert.That(Line(new Canvas<TurtleMoveComponent>().Feed("Kind", "Forward And Up").Feed("Distance", 2.0).Feed("Height", 3.0)),
+            Is.EqualTo("forward_lift 2 3"));
         Assert.That(Line(new Canvas<TurtleMoveComponent>().Feed("Kind", "go to").Feed("Point", new Rg.Point3d(1, 2, 3))), Is.EqualTo("position 1 2 3"));
         Assert.That(Line(new Canvas<TurtleMoveComponent>().Feed("Kind", "Polygon").Feed("Count", 6)), Is.EqualTo("polygon 6 10"));
         Assert.That(Line(new Canvas<TurtleMoveComponent>().Feed("Kind", "Arc").Feed("Angle", -45.0)), Is.EqualTo("arc 10 -45 0 0"));
@@ -66,10 +71,13 @@ public sealed class TurtleComponentsTests
         Assert.That(Line(new Canvas<TurtleRotateComponent>().Feed("Pitch", 30.0).Feed("Kind", 1)), Is.EqualTo("heading 0 30 0"));
         Assert.That(Line(new Canvas<TurtlePenComponent>().Feed("Down", false)), Is.EqualTo("penup"));
         Assert.That(Line(new Canvas<TurtleExtrusionComponent>()), Is.EqualTo("density 0.05"));
-        Assert.That(Line(new Canvas<TurtleExtrusionComponent>().Feed("Kind", "Width And Height").Feed("Value", 0.5).Feed("Height", 0.2).Feed("Speed", 20.0)), Is.EqualTo("repeat 1 [ bead 0.5 0.2; speed 20 ]"));
+        Assert.That(Line(new Canvas<TurtleExtrusionComponent>().Feed("Kind", "Width And Height").Feed("Value", 0.5).Feed("Height", 0.2).Feed("Speed", 20.0)),
+            Is.EqualTo("repeat 1 [ bead 0.5 0.2; speed 20 ]"));
         Assert.That(Line(new Canvas<TurtleEventComponent>().Feed("Value", 250.0)), Is.EqualTo("dwell 250"));
         Assert.That(Line(new Canvas<TurtleEventComponent>().Feed("Kind", "Color").Feed("Text", "#ff8800")), Is.EqualTo("color \"#ff8800\""));
-        Assert.That(Line(new Canvas<TurtleRepeatComponent>().Feed("Commands", TurtleCommand.Of(TurtleAction.Forward, 1), TurtleCommand.Of(TurtleAction.Yaw, 90))), Is.EqualTo("repeat 4 [ forward 1; yaw 90 ]"));
+        Assert.That(Line(new Canvas<TurtleRepeatComponent>()
+            .Feed("Commands", TurtleCommand.Of(TurtleAction.Forward, 1), TurtleCommand.Of(TurtleAction.Yaw, 90))),
+            Is.EqualTo("repeat 4 [ forward 1; yaw 90 ]"));
     }
 
     [Test]
@@ -90,7 +98,8 @@ public sealed class TurtleComponentsTests
         Assert.That(canvas.Errors.Single(), Does.StartWith("{0}[1]").And.Contain("Distance must be a finite number"));
         Assert.That(new Canvas<TurtleMoveComponent>().Feed("Kind", "Jump").Solve().Errors.Single(), Does.Contain("Point is missing"));
         Assert.That(new Canvas<TurtleExtrusionComponent>().Feed("Kind", 2).Solve().Errors.Single(), Does.Contain("Height must be greater than zero"));
-        Assert.That(new Canvas<TurtleRepeatComponent>().Feed("Commands", TurtleCommand.Of(TurtleAction.Push)).Feed("Count", -1).Solve().Errors.Single(), Does.Contain("Count must be 0 or more"));
+        Assert.That(new Canvas<TurtleRepeatComponent>().Feed("Commands", TurtleCommand.Of(TurtleAction.Push)).Feed("Count", -1).Solve().Errors.Single(),
+            Does.Contain("Count must be 0 or more"));
         Assert.That(new Canvas<TurtleMoveComponent>().FeedTree("Distance", [1.0], [2.0, 3.0]).Solve().Paths("Command"), Is.EqualTo(new[] { "{0}", "{1}" }));
     }
 
@@ -136,13 +145,17 @@ public sealed class TurtleComponentsTests
     [Test]
     public void An_l_system_grows_and_draws()
     {
-        var canvas = new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", "F -> F[+F]F").Feed("Generations", 3).Feed("Angle", 30.0).Feed("Step", 2.0).Solve();
+        var canvas = new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", "F -> F[+F]F").Feed("Generations", 3).Feed("Angle", 30.0).Feed("Step", 2.0)
+            .Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(Paths(canvas.One<TurtleProgram>("Program")).Sum(p => p.Length), Is.EqualTo(27 * 2).Within(1e-9));
         Assert.That(canvas.One<string>("Text").Count(c => c == 'F'), Is.EqualTo(27));
-        Assert.That(new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", "F -> F(").Feed("Generations", 3).Solve().Errors.Single(), Does.Contain("rule 1"));
-        Assert.That(new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", "F -> FF").Feed("Generations", 99).Solve().Errors.Single(), Does.Contain("lsystem.too_large"));
-        Assert.That(new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", "F -> FF").Feed("Generations", -1).Solve().Errors.Single(), Does.Contain("0 or more"));
+        Assert.That(new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", "F -> F(").Feed("Generations", 3).Solve().Errors.Single(),
+            Does.Contain("rule 1"));
+        Assert.That(new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", "F -> FF").Feed("Generations", 99).Solve().Errors.Single(),
+            Does.Contain("lsystem.too_large"));
+        Assert.That(new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", "F -> FF").Feed("Generations", -1).Solve().Errors.Single(),
+            Does.Contain("0 or more"));
     }
 
     [Test]

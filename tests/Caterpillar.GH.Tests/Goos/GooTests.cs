@@ -34,11 +34,13 @@ public sealed class GooTests
         return builder.Build([new ToolpathTool(2.4)]);
     }
 
-    private static readonly IGH_Goo[] Empty = [new PrintPathGoo(), new ToolpathGoo(), new PrinterGoo(), new MaterialGoo(), new SettingsGoo(), new GCodeGoo(), new StepGoo()];
+    private static readonly IGH_Goo[] Empty = [new PrintPathGoo(), new ToolpathGoo(), new PrinterGoo(), new MaterialGoo(), new SettingsGoo(), new GCodeGoo(),
+        new StepGoo()];
 
     private static readonly IGH_Goo[] Full =
     [
-        new PrintPathGoo(Path()), new ToolpathGoo(Toolpath()), new PrinterGoo(new Printer()), new MaterialGoo(new Material()), new SettingsGoo(new PrintSettings()),
+        new PrintPathGoo(Path()), new ToolpathGoo(Toolpath()), new PrinterGoo(new Printer()), new MaterialGoo(new Material()),
+            new SettingsGoo(new PrintSettings()),
         new GCodeGoo(GCodeDocument.FromText("G28\n")), new StepGoo(Path()),
     ];
 
@@ -141,7 +143,8 @@ public sealed class GooTests
     [Test]
     public void Names_of_profiles_are_printers_materials_and_settings_at_their_ports_only()
     {
-        Assert.That(new PrinterGoo().CastFrom("ender3") && new MaterialGoo().CastFrom(new GH_String("petg")) && new SettingsGoo().CastFrom("standard"), Is.True);
+        Assert.That(new PrinterGoo().CastFrom("ender3") && new MaterialGoo().CastFrom(new GH_String("petg"))
+            && new SettingsGoo().CastFrom("standard"), Is.True);
         Assert.That(new PrinterGoo().CastFrom("toaster"), Is.False);
         Assert.That(new ToolpathGoo().CastFrom("G28") || new PrintPathGoo().CastFrom("wall") || new StepGoo().CastFrom("forward 10"), Is.False);
         Assert.That(new GCodeGoo().CastFrom("G28\nG1 X1"), Is.True);
@@ -163,7 +166,8 @@ public sealed class GooTests
     [Test]
     public void Printers_materials_and_settings_are_kept_in_definitions()
     {
-        var printer = new Printer { Name = "mine", Title = "Mine", BuildVolume = new Vec3(100, 90, 80), StartTemplate = new ValueList<string>("G28", "; \"quoted\" ü") };
+        var printer = new Printer { Name = "mine", Title = "Mine", BuildVolume = new Vec3(100, 90, 80),
+            StartTemplate = new ValueList<string>("G28", "; \"quoted\" ü") };
         Assert.That(Stored<PrinterParam, PrinterGoo>(new PrinterParam(), printer).Value, Is.EqualTo(printer));
         var material = new Material { Name = "clay", NozzleTemperature = 0, FilamentDiameter = 50 };
         Assert.That(Stored<MaterialParam, MaterialGoo>(new MaterialParam(), material).Value, Is.EqualTo(material));

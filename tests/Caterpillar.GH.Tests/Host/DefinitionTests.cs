@@ -65,7 +65,8 @@ public sealed class DefinitionTests
         var copy = new GH_Document();
         Assert.That(archive.ExtractObject(copy, "Definition"), Is.True);
         Assert.That(Result(copy), Is.EqualTo(Result(document)));
-        Assert.That(((Param_String)copy.Objects.OfType<GenerateGCodeComponent>().Single().Params.Input[2]).PersistentData.Branches[0][0].Value, Is.EqualTo("a reason in words"));
+        Assert.That(((Param_String)copy.Objects.OfType<GenerateGCodeComponent>().Single().Params.Input[2]).PersistentData.Branches[0][0].Value,
+            Is.EqualTo("a reason in words"));
         Assert.That(copy.Objects[1].Attributes.Pivot.X, Is.EqualTo(120.5f));
         Assert.That(Save(copy), Is.EqualTo(text), "Saved again it is the same text.");
     }

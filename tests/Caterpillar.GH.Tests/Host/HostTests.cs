@@ -131,9 +131,11 @@ public sealed class HostTests
         var archive = new GH_Archive();
         archive.AppendObject(param, "Container");
         var text = archive.Serialize_Xml();
-        Assert.That(text, Does.StartWith("<?xml version=\"1.0\" encoding=\"utf-8\" standalone=\"yes\"?>\n<Archive name=\"Root\">\n  <!--Grasshopper archive-->\n  <items count=\"1\">\n"
+        Assert.That(text, Does.StartWith("<?xml version=\"1.0\" encoding=\"utf-8\" standalone=\"yes\"?>\n<Archive name=\"Root\">\n  <!--Grasshopper "
+            + "archive-->\n  <items count=\"1\">\n"
             + "    <item name=\"ArchiveVersion\" type_name=\"gh_version\" type_code=\"80\">\n      <Major>0</Major>\n"));
-        Assert.That(text, Does.Contain("<chunk name=\"Branch\" index=\"0\">").And.Contain("<item name=\"number\" type_name=\"gh_double\" type_code=\"6\">0.1</item>"));
+        Assert.That(text, Does.Contain("<chunk name=\"Branch\" index=\"0\">")
+            .And.Contain("<item name=\"number\" type_name=\"gh_double\" type_code=\"6\">0.1</item>"));
         var read = new GH_Archive();
         Assert.That(read.Deserialize_Xml(text), Is.True);
         var copy = new Param_Number();

@@ -11,8 +11,8 @@ using NUnit.Framework;
 namespace Caterpillar.GH.Tests.Plugin;
 
 /// <summary>
-/// Definitions find components by their id and ports by their position: neither may change. frozen-ports.txt lists them; new ports go to the end with a default. To renew the list
-/// for what is new, run the tests with CATERPILLAR_RENEW_PORTS=1 and look at the difference.
+/// Definitions find components by their id and ports by their position: neither may change. frozen-ports.txt lists them; new ports go to the end with a
+/// default. To renew the list for what is new, run the tests with CATERPILLAR_RENEW_PORTS=1 and look at the difference.
 /// </summary>
 public sealed class FrozenPortsTests
 {

@@ -87,7 +87,8 @@ public sealed class MetadataTests
         foreach (var port in PluginTypes.Make<GH_Component>(type).Params)
         {
             if (collective.Contains(port.Name)) continue;
-            var plural = port.Name.EndsWith("s", StringComparison.Ordinal) && !port.Name.EndsWith("ss", StringComparison.Ordinal) && !port.Name.EndsWith("Radius", StringComparison.Ordinal);
+            var plural = port.Name.EndsWith("s", StringComparison.Ordinal) && !port.Name.EndsWith("ss", StringComparison.Ordinal)
+                && !port.Name.EndsWith("Radius", StringComparison.Ordinal);
             Assert.That(plural, Is.EqualTo(port.Access != GH_ParamAccess.item), port.Name);
         }
     }
@@ -132,7 +133,8 @@ public sealed class MetadataTests
     public void No_part_of_the_host_lies_beside_the_plug_in(string framework)
     {
         var folder = Path.GetFullPath(Path.Combine(TestContext.CurrentContext.TestDirectory, "..", "..", "Caterpillar.GH"));
-        var built = Directory.Exists(folder) ? Directory.GetDirectories(folder).Where(d => d.EndsWith("_" + framework, StringComparison.OrdinalIgnoreCase)).ToArray() : [];
+        var built = Directory.Exists(folder)
+            ? Directory.GetDirectories(folder).Where(d => d.EndsWith("_" + framework, StringComparison.OrdinalIgnoreCase)).ToArray() : [];
         if (built.Length == 0) Assert.Ignore($"The plug-in is not built for {framework} here.");
         foreach (var output in built)
         {
@@ -148,7 +150,8 @@ public sealed class MetadataTests
     public void The_stand_ins_say_what_they_are(string name)
     {
         var type = name switch { "RhinoCommon" => typeof(Rhino.RhinoDoc), "Grasshopper" => typeof(GH_Document), _ => typeof(GH_IO.GH_ISerializable) };
-        string Of(string attribute) => (string)type.Assembly.GetCustomAttributesData().Single(a => a.AttributeType.Name == attribute).ConstructorArguments[0].Value!;
+        string Of(string attribute) => (string)type.Assembly.GetCustomAttributesData().Single(a => a.AttributeType.Name == attribute).ConstructorArguments[0]
+            .Value!;
         Assert.That(type.Assembly.GetName().Name, Is.EqualTo(name));
         Assert.That(Of("AssemblyTitleAttribute"), Is.EqualTo(name + " (headless stand-in)"));
         Assert.That(Of("AssemblyInformationalVersionAttribute"), Does.StartWith("7.37.0-headless"));

@@ -6,7 +6,8 @@ namespace Caterpillar.Files;
 /// <summary>Netpbm gray maps (P2, P5) and bit maps (P1, P4).</summary>
 internal static class PgmReader
 {
-    public static bool IsPgm(byte[] bytes) => bytes.Length > 2 && bytes[0] == 'P' && bytes[1] is (byte)'1' or (byte)'2' or (byte)'4' or (byte)'5' && bytes[2] <= ' ';
+    public static bool IsPgm(byte[] bytes)
+        => bytes.Length > 2 && bytes[0] == 'P' && bytes[1] is (byte)'1' or (byte)'2' or (byte)'4' or (byte)'5' && bytes[2] <= ' ';
 
     /// <exception cref="InvalidDataException">The file is damaged.</exception>
     public static GrayImage Read(byte[] bytes)

@@ -108,7 +108,8 @@ internal sealed class BinaryComments
     {
         var name = "thumbnail" + block.Encoding switch { 0 => "", 1 => "_JPG", 2 => "_QOI", _ => "_" + NumberFormatter.Format(block.Encoding) };
         var encoded = Convert.ToBase64String(block.Data);
-        Text(_text, "\n;\n; " + name + " begin " + NumberFormatter.Format(block.Width) + "x" + NumberFormatter.Format(block.Height) + " " + NumberFormatter.Format(encoded.Length) + "\n");
+        Text(_text, "\n;\n; " + name + " begin " + NumberFormatter.Format(block.Width) + "x" + NumberFormatter.Format(block.Height) + " "
+            + NumberFormatter.Format(encoded.Length) + "\n");
         for (var at = 0; at < encoded.Length; at += RowLength) Line("; " + encoded.Substring(at, Math.Min(RowLength, encoded.Length - at)));
         Text(_text, "; " + name + " end\n;\n");
     }

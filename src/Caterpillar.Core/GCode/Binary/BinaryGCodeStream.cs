@@ -6,9 +6,9 @@ using Caterpillar.Files;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Prusa's binary G-code (.bgcode, specification of libbgcode version 1): a header, then blocks with their own compression, encoding and checksum. It is read as the text that the slicer would
-/// have written: producer, data of the printer and thumbnails as comments, then the G-code, then data of the print and the settings as comments. One block at a time is in memory.
-/// Every problem is an <see cref="InvalidDataException"/>.
+/// Prusa's binary G-code (.bgcode, specification of libbgcode version 1): a header, then blocks with their own compression, encoding and checksum. It is read
+/// as the text that the slicer would have written: producer, data of the printer and thumbnails as comments, then the G-code, then data of the print and the
+/// settings as comments. One block at a time is in memory. Every problem is an <see cref="InvalidDataException"/>.
 /// </summary>
 internal sealed class BinaryGCodeStream(Stream file) : ReadStream
 {

@@ -6,7 +6,10 @@ using System.Threading;
 
 namespace Caterpillar.GCode;
 
-/// <summary>The comments of a document that have places of their own in binary G-code: who made it, tables for the printer, pictures, settings. Their lines are left out of the code.</summary>
+/// <summary>
+/// The comments of a document that have places of their own in binary G-code: who made it, tables for the printer, pictures, settings. Their lines are left out
+/// of the code.
+/// </summary>
 internal sealed class BinaryTables
 {
     private const string Begin = "begin", End = "end";
@@ -14,15 +17,19 @@ internal sealed class BinaryTables
     // Keys of PrusaSlicer, in its order.
     private static readonly string[] PrinterKeys =
     [
-        "printer_model", "filament_type", "filament_abrasive", "nozzle_diameter", "nozzle_high_flow", "bed_temperature", "brim_width", "fill_density", "layer_height", "temperature", "ironing",
-        "support_material", "max_layer_z", "extruder_colour", "filament used [mm]", "filament used [cm3]", "filament used [g]", "filament cost", "estimated printing time (normal mode)",
+        "printer_model", "filament_type", "filament_abrasive", "nozzle_diameter", "nozzle_high_flow", "bed_temperature", "brim_width", "fill_density",
+            "layer_height", "temperature", "ironing",
+        "support_material", "max_layer_z", "extruder_colour", "filament used [mm]", "filament used [cm3]", "filament used [g]", "filament cost",
+            "estimated printing time (normal mode)",
         "estimated printing time (silent mode)", "total filament used for wipe tower [g]", "objects_info",
     ];
 
     private static readonly string[] PrintKeys =
     [
-        "total toolchanges", "filament used [mm]", "filament used [cm3]", "filament used [g]", "filament cost", "total filament used [g]", "total filament cost",
-        "total filament used for wipe tower [g]", "estimated printing time (normal mode)", "estimated printing time (silent mode)", "estimated first layer printing time (normal mode)",
+        "total toolchanges", "filament used [mm]", "filament used [cm3]", "filament used [g]", "filament cost", "total filament used [g]",
+            "total filament cost",
+        "total filament used for wipe tower [g]", "estimated printing time (normal mode)", "estimated printing time (silent mode)",
+            "estimated first layer printing time (normal mode)",
         "estimated first layer printing time (silent mode)",
     ];
 

@@ -3,7 +3,8 @@ using System;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Packs lines with MeatPack (Scott Mudge), blanks of G lines left out, so that every reader gives back the same line: what would not come back as it was is not packed.
+/// Packs lines with MeatPack (Scott Mudge), blanks of G lines left out, so that every reader gives back the same line: what would not come back as it was is
+/// not packed.
 /// </summary>
 internal sealed class MeatPackWriter
 {
@@ -69,13 +70,15 @@ internal sealed class MeatPackWriter
         {
             var c = text[at];
             var letter = c is >= (byte)'A' and <= (byte)'Z';
-            if (c == ' ' ? at + 1 == end || !IsWord(text[at + 1]) : letter ? text[at - 1] != ' ' : c is not (>= (byte)'0' and <= (byte)'9' or (byte)'.' or (byte)'-')) return false;
+            if (c == ' ' ? at + 1 == end || !IsWord(text[at + 1]) : letter ? text[at - 1] != ' '
+                : c is not (>= (byte)'0' and <= (byte)'9' or (byte)'.' or (byte)'-')) return false;
         }
         return true;
     }
 
     // Letters before which readers put the blanks of G lines back.
-    private static bool IsWord(byte c) => c is (byte)'A' or (byte)'C' or >= (byte)'E' and <= (byte)'J' or (byte)'P' or (byte)'R' or (byte)'S' or >= (byte)'W' and <= (byte)'Z';
+    private static bool IsWord(byte c)
+        => c is (byte)'A' or (byte)'C' or >= (byte)'E' and <= (byte)'J' or (byte)'P' or (byte)'R' or (byte)'S' or >= (byte)'W' and <= (byte)'Z';
 
     private void Pair(byte first, byte second)
     {

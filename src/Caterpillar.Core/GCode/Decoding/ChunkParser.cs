@@ -30,8 +30,8 @@ internal struct LineRecord
 }
 
 /// <summary>
-/// First half of decoding, without any state: cuts a chunk into lines and reads the words of motions in the usual notation (<c>G1 X1.5 Y2 E.03 F1800 ; text</c>). Everything else is left
-/// to <see cref="ParsedLine"/>. Chunks can be parsed in parallel.
+/// First half of decoding, without any state: cuts a chunk into lines and reads the words of motions in the usual notation (<c>G1 X1.5 Y2 E.03 F1800 ;
+/// text</c>). Everything else is left to <see cref="ParsedLine"/>. Chunks can be parsed in parallel.
 /// </summary>
 internal sealed class ChunkParser(byte extruder)
 {

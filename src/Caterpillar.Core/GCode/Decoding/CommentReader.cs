@@ -39,7 +39,9 @@ internal struct CommentMeaning
     public string Value;
 }
 
-/// <summary>Reads the comments that slicers write for viewers: Cura, PrusaSlicer, SuperSlicer, OrcaSlicer, BambuStudio, Slic3r, Simplify3D, ideaMaker, KISSlicer.</summary>
+/// <summary>
+/// Reads the comments that slicers write for viewers: Cura, PrusaSlicer, SuperSlicer, OrcaSlicer, BambuStudio, Slic3r, Simplify3D, ideaMaker, KISSlicer.
+/// </summary>
 internal static class CommentReader
 {
     /// <summary>Reads the comment between <paramref name="start"/> (at the <c>;</c>) and <paramref name="end"/>.</summary>
@@ -147,7 +149,8 @@ internal static class CommentReader
         for (; at < end; at++)
         {
             if (Is(text, at, end, " z=") && NumberReader.Scan(text, at + 3, end, false, out var z) > at + 3 && z is > -1e9 and < 1e9) meaning.Z = z;
-            if (Is(text, at, end, "z_thickness=") && NumberReader.Scan(text, at + 12, end, false, out var h) > at + 12 && h is > 0 and < 1e9) meaning.Height = h;
+            if (Is(text, at, end, "z_thickness=") && NumberReader.Scan(text, at + 12, end, false, out var h) > at + 12
+                && h is > 0 and < 1e9) meaning.Height = h;
         }
         meaning.Number = 1;
         return meaning;

@@ -6,7 +6,10 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
 
-/// <summary>What a file does, in numbers. Lengths in mm, E in mm of filament (mm³ in volumetric files); positions as written in the file. Start and end code are not left out.</summary>
+/// <summary>
+/// What a file does, in numbers. Lengths in mm, E in mm of filament (mm³ in volumetric files); positions as written in the file. Start and end code are not
+/// left out.
+/// </summary>
 public sealed record DecodeReport
 {
     /// <summary>Name of the file, or empty.</summary>
@@ -160,7 +163,8 @@ public sealed record DecodeReport
         var text = new StringBuilder("[");
         foreach (var picture in Thumbnails)
         {
-            text.Append(text.Length > 1 ? ", " : "").Append("{\"width\": ").Append(NumberFormatter.Format(picture.Width)).Append(", \"height\": ").Append(NumberFormatter.Format(picture.Height));
+            text.Append(text.Length > 1 ? ", " : "").Append("{\"width\": ").Append(NumberFormatter.Format(picture.Width)).Append(", \"height\": ")
+                .Append(NumberFormatter.Format(picture.Height));
             text.Append(", \"format\": ").Append(JsonLines.Quoted(picture.Format)).Append('}');
         }
         return text.Append(']').ToString();

@@ -9,7 +9,8 @@ namespace Caterpillar.GCode;
 public sealed class DecodedGCode
 {
     internal DecodedGCode(
-        GCodeDocument? document, Toolpath toolpath, DecodeReport report, DialectRules dialect, IReadOnlyList<string> evidence, IReadOnlyDictionary<string, string> settings,
+        GCodeDocument? document, Toolpath toolpath, DecodeReport report, DialectRules dialect, IReadOnlyList<string> evidence,
+            IReadOnlyDictionary<string, string> settings,
         IReadOnlyDictionary<string, int> ignored, ExtrusionRule rule)
     {
         Document = document;

@@ -50,7 +50,8 @@ internal sealed partial class DecoderCore
         arc = default;
         if (!_rules.Arcs) return _rules.Title + " knows no arcs.";
         if (_relative && !_rules.ArcsInRelativeMode) return _rules.Title + " refuses arcs in relative mode.";
-        if (_rules.ArcNamesEnd && !line.HasAny(_plane switch { ArcPlane.XY => "XY", ArcPlane.ZX => "ZX", _ => "YZ" })) return _rules.Title + " refuses arcs that do not name their end.";
+        if (_rules.ArcNamesEnd && !line.HasAny(_plane switch { ArcPlane.XY => "XY", ArcPlane.ZX => "ZX", _ => "YZ" })) return _rules.Title
+            + " refuses arcs that do not name their end.";
         if (line.Find('P') >= 0 && _rules.ArcTurns == ArcTurnsRule.Refused) return _rules.Title + " refuses arcs with P.";
         bool hasI = line.TryGet('I', out var i), hasJ = line.TryGet('J', out var j), hasK = line.TryGet('K', out var k), hasR = line.TryGet('R', out var r);
         var centered = hasI || hasJ || hasK;
@@ -58,7 +59,8 @@ internal sealed partial class DecoderCore
         if (hasR && _rules.RadiusArcs && (!centered || _rules.RadiusAndCenter == RadiusAndCenterRule.RadiusWins))
         {
             if (_rules.RadiusInXyOnly && _plane != ArcPlane.XY) return _rules.Title + " takes R in the plane XY only.";
-            return ByRadius(start, end, r * Unit, out arc) ? null : "An arc by R needs two different points that R reaches; " + _rules.Title + " refuses others.";
+            return ByRadius(start, end, r * Unit, out arc) ? null
+                : "An arc by R needs two different points that R reaches; " + _rules.Title + " refuses others.";
         }
         if (centered) return Centered(line, start, end, new Vec3(Center(_x, i, hasI), Center(_y, j, hasJ), Center(_z, k, hasK)), out arc);
         return hasR ? _rules.Title + " knows no arcs by R." : "An arc without center is refused by " + _rules.Title + ".";
@@ -76,9 +78,11 @@ internal sealed partial class DecoderCore
         var (eu, ev) = InPlane(end - center);
         var radius = Math.Sqrt(su * su + sv * sv);
         if (radius <= NoChange) return "An arc whose center is its start is refused by " + _rules.Title + ".";
-        if (_rules.ArcTolerance is { } tolerance && tolerance.Refuses(radius, Math.Sqrt(eu * eu + ev * ev))) return _rules.Title + " refuses an arc whose end is not on its circle.";
+        if (_rules.ArcTolerance is { } tolerance && tolerance.Refuses(radius, Math.Sqrt(eu * eu + ev * ev))) return _rules.Title
+            + " refuses an arc whose end is not on its circle.";
         var closed = Math.Abs(su - eu) <= NoChange && Math.Abs(sv - ev) <= NoChange;
-        if (line.Find('P') >= 0 && _rules.ArcTurns == ArcTurnsRule.OneCircle && (!closed || Rounds(line) != 1)) return _rules.Title + " takes P1 of a full circle only.";
+        if (line.Find('P') >= 0 && _rules.ArcTurns == ArcTurnsRule.OneCircle && (!closed || Rounds(line) != 1)) return _rules.Title
+            + " takes P1 of a full circle only.";
         double sweep;
         if (closed)
         {
@@ -144,7 +148,8 @@ internal sealed partial class DecoderCore
     private void Arc(Vec3 start, Vec3 end, double e, Arc arc)
     {
         var length = arc.Length(start, end);
-        if (!(length * length < LargestSquare) || IsTooFar(end.X, end.Y, end.Z) || IsTooFar(arc.Center.X, arc.Center.Y, arc.Center.Z) || !(Math.Abs(e) < LargestE))
+        if (!(length * length < LargestSquare) || IsTooFar(end.X, end.Y, end.Z) || IsTooFar(arc.Center.X, arc.Center.Y, arc.Center.Z)
+            || !(Math.Abs(e) < LargestE))
         {
             DecodeCounters.Feeds++;
             OutOfRange();

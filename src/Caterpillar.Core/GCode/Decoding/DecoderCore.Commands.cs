@@ -81,7 +81,8 @@ internal sealed partial class DecoderCore
             var code = Tenfold(line.Values[i]);
             if (_rules.Commands == CommandsRule.InOrder && explicitMotion >= 0)
             {
-                if (code is 0 or 10 or 20 or 30) Differs("gcode.dialect_commands", "A line has several motions: the last alone is read, with the words of all.");
+                if (code is 0 or 10 or 20 or 30) Differs("gcode.dialect_commands",
+                    "A line has several motions: the last alone is read, with the words of all.");
                 else continue;
             }
             if (code is 0 or 10 or 20 or 30) explicitMotion = code / 10;
@@ -147,7 +148,8 @@ internal sealed partial class DecoderCore
         var last = true;
         for (var i = word + 1; i < line.Count && last; i++) last = line.Letters[i] != 'G' || !line.HasValue[i];
         if (number == 1 && last) return true;
-        if (last) Differs("gcode.dialect_commands", "A line has several G words: " + _rules.Title + " executes the " + (_rules.Commands == CommandsRule.First ? "first" : "last") + " alone.");
+        if (last) Differs("gcode.dialect_commands", "A line has several G words: " + _rules.Title + " executes the "
+            + (_rules.Commands == CommandsRule.First ? "first" : "last") + " alone.");
         return _rules.Commands == CommandsRule.First ? number == 1 : last;
     }
 
@@ -248,7 +250,8 @@ internal sealed partial class DecoderCore
     {
         for (var i = 0; i < line.Count; i++)
         {
-            if (line.HasValue[i] && (line.Letters[i] is (byte)'X' or (byte)'Y' or (byte)'Z' || _axis.Is(line.Letters[i]) || (_readsTurns && line.Letters[i] is (byte)'A' or (byte)'B' or (byte)'C')
+            if (line.HasValue[i] && (line.Letters[i] is (byte)'X' or (byte)'Y' or (byte)'Z' || _axis.Is(line.Letters[i])
+                || (_readsTurns && line.Letters[i] is (byte)'A' or (byte)'B' or (byte)'C')
                 || (_motion > 1 && line.Letters[i] is (byte)'I' or (byte)'J' or (byte)'K' or (byte)'R'))) return true;
         }
         return false;

@@ -70,7 +70,8 @@ internal sealed partial class DecoderCore
                 PopModes();
                 return;
             case 2040:
-                if ((line.TryGet('S', out var acceleration) || line.TryGet('P', out acceleration)) && acceleration is > 0 and < 1e9) AddEvent(new AccelerationEvent(acceleration));
+                if ((line.TryGet('S', out var acceleration) || line.TryGet('P', out acceleration))
+                    && acceleration is > 0 and < 1e9) AddEvent(new AccelerationEvent(acceleration));
                 return;
             case 2000 when _rules.Volumetric:
                 Volumetric(line);
@@ -103,7 +104,8 @@ internal sealed partial class DecoderCore
         foreach (var command in _rules.ToolCommands)
         {
             var blank = command.IndexOf(" ", StringComparison.Ordinal);
-            if (!NumberReader.TryParseInt(command.Substring(1, blank - 1), out var number) || number * 10 != code || !line.TryGet(command[blank + 1], out var tool)) continue;
+            if (!NumberReader.TryParseInt(command.Substring(1, blank - 1), out var number) || number * 10 != code
+                || !line.TryGet(command[blank + 1], out var tool)) continue;
             ChangeTool(tool);
             return true;
         }
@@ -220,7 +222,8 @@ internal sealed partial class DecoderCore
     }
 
     private void NotFollowed(string name) => Diagnostics.Add(
-        Severity.Warning, "gcode.not_followed", _rules.Title + ": " + name + " moves the head or shifts its coordinates in a way that is not followed; positions behind it may be wrong.", new SourceLocation(Line: _line));
+        Severity.Warning, "gcode.not_followed", _rules.Title + ": " + name
+            + " moves the head or shifts its coordinates in a way that is not followed; positions behind it may be wrong.", new SourceLocation(Line: _line));
 
     private void Count(string name)
     {

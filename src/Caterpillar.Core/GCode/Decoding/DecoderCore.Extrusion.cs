@@ -43,7 +43,8 @@ internal sealed partial class DecoderCore
             return 0;
         }
         if (_modesDiffer)
-            Differs("gcode.dialect_e_mode", "E is absolute or relative depending on the firmware here (order of G90, G91, M82, M83); " + _rules.Title + " takes it as " + (_relativeE ? "relative." : "absolute."));
+            Differs("gcode.dialect_e_mode", "E is absolute or relative depending on the firmware here (order of G90, G91, M82, M83); " + _rules.Title
+                + " takes it as " + (_relativeE ? "relative." : "absolute."));
         var change = _relativeE ? word : word - _e;
         _e += change;
         if (_shadow)

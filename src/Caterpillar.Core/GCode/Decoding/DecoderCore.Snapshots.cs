@@ -30,7 +30,10 @@ internal sealed partial class DecoderCore
     /// <summary>True when E words are increments now.</summary>
     public bool IsRelativeE => _relativeE;
 
-    /// <summary>Reads a line and forgets what was before it; returns the number of moves it makes. <paramref name="commands"/> counts motion commands, also those that move nothing.</summary>
+    /// <summary>
+    /// Reads a line and forgets what was before it; returns the number of moves it makes. <paramref name="commands"/> counts motion commands, also those that
+    /// move nothing.
+    /// </summary>
     public int ReadLine(byte[] text, int start, int end, out int commands)
     {
         _parsed.Scan(text, start, end);

@@ -18,7 +18,8 @@ internal sealed partial class DecoderCore
 
     private (double X, double Y, double Z) Origin() => Origin(_system);
 
-    private (double X, double Y, double Z) Origin(int system) => _systems is null ? (0, 0, 0) : (_systems[3 * system], _systems[3 * system + 1], _systems[3 * system + 2]);
+    private (double X, double Y, double Z) Origin(int system)
+        => _systems is null ? (0, 0, 0) : (_systems[3 * system], _systems[3 * system + 1], _systems[3 * system + 2]);
 
     // True when the code chooses a system; codes are tenfold.
     private bool Workspace(int code)
@@ -34,7 +35,8 @@ internal sealed partial class DecoderCore
         var before = Origin();
         _system = system;
         if (system > 0 && Origin() == (0, 0, 0))
-            Diagnostics.Add(Severity.Remark, "gcode.workspace", "A coordinate system is chosen whose zero the file does not set: it is taken as the zero of the machine.", new SourceLocation(Line: _line));
+            Diagnostics.Add(Severity.Remark, "gcode.workspace",
+                "A coordinate system is chosen whose zero the file does not set: it is taken as the zero of the machine.", new SourceLocation(Line: _line));
         Moved(before, Origin());
         return true;
     }

@@ -10,7 +10,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Second half of decoding: the state of the machine, line after line. Positions are kept as written (after G92), in mm; the columns get them in machine coordinates, which G92 does not move.
+/// Second half of decoding: the state of the machine, line after line. Positions are kept as written (after G92), in mm; the columns get them in machine
+/// coordinates, which G92 does not move.
 /// </summary>
 internal sealed partial class DecoderCore
 {

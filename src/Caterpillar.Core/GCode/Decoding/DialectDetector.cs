@@ -15,9 +15,12 @@ internal static class DialectDetector
     // Flavours as slicers name them in their comments.
     private static readonly (string Key, string Name)[] Flavours =
     [
-        ("reprap (marlin/sprinter)", "marlin2"), ("reprap (reprap)", "marlin1"), ("reprapfirmware", "reprapfirmware"), ("reprapsprinter", "marlin1"), ("repetier", "repetier"),
-        ("teacup", "marlin1"), ("makerware", "sailfish"), ("sailfish", "sailfish"), ("marlin2", "marlin2"), ("marlin", "marlin1"), ("klipper", "klipper"), ("mach3", "cnc"),
-        ("machinekit", "cnc"), ("smoothie", "smoothie"), ("reprap", "marlin1"), ("ultigcode", "ultigcode"), ("griffin", "marlin1"), ("bfb", "bfb"), ("rrf", "reprapfirmware"),
+        ("reprap (marlin/sprinter)", "marlin2"), ("reprap (reprap)", "marlin1"), ("reprapfirmware", "reprapfirmware"), ("reprapsprinter", "marlin1"),
+            ("repetier", "repetier"),
+        ("teacup", "marlin1"), ("makerware", "sailfish"), ("sailfish", "sailfish"), ("marlin2", "marlin2"), ("marlin", "marlin1"), ("klipper", "klipper"),
+            ("mach3", "cnc"),
+        ("machinekit", "cnc"), ("smoothie", "smoothie"), ("reprap", "marlin1"), ("ultigcode", "ultigcode"), ("griffin", "marlin1"), ("bfb", "bfb"),
+            ("rrf", "reprapfirmware"),
     ];
 
     // Commands and words, as they begin a line, that tell a firmware.
@@ -59,11 +62,13 @@ internal static class DialectDetector
         }
         if (name is null && (axis == ExtrusionAxis.A || axis == ExtrusionAxis.Both || axis == ExtrusionAxis.B))
         {
-            var sailfish = text.IndexOf("\nM126", StringComparison.Ordinal) >= 0 || text.IndexOf("\nG162", StringComparison.Ordinal) >= 0 || axis != ExtrusionAxis.A;
+            var sailfish = text.IndexOf("\nM126", StringComparison.Ordinal) >= 0 || text.IndexOf("\nG162", StringComparison.Ordinal) >= 0
+                || axis != ExtrusionAxis.A;
             evidence.Add("The " + axis.Name + " axis extrudes.");
             name = sailfish ? "sailfish" : "cnc";
         }
-        if (name is null && axis == ExtrusionAxis.None && (text.IndexOf("\nM3 ", StringComparison.Ordinal) >= 0 || text.IndexOf("\nM5", StringComparison.Ordinal) >= 0))
+        if (name is null && axis == ExtrusionAxis.None
+            && (text.IndexOf("\nM3 ", StringComparison.Ordinal) >= 0 || text.IndexOf("\nM5", StringComparison.Ordinal) >= 0))
         {
             evidence.Add("Nothing extrudes, and M3 or M5 switch a spindle.");
             name = "grbl";

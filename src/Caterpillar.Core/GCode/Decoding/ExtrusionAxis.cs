@@ -32,11 +32,14 @@ internal sealed class ExtrusionAxis
     /// <summary>The axis with this letter, or <see cref="None"/>.</summary>
     public static ExtrusionAxis Of(char letter) => letter switch { 'E' => E, 'A' => A, 'B' => B, _ => None };
 
-    /// <summary>What is left of it in a dialect: where A and B are no extruders, they turn axes; where there are no amounts, a switch may be left, or nothing.</summary>
+    /// <summary>
+    /// What is left of it in a dialect: where A and B are no extruders, they turn axes; where there are no amounts, a switch may be left, or nothing.
+    /// </summary>
     public ExtrusionAxis In(DialectRules rules)
         => HasAmounts && rules.ExtruderLetters.Length == 0 ? rules.SwitchedExtruder ? Switched : None
             : this == Switched && !rules.SwitchedExtruder ? None
-            : this == A && rules.ExtruderLetters.IndexOf("A", StringComparison.Ordinal) < 0 || this == B && rules.ExtruderLetters.IndexOf("B", StringComparison.Ordinal) < 0
+            : this == A && rules.ExtruderLetters.IndexOf("A", StringComparison.Ordinal) < 0 || this == B
+                && rules.ExtruderLetters.IndexOf("B", StringComparison.Ordinal) < 0
             || this == Both && rules.ExtruderLetters.IndexOf("A", StringComparison.Ordinal) < 0 ? None : this;
 
     public bool Is(byte letter) => Letter == letter || (this == Both && (letter == 'A' || letter == 'B'));
@@ -59,8 +62,8 @@ internal sealed class ExtrusionAxis
     }
 
     /// <summary>
-    /// E when some G0 to G3 with an X or Y word has an E word; else A, B or A+B by the same test; else the switch when there is an M101 or M103; else E when any G0 to G3 has one. Chunks are read until
-    /// the first is found.
+    /// E when some G0 to G3 with an X or Y word has an E word; else A, B or A+B by the same test; else the switch when there is an M101 or M103; else E when
+    /// any G0 to G3 has one. Chunks are read until the first is found.
     /// </summary>
     public static ExtrusionAxis Detect(IEnumerable<GCodeChunk> chunks)
     {

@@ -22,7 +22,8 @@ internal static class FilamentFactors
             var parts = text.Split(',');
             var factors = new double?[Math.Min(parts.Length, 1000)];
             for (var i = 0; i < factors.Length; i++)
-                factors[i] = NumberReader.TryParse(parts[i].Trim(), out var d) && d is > 0 and < 1000 ? ExtrusionModel.FilamentAreaOf(d) : diameter is { } other ? ExtrusionModel.FilamentAreaOf(other) : null;
+                factors[i] = NumberReader.TryParse(parts[i].Trim(), out var d)
+                    && d is > 0 and < 1000 ? ExtrusionModel.FilamentAreaOf(d) : diameter is { } other ? ExtrusionModel.FilamentAreaOf(other) : null;
             return factors;
         }
         return diameter is { } given ? [ExtrusionModel.FilamentAreaOf(given)] : [];

@@ -11,8 +11,9 @@ using Caterpillar.Machines;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Reads G-code into a Toolpath. Any bytes decode to something: what a line means to no firmware is counted and reported, never fatal. The rules of each firmware are data
-/// (<see cref="DialectRules"/>); with the dialect <c>slicer</c> and <see cref="ExtrusionRule.Rising"/> they are those of slicers' own viewers.
+/// Reads G-code into a Toolpath. Any bytes decode to something: what a line means to no firmware is counted and reported, never fatal. The rules of each
+/// firmware are data (<see cref="DialectRules"/>); with the dialect <c>slicer</c> and <see cref="ExtrusionRule.Rising"/> they are those of slicers' own
+/// viewers.
 /// </summary>
 public static class GCodeDecoder
 {
@@ -21,14 +22,16 @@ public static class GCodeDecoder
 
     /// <summary>Decodes a document.</summary>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static Result<DecodedGCode> Decode(GCodeDocument document, DecodeOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    public static Result<DecodedGCode> Decode(GCodeDocument document, DecodeOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
     {
         if (document is null) throw new ArgumentNullException(nameof(document));
         var axis = ExtrusionAxis.Detect(document.Chunks);
         var length = (double)document.Length;
         try
         {
-            return Run(document, document.Chunks, axis, done => done / length, document.Name, options ?? new DecodeOptions(), progress, cancel, document.Chunks, () => document.Notes);
+            return Run(document, document.Chunks, axis, done => done / length, document.Name, options
+                ?? new DecodeOptions(), progress, cancel, document.Chunks, () => document.Notes);
         }
         catch (InvalidDataException tooLong)
         {
@@ -38,7 +41,8 @@ public static class GCodeDecoder
 
     /// <summary>Decodes bytes: plain, gzip, or binary G-code.</summary>
     /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
-    public static Result<DecodedGCode> Decode(byte[] bytes, DecodeOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    public static Result<DecodedGCode> Decode(byte[] bytes, DecodeOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
     {
         GCodeDocument document;
         try
@@ -73,7 +77,8 @@ public static class GCodeDecoder
         }
     }
 
-    private static Result<DecodedGCode> DecodeSource(GCodeSource source, DecodeOptions options, string name, IProgress<double>? progress, CancellationToken cancel)
+    private static Result<DecodedGCode> DecodeSource(GCodeSource source, DecodeOptions options, string name, IProgress<double>? progress,
+        CancellationToken cancel)
     {
         var tail = source.Tail();
         using var chunks = ChunkReader.Read(source.Text, 1024 * 1024, cancel).GetEnumerator();
@@ -105,10 +110,12 @@ public static class GCodeDecoder
     }
 
     private static Result<DecodedGCode> Broken(InvalidDataException broken, string name)
-        => new(null, [new Diagnostic(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message, name.Length > 0 ? new SourceLocation(name) : null)]);
+        => new(null, [new Diagnostic(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message, name.Length > 0 ? new SourceLocation(name)
+            : null)]);
 
     private static Result<DecodedGCode> Run(
-        GCodeDocument? document, IEnumerable<GCodeChunk> chunks, ExtrusionAxis axis, Func<long, double> share, string name, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel,
+        GCodeDocument? document, IEnumerable<GCodeChunk> chunks, ExtrusionAxis axis, Func<long, double> share, string name, DecodeOptions options,
+            IProgress<double>? progress, CancellationToken cancel,
         IReadOnlyList<GCodeChunk> told, Func<IReadOnlyList<Diagnostic>> notes, Func<GCodeChunk?>? late = null)
     {
         Detection? detected = options.Dialect is null ? DialectDetector.Detect(told, axis) : null;
@@ -117,7 +124,8 @@ public static class GCodeDecoder
         var given = axis;
         axis = axis.In(rules);
         var core = new DecoderCore(rules, options.Rule, axis);
-        if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched)) core.Diagnostics.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " knows no extruder by " + given.Name + ": what the file says of extrusion is left out.");
+        if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched)) core.Diagnostics.Add(Severity.Warning, "gcode.no_extruder",
+            rules.Title + " knows no extruder by " + given.Name + ": what the file says of extrusion is left out.");
         var lines = 0;
         var mark = false;
         var checkpoints = document is null ? null : new List<Checkpoint>(document.Chunks.Count);
@@ -140,15 +148,18 @@ public static class GCodeDecoder
         core.ReportIgnored();
         if (detected is { } found && found.IsDefault)
             core.Diagnostics.Add(Severity.Remark, "gcode.dialect_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
-        if (detected is { IsDefault: true } && core.Settings.TryGetValue("gcode_flavor", out var flavour) && DialectDetector.OfFlavour(flavour) is { } meant && meant != rules.Name)
-            core.Diagnostics.Add(Severity.Warning, "gcode.dialect_late", "The settings at the end of the file name the flavour \"" + flavour + "\"; it was read as " + rules.Title + ". State the dialect.");
+        if (detected is { IsDefault: true } && core.Settings.TryGetValue("gcode_flavor", out var flavour) && DialectDetector.OfFlavour(flavour) is { } meant
+            && meant != rules.Name)
+            core.Diagnostics.Add(Severity.Warning, "gcode.dialect_late", "The settings at the end of the file name the flavour \"" + flavour
+                + "\"; it was read as " + rules.Title + ". State the dialect.");
         var settings = core.Settings.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
         var toolpath = core.Finish(FilamentFactors.Of(settings, options.FilamentDiameter));
         var report = Reports.Of(core, axis, name, bytes, mark);
         var diagnostics = core.Diagnostics.ToList();
         if (name.Length > 0) diagnostics = diagnostics.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }).ToList();
         return new Result<DecodedGCode>(
-            new DecodedGCode(document, toolpath, report, rules, detected?.Evidence ?? [], settings, core.IgnoredCommands.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal), options.Rule)
+            new DecodedGCode(document, toolpath, report, rules, detected?.Evidence
+                ?? [], settings, core.IgnoredCommands.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal), options.Rule)
             {
                 Checkpoints = checkpoints?.ToArray() ?? [],
                 Axis = axis,

@@ -60,7 +60,8 @@ internal sealed class MachineSnapshot
             && Near(ShiftX, other.ShiftX) && Near(ShiftY, other.ShiftY) && Near(ShiftZ, other.ShiftZ)
             && Speed == other.Speed && Tool == other.Tool && Motion == other.Motion && Plane == other.Plane
             && Relative == other.Relative && Inches == other.Inches && M83 == other.M83 && LastRelative == other.LastRelative
-            && AbsoluteCenters == other.AbsoluteCenters && Volumetric == other.Volumetric && SwitchedOn == other.SwitchedOn && Turns == other.Turns && TurnShift == other.TurnShift
+            && AbsoluteCenters == other.AbsoluteCenters && Volumetric == other.Volumetric && SwitchedOn == other.SwitchedOn && Turns == other.Turns
+                && TurnShift == other.TurnShift
             && Workspace == other.Workspace && Alike(Workspaces, other.Workspaces) && Stored28 == other.Stored28 && Stored30 == other.Stored30
             && Offset == other.Offset && OffsetE == other.OffsetE && ModeStack.SequenceEqual(other.ModeStack) && NamedStates.SequenceEqual(other.NamedStates);
 

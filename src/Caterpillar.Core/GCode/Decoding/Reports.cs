@@ -62,5 +62,6 @@ internal static class Reports
         };
     }
 
-    private static Bounds ToBounds(Box box) => box.IsEmpty ? Bounds.Empty : new Bounds(new Vec3(box.MinX, box.MinY, box.MinZ), new Vec3(box.MaxX, box.MaxY, box.MaxZ));
+    private static Bounds ToBounds(Box box)
+        => box.IsEmpty ? Bounds.Empty : new Bounds(new Vec3(box.MinX, box.MinY, box.MinZ), new Vec3(box.MaxX, box.MaxY, box.MaxZ));
 }

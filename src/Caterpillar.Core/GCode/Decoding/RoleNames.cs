@@ -42,11 +42,13 @@ internal static class RoleNames
         {
             foreach (var name in names) table[name] = role;
         }
-        Add(Role.OuterWall, "wall-outer", "external perimeter", "outer wall", "outer perimeter", "external perimeters", "perimeter path", "outer perimeter path", "thin wall");
+        Add(Role.OuterWall, "wall-outer", "external perimeter", "outer wall", "outer perimeter", "external perimeters", "perimeter path",
+            "outer perimeter path", "thin wall");
         Add(Role.InnerWall, "wall-inner", "perimeter", "internal perimeter", "inner wall", "inner perimeter", "perimeters", "loop path", "single extrusion");
         Add(Role.OverhangWall, "overhang perimeter", "overhang wall");
         Add(Role.Infill, "fill", "internal infill", "infill", "sparse infill", "sparse infill path", "stacked sparse infill path", "fill-sparse");
-        Add(Role.SolidInfill, "solid infill", "internal solid infill", "solid layer", "skin", "solid path", "solid-fill", "solid fill", "solid", "floating vertical shell");
+        Add(Role.SolidInfill, "solid infill", "internal solid infill", "solid layer", "skin", "solid path", "solid-fill", "solid fill", "solid",
+            "floating vertical shell");
         Add(Role.TopSkin, "top solid infill", "top surface", "crown path", "top-fill", "top solid fill", "skin-top");
         Add(Role.BottomSkin, "bottom surface", "bottom solid infill", "bottom-fill", "skin-bottom");
         Add(Role.Bridge, "bridge infill", "internal bridge infill", "bridge", "internal bridge", "bridge-infill");

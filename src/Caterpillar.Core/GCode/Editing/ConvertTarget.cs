@@ -78,7 +78,8 @@ internal sealed record ConvertTarget
         if (axis == ExtrusionAxis.Switched)
         {
             if (dialect.SwitchedExtruder) return axis;
-            problems.Add(Severity.Error, "gcode.no_amounts", "The file switches its extruder by M101 and M103 and says no amounts of E; " + dialect.Title + " needs them, and they cannot be made up.");
+            problems.Add(Severity.Error, "gcode.no_amounts", "The file switches its extruder by M101 and M103 and says no amounts of E; " + dialect.Title
+                + " needs them, and they cannot be made up.");
             return null;
         }
         var letters = dialect.ExtruderLetters;
@@ -90,7 +91,8 @@ internal sealed record ConvertTarget
         }
         if (dialect.SwitchedExtruder)
         {
-            problems.Add(Severity.Warning, "gcode.amounts_lost", dialect.Title + " only switches its extruder on and off (M101, M103): amounts of E and retractions are lost.");
+            problems.Add(Severity.Warning, "gcode.amounts_lost", dialect.Title
+                + " only switches its extruder on and off (M101, M103): amounts of E and retractions are lost.");
             return ExtrusionAxis.Switched;
         }
         problems.Add(
@@ -116,7 +118,8 @@ internal sealed record ConvertTarget
             return null;
         }
         if (wanted && !dialect.Volumetric && !dialect.StartsVolumetric)
-            problems.Add(Severity.Warning, "gcode.volumes_unsaid", dialect.Title + " cannot be told that E is a volume (M200): the machine has to be set up for it.");
+            problems.Add(Severity.Warning, "gcode.volumes_unsaid", dialect.Title
+                + " cannot be told that E is a volume (M200): the machine has to be set up for it.");
         var areas = FilamentFactors.Areas(decoding.Settings, null);
         var factors = new double[tools.Count];
         for (var i = 0; i < factors.Length; i++)
@@ -126,7 +129,8 @@ internal sealed record ConvertTarget
                 : areas.Length == 0 ? null : areas[Math.Min(i, areas.Length - 1)];
             if (!(area > 0))
             {
-                problems.Add(Severity.Error, "gcode.diameter_unknown", "E in " + (wanted ? dialect.Title + " is a volume" : "the file is a volume") + ": its conversion needs the diameter of the filament, which the file does not say.");
+                problems.Add(Severity.Error, "gcode.diameter_unknown", "E in " + (wanted ? dialect.Title + " is a volume" : "the file is a volume")
+                    + ": its conversion needs the diameter of the filament, which the file does not say.");
                 return null;
             }
             factors[i] = wanted ? area.Value : 1 / area.Value;

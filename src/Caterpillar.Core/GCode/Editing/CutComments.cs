@@ -4,8 +4,8 @@ using System.Linq;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Comments in front of moves that are cut out, as far as the moves behind the cut need them: where a layer begins, what strands are for, of which object. A later comment of the same kind
-/// takes their place.
+/// Comments in front of moves that are cut out, as far as the moves behind the cut need them: where a layer begins, what strands are for, of which object. A
+/// later comment of the same kind takes their place.
 /// </summary>
 internal sealed class CutComments
 {

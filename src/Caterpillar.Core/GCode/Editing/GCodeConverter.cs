@@ -44,7 +44,9 @@ public sealed record ConvertOptions
     public int? DecimalsF { get; init; }
 }
 
-/// <summary>Writes a decoded file for another firmware or in another notation: lines that mean the same stay as they are, the others change in the file's own style.</summary>
+/// <summary>
+/// Writes a decoded file for another firmware or in another notation: lines that mean the same stay as they are, the others change in the file's own style.
+/// </summary>
 public static class GCodeConverter
 {
     /// <summary>Converts a file that was decoded with its document.</summary>
@@ -52,7 +54,8 @@ public static class GCodeConverter
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static IReadOnlyList<Diagnostic> Convert(DecodedGCode decoding, ConvertOptions options, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+    public static IReadOnlyList<Diagnostic> Convert(DecodedGCode decoding, ConvertOptions options, Stream stream, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (options is null) throw new ArgumentNullException(nameof(options));
@@ -67,7 +70,8 @@ public static class GCodeConverter
     }
 
     /// <inheritdoc cref="Convert" path="/summary"/>
-    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, ConvertOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
+    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, ConvertOptions options, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
     {
         using var memory = new MemoryStream();
         var problems = Convert(decoding, options, memory, progress, cancel);

@@ -11,8 +11,8 @@ namespace Caterpillar.GCode;
 public sealed record EditOptions
 {
     /// <summary>
-    /// Lines in place of everything before the first layer (its first comment, or the first strand where there are none); null keeps it. Behind them the modes, E, feed and place are stated that the
-    /// rest of the file expects.
+    /// Lines in place of everything before the first layer (its first comment, or the first strand where there are none); null keeps it. Behind them the modes,
+    /// E, feed and place are stated that the rest of the file expects.
     /// </summary>
     public IReadOnlyList<string>? Start { get; init; }
 
@@ -23,15 +23,21 @@ public sealed record EditOptions
     internal bool Anew { get; init; }
 }
 
-/// <summary>Writes a decoded file again with an edited toolpath: untouched lines byte for byte, changed ones in the file's own style, and at the splices the state that the rest of the file expects.</summary>
+/// <summary>
+/// Writes a decoded file again with an edited toolpath: untouched lines byte for byte, changed ones in the file's own style, and at the splices the state that
+/// the rest of the file expects.
+/// </summary>
 public static class GCodeEditor
 {
-    /// <summary>Writes the file with the moves of <paramref name="edited"/>, which comes from the decoding's toolpath by edits that keep the order of its moves.</summary>
+    /// <summary>
+    /// Writes the file with the moves of <paramref name="edited"/>, which comes from the decoding's toolpath by edits that keep the order of its moves.
+    /// </summary>
     /// <returns>What was noticed; with errors nothing was written.</returns>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static IReadOnlyList<Diagnostic> Write(DecodedGCode decoding, Toolpath edited, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+    public static IReadOnlyList<Diagnostic> Write(DecodedGCode decoding, Toolpath edited, Stream stream, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
         => Write(decoding, edited, new EditOptions(), stream, progress, cancel);
 
     /// <inheritdoc cref="Write(DecodedGCode, Toolpath, Stream, IProgress{double}?, CancellationToken)"/>
@@ -44,7 +50,8 @@ public static class GCodeEditor
         if (decoding.Document is null) throw new ArgumentException("Writing a file again needs its document.", nameof(decoding));
         var plan = SplicePlan.Of(decoding, edited);
         if (!plan.InOrder || edited.Source != MoveSource.Lines)
-            return [new Diagnostic(Severity.Error, "gcode.reordered", "The moves are not in the order of the file's lines; write the toolpath as new G-code instead.")];
+            return [new Diagnostic(Severity.Error, "gcode.reordered",
+                "The moves are not in the order of the file's lines; write the toolpath as new G-code instead.")];
         var splicer = new Splicer(decoding, null, stream) { Anew = options.Anew };
         splicer.Replace(options, plan);
         if (options.Anew) plan.Touch(1, int.MaxValue);
@@ -53,11 +60,13 @@ public static class GCodeEditor
     }
 
     /// <inheritdoc cref="Write(DecodedGCode, Toolpath, Stream, IProgress{double}?, CancellationToken)" path="/summary"/>
-    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, Toolpath edited, IProgress<double>? progress = null, CancellationToken cancel = default)
+    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, Toolpath edited, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
         => ToDocument(decoding, edited, new EditOptions(), progress, cancel);
 
     /// <inheritdoc cref="ToDocument(DecodedGCode, Toolpath, IProgress{double}?, CancellationToken)"/>
-    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, Toolpath edited, EditOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
+    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, Toolpath edited, EditOptions options, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
     {
         using var memory = new MemoryStream();
         var problems = Write(decoding, edited, options, memory, progress, cancel);

@@ -22,10 +22,12 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
     public int Count { get; private set; }
 
     /// <summary>
-    /// Makes <paramref name="wanted"/> of the scanned line between <paramref name="start"/> and <paramref name="end"/>; <paramref name="code"/> is the G of a straight move, or −1 for that of the line,
+    /// Makes <paramref name="wanted"/> of the scanned line between <paramref name="start"/> and <paramref name="end"/>; <paramref name="code"/> is the G of a
+    /// straight move, or −1 for that of the line,
     /// <paramref name="owed"/> what rounding of E has left; with <paramref name="anew"/> also numbers that are right are written again.
     /// </summary>
-    public void Rewrite(ParsedLine line, byte[] text, int start, int end, Wanted wanted, MachineSnapshot state, int code, bool relativeE, double owed, bool anew)
+    public void Rewrite(ParsedLine line, byte[] text, int start, int end, Wanted wanted, MachineSnapshot state, int code, bool relativeE, double owed,
+        bool anew)
     {
         _line = line;
         _edits.Clear();
@@ -148,7 +150,9 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         Delete('R');
         Turns(rules.TurnsWord(arc.Turns));
         // A full circle says its end, so that the other words cannot be mistaken.
-        if ((_line.Find('R') >= 0 || (rules.ArcNamesEnd && _line.Find('Y') < 0)) && _line.Find('X') < 0 && arc.Plane != ArcPlane.YZ) Insert((byte)'X', (state.Relative ? wanted.X - state.ShiftX - state.X : wanted.X - state.ShiftX) / unit, style.DecimalsXyz);
+        if ((_line.Find('R') >= 0 || (rules.ArcNamesEnd && _line.Find('Y') < 0)) && _line.Find('X') < 0
+            && arc.Plane != ArcPlane.YZ) Insert((byte)'X', (state.Relative ? wanted.X - state.ShiftX - state.X : wanted.X - state.ShiftX) / unit,
+            style.DecimalsXyz);
     }
 
     private void Turns(int number)

@@ -78,7 +78,8 @@ internal sealed partial class Splicer
         return code switch
         {
             92 => Rename(Comment(text, end)),
-            10 or 11 when _in.LastMoves.Count > 0 && _rules.FirmwareRetraction => _line.HasAny(_rules.NoRetractionWith) ? ["G" + NumberFormatter.Format(code, 0) + Comment(text, end)] : null,
+            10 or 11 when _in.LastMoves.Count > 0 && _rules.FirmwareRetraction
+                => _line.HasAny(_rules.NoRetractionWith) ? ["G" + NumberFormatter.Format(code, 0) + Comment(text, end)] : null,
             10 or 11 when _in.LastMoves.Count > 0 => FirmwareRetraction(code == 10, Comment(text, end)),
             _ => null,
         };
@@ -92,7 +93,8 @@ internal sealed partial class Splicer
         var modes = new List<string>();
         for (var i = 0; i < _line.Count; i++)
         {
-            if (_line.Letters[i] == 'G' && _line.HasValue[i] && _line.Values[i] is not (20 or 21) && IsMode(_line.Values[i])) modes.Add("G" + NumberFormatter.Format(_line.Values[i], 1));
+            if (_line.Letters[i] == 'G' && _line.HasValue[i] && _line.Values[i] is not (20 or 21)
+                && IsMode(_line.Values[i])) modes.Add("G" + NumberFormatter.Format(_line.Values[i], 1));
         }
         return modes;
     }
@@ -119,7 +121,8 @@ internal sealed partial class Splicer
     {
         if (_target!.RetractionLength <= 0 || _extruder == 0)
         {
-            Diagnostics.Add(Severity.Warning, "gcode.retraction_lost", _rules.Title + " knows no G10 and G11, and no length of retraction is given: they are left out.", new SourceLocation(Line: _number));
+            Diagnostics.Add(Severity.Warning, "gcode.retraction_lost", _rules.Title
+                + " knows no G10 and G11, and no length of retraction is given: they are left out.", new SourceLocation(Line: _number));
             return [];
         }
         var length = retract ? -_target.RetractionLength : _target.RetractionLength;

@@ -173,7 +173,8 @@ internal sealed partial class Splicer
             Chords(wanted, arc, before);
             return;
         }
-        var code = wanted.Arc is { } turn ? "G" + NumberFormatter.Format(_rules.ArcCode(turn.Plane, turn.Sweep < 0)) : wanted.Kind == MoveKind.Travel && _style.TravelsByG0 ? "G0" : "G1";
+        var code = wanted.Arc is { } turn ? "G" + NumberFormatter.Format(_rules.ArcCode(turn.Plane, turn.Sweep < 0)) : wanted.Kind == MoveKind.Travel
+            && _style.TravelsByG0 ? "G0" : "G1";
         var bytes = Encoding.ASCII.GetBytes(_style.LowerCase ? code.ToLowerInvariant() : code);
         _made.Scan(bytes, 0, bytes.Length);
         _rewriter.Rewrite(_made, bytes, 0, bytes.Length, wanted, before, Code(wanted), _now.IsRelativeE, Owed, false);
@@ -209,7 +210,9 @@ internal sealed partial class Splicer
         if (arc.Plane != state.Plane || (arc.Turns > 1 && _rules.TurnsWord(arc.Turns) == 0)) return false;
         if (_rules.HelixRisesFirst && Math.Abs(wanted.Z - state.Z - state.ShiftZ) > NoChange) return false;
         if (!_rules.CounterclockwiseCircles && arc.Sweep > 359.999) return false;
-        if (_rules.ArcTolerance is { } tolerance && tolerance.Refuses(arc.Radius(new Vec3(state.X + state.ShiftX, state.Y + state.ShiftY, state.Z + state.ShiftZ)), arc.Radius(new Vec3(wanted.X, wanted.Y, wanted.Z)))) return false;
+        if (_rules.ArcTolerance is { } tolerance
+            && tolerance.Refuses(arc.Radius(new Vec3(state.X + state.ShiftX, state.Y + state.ShiftY, state.Z + state.ShiftZ)),
+            arc.Radius(new Vec3(wanted.X, wanted.Y, wanted.Z)))) return false;
         // With neither E nor switch every arc prints.
         return !_now.Strokes || _axis == ExtrusionAxis.Switched || wanted.Kind == MoveKind.Print;
     }

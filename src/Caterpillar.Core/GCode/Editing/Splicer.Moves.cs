@@ -115,7 +115,8 @@ internal sealed partial class Splicer
         var sameSpeed = original.Count == 1 && Math.Abs(original.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed;
         if (sameSpeed && wanted.Speed > 0 && _line.Find('F') < 0 && Math.Abs(wanted.Speed - before.Speed) > 1e-9 * wanted.Speed)
         {
-            State(before.Motion == 0 ? "G0" : "G1", 'F', wanted.Speed * 60 / before.FeedFactor / (before.Inches ? 25.4 : 1), _style.DecimalsF + (before.Inches ? 2 : 0));
+            State(before.Motion == 0 ? "G0"
+                : "G1", 'F', wanted.Speed * 60 / before.FeedFactor / (before.Inches ? 25.4 : 1), _style.DecimalsF + (before.Inches ? 2 : 0));
             done = true;
         }
         if (done) before = _now.Save();
@@ -127,14 +128,16 @@ internal sealed partial class Splicer
         if (_now.ReadLine(_line, text, end, out _) != 1) return false;
         var c = _now.LastMoves;
         var owed = _target is null ? 0 : Owed;
-        return EndsRight(wanted) && (wanted.Turns == _now.Turns || wanted.Turns.IsNear(_now.Turns)) && Math.Abs(c.E[0] - wanted.E - owed) <= _toleranceE && (!(wanted.Speed > 0) || Math.Abs(c.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed)
+        return EndsRight(wanted) && (wanted.Turns == _now.Turns || wanted.Turns.IsNear(_now.Turns)) && Math.Abs(c.E[0] - wanted.E - owed) <= _toleranceE
+            && (!(wanted.Speed > 0) || Math.Abs(c.Speed[0] - wanted.Speed) <= 1e-9 * wanted.Speed)
             && (!_now.Strokes || c.Kind[0] == MoveKind.Print == (wanted.Kind == MoveKind.Print));
     }
 
     private bool EndsRight(Wanted wanted)
     {
         var c = _now.LastMoves;
-        return Math.Abs(c.X[0] - wanted.X) <= NoChange && Math.Abs(c.Y[0] - wanted.Y) <= NoChange && Math.Abs(c.Z[0] - wanted.Z) <= NoChange && Alike(_now.LastArc, wanted.Arc);
+        return Math.Abs(c.X[0] - wanted.X) <= NoChange && Math.Abs(c.Y[0] - wanted.Y) <= NoChange && Math.Abs(c.Z[0] - wanted.Z) <= NoChange
+            && Alike(_now.LastArc, wanted.Arc);
     }
 
     // Modes in the line of a motion hold for its words: they are stated in front, so that the words can be worked out.
@@ -157,7 +160,8 @@ internal sealed partial class Splicer
     {
         if (a is not { } x || b is not { } y) return a is null && b is null;
         var d = x.Center - y.Center;
-        var off = x.Plane switch { Geometry.ArcPlane.XY => d.WithZ(0), Geometry.ArcPlane.ZX => new Geometry.Vec3(d.X, 0, d.Z), _ => new Geometry.Vec3(0, d.Y, d.Z) };
+        var off = x.Plane switch { Geometry.ArcPlane.XY => d.WithZ(0), Geometry.ArcPlane.ZX => new Geometry.Vec3(d.X, 0, d.Z),
+            _ => new Geometry.Vec3(0, d.Y, d.Z) };
         return x.Plane == y.Plane && off.Length <= 2 * _tolerance && Math.Abs(x.Sweep - y.Sweep) < 1;
     }
 

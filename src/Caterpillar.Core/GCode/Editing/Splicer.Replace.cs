@@ -67,7 +67,8 @@ internal sealed partial class Splicer
         if (wanted.ShiftX != now.ShiftX || wanted.ShiftY != now.ShiftY || wanted.ShiftZ != now.ShiftZ)
             Command("G92 X" + Text(wanted.X, unit) + " Y" + Text(wanted.Y, unit) + " Z" + Text(wanted.Z, unit));
         Command(wanted.Relative ? "G91" : "G90");
-        if (_extruder != 0 && _rules.RelativeE != RelativeERule.OnlyG90G91) Command(wanted.M83 || (_rules.RelativeE == RelativeERule.LastWins && wanted.LastRelative) ? "M83" : "M82");
+        if (_extruder != 0 && _rules.RelativeE != RelativeERule.OnlyG90G91) Command(wanted.M83
+            || (_rules.RelativeE == RelativeERule.LastWins && wanted.LastRelative) ? "M83" : "M82");
         if (_extruder != 0 && !_now.IsRelativeE) Command("G92 " + (char)_extruder + Text(wanted.E, _now.Save().UnitOfE));
         if (wanted.Feed > 0 && wanted.Feed != _now.Save().Feed) State("G1", 'F', wanted.Feed / unit, _style.DecimalsF);
     }

@@ -10,8 +10,9 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes a decoded file again. Two machines read along: one the file as it was, one what is written; a line stays as it is when it makes the wanted move from the state that the written lines
-/// have led to, otherwise its words are changed or a line that states the missing mode is put in front. Chunks that nothing touches are copied whole.
+/// Writes a decoded file again. Two machines read along: one the file as it was, one what is written; a line stays as it is when it makes the wanted move from
+/// the state that the written lines have led to, otherwise its words are changed or a line that states the missing mode is put in front. Chunks that nothing
+/// touches are copied whole.
 /// </summary>
 internal sealed partial class Splicer
 {

@@ -7,8 +7,8 @@ using Caterpillar.Basics;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// A G-code file, lossless: every byte is kept as it is. Lines end with LF, CRLF or CR, also mixed; a byte order mark belongs to the first line but is no part of its text.
-/// Lines are indexed without copying and their words are read when asked for. Immutable.
+/// A G-code file, lossless: every byte is kept as it is. Lines end with LF, CRLF or CR, also mixed; a byte order mark belongs to the first line but is no part
+/// of its text. Lines are indexed without copying and their words are read when asked for. Immutable.
 /// </summary>
 public sealed class GCodeDocument
 {
@@ -48,7 +48,10 @@ public sealed class GCodeDocument
     /// <summary>What was noticed when it was unpacked.</summary>
     internal IReadOnlyList<Diagnostic> Notes { get; }
 
-    /// <summary>A document over bytes, which are not copied and must not be changed afterwards. Packed bytes (gzip, binary G-code) are unpacked; of binary G-code and UTF-16 the text is kept.</summary>
+    /// <summary>
+    /// A document over bytes, which are not copied and must not be changed afterwards. Packed bytes (gzip, binary G-code) are unpacked; of binary G-code and
+    /// UTF-16 the text is kept.
+    /// </summary>
     /// <exception cref="InvalidDataException">The bytes are a broken gzip or binary G-code file, or a line is longer than 512 MB.</exception>
     public static GCodeDocument FromBytes(byte[] bytes, string name = "")
     {

@@ -7,7 +7,10 @@ using Caterpillar.Files;
 
 namespace Caterpillar.GCode;
 
-/// <summary>A stream of G-code as plain text: what is packed with gzip is unpacked, binary G-code and UTF-16 become the text they stand for. The stream itself is left open.</summary>
+/// <summary>
+/// A stream of G-code as plain text: what is packed with gzip is unpacked, binary G-code and UTF-16 become the text they stand for. The stream itself is left
+/// open.
+/// </summary>
 internal sealed class GCodeSource : IDisposable
 {
     private const int TailLength = 96 * 1024;
@@ -44,7 +47,8 @@ internal sealed class GCodeSource : IDisposable
     public Stream Text { get; }
 
     /// <summary>True for the first bytes of what is no plain text.</summary>
-    public static bool IsPacked(byte[] head, int count) => GzipReader.IsPacked(head, count) || BinaryGCodeStream.IsBinary(head, count) || Utf16Stream.IsWide(head, count);
+    public static bool IsPacked(byte[] head, int count)
+        => GzipReader.IsPacked(head, count) || BinaryGCodeStream.IsBinary(head, count) || Utf16Stream.IsWide(head, count);
 
     /// <summary>The end of the text, where some slicers say what it is for; null where it cannot be read yet.</summary>
     public GCodeChunk? Tail()
@@ -106,7 +110,8 @@ internal sealed class GCodeSource : IDisposable
     {
         var notes = new List<Diagnostic>();
         if (_gzip is { HasTrailingBytes: true }) notes.Add(GzipReader.TrailingBytes("gcode.packed", ""));
-        if (_wide) notes.Add(new Diagnostic(Severity.Warning, "gcode.utf16", "The file is UTF-16, which no firmware reads; it is taken as the same text with one byte a character."));
+        if (_wide) notes.Add(new Diagnostic(Severity.Warning, "gcode.utf16",
+            "The file is UTF-16, which no firmware reads; it is taken as the same text with one byte a character."));
         return notes;
     }
 

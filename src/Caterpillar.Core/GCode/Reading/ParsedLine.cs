@@ -16,7 +16,8 @@ internal enum LineShape : byte
 }
 
 /// <summary>
-/// The general reader of a line, used where the fast path of <see cref="ChunkParser"/> does not apply. Reused from line to line. Positions are indices into the text.
+/// The general reader of a line, used where the fast path of <see cref="ChunkParser"/> does not apply. Reused from line to line. Positions are indices into the
+/// text.
 /// </summary>
 internal sealed class ParsedLine
 {

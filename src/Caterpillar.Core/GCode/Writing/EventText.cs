@@ -15,7 +15,8 @@ internal static class EventText
         switch (what)
         {
             case NozzleTemperatureEvent nozzle:
-                yield return (nozzle.Wait ? "M109" : "M104") + (nozzle.Tool is { } of ? " T" + NumberFormatter.Format(of) : "") + " S" + NumberFormatter.Format(nozzle.Celsius, 1);
+                yield return (nozzle.Wait ? "M109" : "M104") + (nozzle.Tool is { } of ? " T" + NumberFormatter.Format(of) : "") + " S"
+                    + NumberFormatter.Format(nozzle.Celsius, 1);
                 break;
             case BedTemperatureEvent bed:
                 yield return (bed.Wait ? "M190 S" : "M140 S") + NumberFormatter.Format(bed.Celsius, 1);
@@ -44,7 +45,8 @@ internal static class EventText
                 break;
             case HomeEvent home:
                 var zero = rules.Homing == HomingRule.HomesToZero ? "" : "0";
-                yield return home.X && home.Y && home.Z ? "G28" : "G28" + (home.X ? " X" + zero : "") + (home.Y ? " Y" + zero : "") + (home.Z ? " Z" + zero : "");
+                yield return home.X && home.Y
+                    && home.Z ? "G28" : "G28" + (home.X ? " X" + zero : "") + (home.Y ? " Y" + zero : "") + (home.Z ? " Z" + zero : "");
                 break;
             case CommentEvent comment:
                 yield return comment.Text.Length > 0 ? "; " + OneLine(comment.Text) : ";";

@@ -75,7 +75,8 @@ public sealed partial class GCodeWriter
             var to = arc.PointAt(start, end, full * (k + 1));
             var part = arc with { Sweep = Math.Sign(arc.Sweep) * 360 };
             // The circle closes exactly; only its rise goes on.
-            to = arc.Plane switch { ArcPlane.XY => new Vec3(from.X, from.Y, to.Z), ArcPlane.ZX => new Vec3(from.X, to.Y, from.Z), _ => new Vec3(to.X, from.Y, from.Z) };
+            to = arc.Plane switch { ArcPlane.XY => new Vec3(from.X, from.Y, to.Z), ArcPlane.ZX => new Vec3(from.X, to.Y, from.Z),
+                _ => new Vec3(to.X, from.Y, from.Z) };
             if (!Native(from, to, e * full, speed, part)) Chords(from, to, e * full, speed, part, 1);
             from = to;
         }

@@ -11,9 +11,10 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes a Toolpath as new G-code, block by block: <see cref="WriteStart"/>, <see cref="WriteBlock"/> for each block in order, <see cref="WriteEnd"/>. After the start code it states its own modal
-/// state: G90, then M82 or M83, and <c>G92 E0</c> where E is absolute. Printed integers decide what a move is: words that do not change are left out, and so are moves without any; what
-/// rounding leaves of E is carried on, so that the sum of what is written never differs from the sum of the moves by more than half the last decimal.
+/// Writes a Toolpath as new G-code, block by block: <see cref="WriteStart"/>, <see cref="WriteBlock"/> for each block in order, <see cref="WriteEnd"/>. After
+/// the start code it states its own modal state: G90, then M82 or M83, and <c>G92 E0</c> where E is absolute. Printed integers decide what a move is: words
+/// that do not change are left out, and so are moves without any; what rounding leaves of E is carried on, so that the sum of what is written never differs
+/// from the sum of the moves by more than half the last decimal.
 /// </summary>
 public sealed partial class GCodeWriter
 {

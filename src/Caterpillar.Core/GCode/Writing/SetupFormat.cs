@@ -9,7 +9,9 @@ namespace Caterpillar.GCode;
 /// <summary>The format in which a printer wants its G-code: dialect, mode of E, decimals, and its templates with the values of the print.</summary>
 public static class SetupFormat
 {
-    /// <summary>The format for a toolpath; none where a template of the printer is wrong, or where it needs amounts of E that the toolpath does not have.</summary>
+    /// <summary>
+    /// The format for a toolpath; none where a template of the printer is wrong, or where it needs amounts of E that the toolpath does not have.
+    /// </summary>
     public static Result<GCodeFormat> Of(PrintSetup setup, Toolpath toolpath)
     {
         if (setup is null) throw new ArgumentNullException(nameof(setup));
@@ -42,18 +44,21 @@ public static class SetupFormat
         };
         if (format.LacksAmounts(toolpath))
         {
-            problems.Add(Severity.Error, "gcode.no_amounts", "The toolpath prints without any amount of E, and " + printer.Dialect.Title + " needs them; they cannot be made up. Without an extruder say extrusion_unit none.");
+            problems.Add(Severity.Error, "gcode.no_amounts", "The toolpath prints without any amount of E, and " + printer.Dialect.Title
+                + " needs them; they cannot be made up. Without an extruder say extrusion_unit none.");
             return new Result<GCodeFormat>(null, problems.ToList());
         }
         if (format.Switches)
-            problems.Add(Severity.Warning, "gcode.amounts_lost", printer.Dialect.Title + " only switches its extruder on and off (M101, M103): amounts of E and retractions are not written.");
+            problems.Add(Severity.Warning, "gcode.amounts_lost", printer.Dialect.Title
+                + " only switches its extruder on and off (M101, M103): amounts of E and retractions are not written.");
         return new Result<GCodeFormat>(format, problems.ToList());
     }
 
     // What E means is said as slicers say it, so that the strands can be measured in the file.
     private static string[] Header(PrintSetup setup)
     {
-        string[] header = ["Made with Caterpillar", "Dialect " + setup.Printer.Dialect.Name, $"Printer {setup.Printer.Name}, material {setup.Material.Name}, settings {setup.Settings.Name}"];
+        string[] header = ["Made with Caterpillar", "Dialect " + setup.Printer.Dialect.Name,
+            $"Printer {setup.Printer.Name}, material {setup.Material.Name}, settings {setup.Settings.Name}"];
         return setup.Printer.ExtrusionUnit switch
         {
             ExtrusionUnit.Mm => [.. header, "filament_diameter = " + NumberFormatter.Format(setup.Material.FilamentDiameter, 4)],
@@ -62,7 +67,8 @@ public static class SetupFormat
         };
     }
 
-    private static TemplateValues OfLayer(TemplateValues values, Toolpath toolpath, int layer) => values.With("layer", layer).With("layer_z_mm", toolpath.Layers[layer].Z);
+    private static TemplateValues OfLayer(TemplateValues values, Toolpath toolpath, int layer)
+        => values.With("layer", layer).With("layer_z_mm", toolpath.Layers[layer].Z);
 
     private static IReadOnlyList<string> Lines(Printer printer, string key, IReadOnlyList<string> lines, TemplateValues values, DiagnosticList problems)
     {

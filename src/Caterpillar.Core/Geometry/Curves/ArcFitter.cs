@@ -5,8 +5,9 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Finds arcs in the XY plane, flat or helical, that replace runs of straight segments. An arc begins and ends at vertices; its center is the least-squares one on the
-/// perpendicular bisector of the two; the deviation is tested at all vertices and at the middles of all chords, so that a corner is never rounded beyond the tolerance. Runs grow greedily.
+/// Finds arcs in the XY plane, flat or helical, that replace runs of straight segments. An arc begins and ends at vertices; its center is the least-squares one
+/// on the perpendicular bisector of the two; the deviation is tested at all vertices and at the middles of all chords, so that a corner is never rounded beyond
+/// the tolerance. Runs grow greedily.
 /// </summary>
 public sealed class ArcFitter
 {
@@ -22,7 +23,8 @@ public sealed class ArcFitter
     }
 
     /// <summary>
-    /// The longest arc found that begins at vertex <paramref name="start"/> and ends at or before vertex <paramref name="last"/>: the vertex it ends at, and the arc. Null where there is none.
+    /// The longest arc found that begins at vertex <paramref name="start"/> and ends at or before vertex <paramref name="last"/>: the vertex it ends at, and
+    /// the arc. Null where there is none.
     /// </summary>
     public (int End, Arc Arc)? From(int start, int last)
     {

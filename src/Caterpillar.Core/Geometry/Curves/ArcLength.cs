@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Length along a curve, both ways. Straight parts and arcs are exact; others are integrated by ten-point Gauss–Legendre quadrature on intervals that are halved until halving changes
-/// nothing beyond the tolerance. <see cref="ErrorBound"/> is the sum of these changes, which the halved values undercut by far.
+/// Length along a curve, both ways. Straight parts and arcs are exact; others are integrated by ten-point Gauss–Legendre quadrature on intervals that are
+/// halved until halving changes nothing beyond the tolerance. <see cref="ErrorBound"/> is the sum of these changes, which the halved values undercut by far.
 /// </summary>
 public sealed class ArcLength
 {

@@ -2,7 +2,9 @@ using System;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>A rational Bézier curve of any degree with positive weights over u from 0 to 1, evaluated by de Casteljau's algorithm in homogeneous coordinates.</summary>
+/// <summary>
+/// A rational Bézier curve of any degree with positive weights over u from 0 to 1, evaluated by de Casteljau's algorithm in homogeneous coordinates.
+/// </summary>
 internal sealed class BezierSpan
 {
     private readonly HomogeneousPoint[] _controls;

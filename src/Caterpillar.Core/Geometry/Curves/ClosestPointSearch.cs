@@ -5,7 +5,8 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Nearest place of a curve: closed forms for straight parts and arcs; for Bézier pieces branch and bound on the boxes of their control points, with Newton's method for the candidates.
+/// Nearest place of a curve: closed forms for straight parts and arcs; for Bézier pieces branch and bound on the boxes of their control points, with Newton's
+/// method for the candidates.
 /// </summary>
 internal static class ClosestPointSearch
 {

@@ -7,8 +7,8 @@ namespace Caterpillar.Geometry;
 public readonly record struct CurvePoint(double Parameter, Vec3 Point, double Distance);
 
 /// <summary>
-/// A curve in space, in mm, over an interval of a parameter: <see cref="LineCurve"/>, <see cref="PolylineCurve"/>, <see cref="ArcCurve"/>, <see cref="NurbsCurve"/> or several joined
-/// (<see cref="PolyCurve"/>). Immutable.
+/// A curve in space, in mm, over an interval of a parameter: <see cref="LineCurve"/>, <see cref="PolylineCurve"/>, <see cref="ArcCurve"/>,
+/// <see cref="NurbsCurve"/> or several joined (<see cref="PolyCurve"/>). Immutable.
 /// </summary>
 public abstract class Curve
 {
@@ -61,7 +61,8 @@ public abstract class Curve
     /// <exception cref="ArgumentOutOfRangeException">The parameters are not ascending or not in the domain.</exception>
     public Curve SubCurve(double from, double to)
     {
-        if (!(from >= DomainStart && to <= DomainEnd && from < to)) throw new ArgumentOutOfRangeException(nameof(from), "The parameters must ascend within the domain.");
+        if (!(from >= DomainStart && to <= DomainEnd && from < to)) throw new ArgumentOutOfRangeException(nameof(from),
+            "The parameters must ascend within the domain.");
         return from == DomainStart && to == DomainEnd ? this : Part(from, to);
     }
 

@@ -4,7 +4,8 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A smooth stretch of a curve, with a parameter u of its own from 0 to 1 that runs linearly with that of the curve: straight at even speed, an arc, or a rational Bézier piece.
+/// A smooth stretch of a curve, with a parameter u of its own from 0 to 1 that runs linearly with that of the curve: straight at even speed, an arc, or a
+/// rational Bézier piece.
 /// </summary>
 internal readonly struct CurveSpan
 {

@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Turns curves into points. Linear parts (lines, collinear runs of polylines, straight spans of NURBS curves) keep their end points only, curved parts are divided as asked
-/// (Caterpillar 2019, section 4.2). Kinks and the seam of a closed curve always are points.
+/// Turns curves into points. Linear parts (lines, collinear runs of polylines, straight spans of NURBS curves) keep their end points only, curved parts are
+/// divided as asked (Caterpillar 2019, section 4.2). Kinks and the seam of a closed curve always are points.
 /// </summary>
 public static class CurveSubdivider
 {
@@ -17,7 +17,8 @@ public static class CurveSubdivider
         if (options is null) throw new ArgumentNullException(nameof(options));
         options.Check();
         // Straight enough never means farther off than the chords may be.
-        if (options.ChordTolerance > 0 && options.LinearTolerance > 0.5 * options.ChordTolerance) options = options with { LinearTolerance = 0.5 * options.ChordTolerance };
+        if (options.ChordTolerance > 0
+            && options.LinearTolerance > 0.5 * options.ChordTolerance) options = options with { LinearTolerance = 0.5 * options.ChordTolerance };
         var work = new Work(options);
         if (curve is PolylineCurve polyline) return work.Polyline(polyline);
         var spans = curve.Spans();
@@ -37,7 +38,8 @@ public static class CurveSubdivider
             }
             else
             {
-                while (end < spans.Count && !spans[end].IsStraight(options.LinearTolerance) && !work.CanStayArc(spans[end]) && !work.IsKink(spans[end - 1], spans[end])) end++;
+                while (end < spans.Count && !spans[end].IsStraight(options.LinearTolerance) && !work.CanStayArc(spans[end])
+                    && !work.IsKink(spans[end - 1], spans[end])) end++;
                 work.Curved(spans.GetRange(i, end - i));
             }
             i = end;
@@ -61,7 +63,8 @@ public static class CurveSubdivider
         public Subdivision Polyline(PolylineCurve curve)
         {
             var source = curve.Polyline.Raw;
-            if (curve.Polyline.IsClosed == curve.IsClosed && KeepsAll(source, curve.IsClosed)) return new Subdivision(source, curve.IsClosed, AllLinear(curve.Polyline.SegmentCount), null);
+            if (curve.Polyline.IsClosed == curve.IsClosed
+                && KeepsAll(source, curve.IsClosed)) return new Subdivision(source, curve.IsClosed, AllLinear(curve.Polyline.SegmentCount), null);
             var count = curve.Polyline.SegmentCount + 1;
             var points = new Vec3[count];
             var used = 0;

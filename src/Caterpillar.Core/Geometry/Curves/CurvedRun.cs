@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Divides a smooth run of curved spans. The requests become a density of segments along the length (one by the distance, √(κ/8t) for a chord tolerance t at curvature κ,
-/// κ/α for a turn α); equal steps of its integral give the points. Every segment is then measured and halved where it fails.
+/// Divides a smooth run of curved spans. The requests become a density of segments along the length (one by the distance, √(κ/8t) for a chord tolerance t at
+/// curvature κ, κ/α for a turn α); equal steps of its integral give the points. Every segment is then measured and halved where it fails.
 /// </summary>
 internal sealed class CurvedRun
 {

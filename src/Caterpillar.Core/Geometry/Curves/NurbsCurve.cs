@@ -5,8 +5,8 @@ using System.Linq;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A rational B-spline curve of any degree, in mm. Knots are the full vector (control points + degree + 1 of them), clamped or not; the domain lies between the knots with the
-/// numbers degree and count of control points. Weights are positive.
+/// A rational B-spline curve of any degree, in mm. Knots are the full vector (control points + degree + 1 of them), clamped or not; the domain lies between the
+/// knots with the numbers degree and count of control points. Weights are positive.
 /// Evaluation is de Boor's algorithm in homogeneous coordinates; parts and Bézier pieces come from its polar form (Ramshaw 1989).
 /// </summary>
 public sealed class NurbsCurve : Curve
@@ -20,7 +20,8 @@ public sealed class NurbsCurve : Curve
     /// <param name="points">Control points in mm, not multiplied with their weights; at least degree + 1.</param>
     /// <param name="knots">Ascending; control points + degree + 1 of them.</param>
     /// <param name="weights">A positive weight for each control point, or null for 1.</param>
-    /// <exception cref="ArgumentException">Numbers that do not fit together or are not finite, knots that fall, tear the curve or leave no domain, weights that are not positive.</exception>
+    /// <exception cref="ArgumentException">Numbers that do not fit together or are not finite, knots that fall, tear the curve or leave no domain, weights that
+    /// are not positive.</exception>
     public NurbsCurve(int degree, IEnumerable<Vec3> points, IEnumerable<double> knots, IEnumerable<double>? weights = null)
     {
         var controls = (points ?? throw new ArgumentNullException(nameof(points))).ToArray();
@@ -29,11 +30,13 @@ public sealed class NurbsCurve : Curve
         if (degree is < 1 or > MaxDegree) throw new ArgumentException("The degree must be 1 to 64.", nameof(degree));
         if (controls.Length <= degree) throw new ArgumentException("A NURBS curve needs more control points than its degree.", nameof(points));
         if (_knots.Length != controls.Length + degree + 1)
-            throw new ArgumentException($"{controls.Length} control points of degree {degree} need {controls.Length + degree + 1} knots, not {_knots.Length}.", nameof(knots));
+            throw new ArgumentException($"{controls.Length} control points of degree {degree} need {controls.Length + degree + 1} knots, not {_knots.Length}.",
+                nameof(knots));
         if (w is not null && w.Length != controls.Length) throw new ArgumentException("Every control point needs a weight.", nameof(weights));
         for (var i = 0; i < _knots.Length; i++)
         {
-            if (double.IsNaN(_knots[i] - _knots[i]) || (i > 0 && _knots[i] < _knots[i - 1])) throw new ArgumentException("Knots must be finite and ascend.", nameof(knots));
+            if (double.IsNaN(_knots[i] - _knots[i])
+                || (i > 0 && _knots[i] < _knots[i - 1])) throw new ArgumentException("Knots must be finite and ascend.", nameof(knots));
         }
         if (!(_knots[degree] < _knots[controls.Length])) throw new ArgumentException("The knots leave no domain.", nameof(knots));
         for (var i = degree + 1; i + degree < controls.Length; i++)

@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Curves joined end to start; the parameter is the number of the piece plus the share of its domain. Pieces that are joined themselves are taken apart.</summary>
+/// <summary>
+/// Curves joined end to start; the parameter is the number of the piece plus the share of its domain. Pieces that are joined themselves are taken apart.
+/// </summary>
 public sealed class PolyCurve : Curve
 {
     private readonly Curve[] _pieces;

@@ -3,7 +3,8 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// How <see cref="CurveSubdivider"/> divides the curved parts of a curve. Every request that is set holds (the finest decides), except that no segment becomes shorter than
+/// How <see cref="CurveSubdivider"/> divides the curved parts of a curve. Every request that is set holds (the finest decides), except that no segment becomes
+/// shorter than
 /// <see cref="MinLength"/>; a curved part between two kinks that is shorter itself becomes one segment.
 /// </summary>
 public sealed record SubdivisionOptions
@@ -51,7 +52,8 @@ public sealed record SubdivisionOptions
         {
             if (!(value >= 0) || double.IsInfinity(value)) throw new ArgumentException("Requests of a subdivision must be 0 or more and finite.");
         }
-        if (Distance == 0 && ChordTolerance == 0 && Angle == 0 && MaxLength == 0) throw new ArgumentException("A subdivision needs a distance, a tolerance, an angle or a longest segment.");
+        if (Distance == 0 && ChordTolerance == 0 && Angle == 0
+            && MaxLength == 0) throw new ArgumentException("A subdivision needs a distance, a tolerance, an angle or a longest segment.");
         if (MaxLength > 0 && MinLength > MaxLength) throw new ArgumentException("The shortest segment is longer than the longest.");
     }
 }

@@ -3,8 +3,8 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Heights of a surface above points of the XY plane: the triangles in a grid of cells, so that a question looks at a few of them only. Triangles that stand upright have no
-/// height of their own. Immutable.
+/// Heights of a surface above points of the XY plane: the triangles in a grid of cells, so that a question looks at a few of them only. Triangles that stand
+/// upright have no height of their own. Immutable.
 /// </summary>
 public sealed class MeshHeights
 {
@@ -34,7 +34,9 @@ public sealed class MeshHeights
         Visit((cell, triangle) => _items[next[cell]++] = triangle);
     }
 
-    /// <summary>Highest point of the surface, mm, on the vertical through (x, y) and not above <paramref name="limit"/>; negative infinity where there is none.</summary>
+    /// <summary>
+    /// Highest point of the surface, mm, on the vertical through (x, y) and not above <paramref name="limit"/>; negative infinity where there is none.
+    /// </summary>
     public double TopUnder(double x, double y, double limit = double.PositiveInfinity)
     {
         var best = double.NegativeInfinity;

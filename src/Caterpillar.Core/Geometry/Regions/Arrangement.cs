@@ -3,14 +3,15 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Closed contours on the grid, cut at their crossings until segments meet at end points only. A crossing is rounded to the grid, which moves its two segments a
-/// little and may make new crossings: those are looked for again, among the segments that moved, until there are none. It ends, because every cut leaves
-/// the length |dx| + |dy| of a contour as it is and no segment is shorter than 1 (after Hobby, "Practical segment intersection with finite precision output", 1999).
+/// Closed contours on the grid, cut at their crossings until segments meet at end points only. A crossing is rounded to the grid, which moves its two segments
+/// a little and may make new crossings: those are looked for again, among the segments that moved, until there are none. It ends, because every cut leaves the
+/// length |dx| + |dy| of a contour as it is and no segment is shorter than 1 (after Hobby, "Practical segment intersection with finite precision output",
+/// 1999).
 /// </summary>
 internal sealed class Arrangement
 {
-    // After this many rounds of cutting at crossings only, segments are also drawn to all points (vertices and new crossings) whose unit square they pass through.
-    // Bundles of almost parallel lines would else move on by one unit in each of hundreds of rounds.
+    // After this many rounds of cutting at crossings only, segments are also drawn to all points (vertices and new crossings) whose unit square they pass
+    // through. Bundles of almost parallel lines would else move on by one unit in each of hundreds of rounds.
     private const int ExactRounds = 2;
 
     // From here on not only among the segments that moved: that is full snap rounding, after which there are no crossings.
@@ -36,8 +37,8 @@ internal sealed class Arrangement
     public bool Cut;
 
     /// <summary>
-    /// In half units: how far from a segment a vertex may be to be drawn in. 1 (the segment passes through the vertex's unit square) happens only where needed; more, from the
-    /// first round on: for contours whose vertices were on others' edges before they were rounded. Set after <see cref="Clear"/>.
+    /// In half units: how far from a segment a vertex may be to be drawn in. 1 (the segment passes through the vertex's unit square) happens only where needed;
+    /// more, from the first round on: for contours whose vertices were on others' edges before they were rounded. Set after <see cref="Clear"/>.
     /// </summary>
     public int Reach = 1;
 

@@ -13,7 +13,9 @@ internal sealed class BoxTree
     public GridBox[] Boxes = new GridBox[64];
     public bool[] Fresh = new bool[64];
 
-    /// <summary>Not 0 for nodes whose segments follow each other in one contour and all go to the right (1), left (2), up (4) or down (8): they can't cross each other.</summary>
+    /// <summary>
+    /// Not 0 for nodes whose segments follow each other in one contour and all go to the right (1), left (2), up (4) or down (8): they can't cross each other.
+    /// </summary>
     public byte[] Monotone = new byte[64];
 
     public int[] LeafStart = new int[32];

@@ -21,7 +21,8 @@ public static class ContourMeasure
             if (contour is null) throw new ArgumentException("A contour is missing.", nameof(contours));
             foreach (var p in contour.Raw)
             {
-                if (!(Math.Abs(p.X) <= 1e150 && Math.Abs(p.Y) <= 1e150)) throw new ArgumentException("Coordinates of contours must be finite numbers.", nameof(contours));
+                if (!(Math.Abs(p.X) <= 1e150 && Math.Abs(p.Y) <= 1e150)) throw new ArgumentException("Coordinates of contours must be finite numbers.",
+                    nameof(contours));
                 bounds = bounds.Include(new Vec3(p.X, p.Y));
             }
         }
@@ -57,7 +58,8 @@ public static class ContourMeasure
     private static GridPoint[] ToGrid(Vec3[] points, Vec3 center, double perMm)
     {
         var path = new GridPoint[points.Length];
-        for (var i = 0; i < path.Length; i++) path[i] = new GridPoint(Grid.Round((points[i].X - center.X) * perMm), Grid.Round((points[i].Y - center.Y) * perMm));
+        for (var i = 0; i < path.Length; i++) path[i] = new GridPoint(Grid.Round((points[i].X - center.X) * perMm),
+            Grid.Round((points[i].Y - center.Y) * perMm));
         return path;
     }
 

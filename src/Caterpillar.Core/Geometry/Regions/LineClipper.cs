@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Cuts lines at the boundary of a region and keeps the pieces inside, or outside. A piece is judged by its middle, so rounding can't turn the rest round.</summary>
+/// <summary>
+/// Cuts lines at the boundary of a region and keeps the pieces inside, or outside. A piece is judged by its middle, so rounding can't turn the rest round.
+/// </summary>
 internal sealed class LineClipper
 {
     private readonly RegionIndex _index;
@@ -124,7 +126,8 @@ internal sealed class LineClipper
     {
         var tree = _index.Tree;
         ref readonly var box = ref tree.Boxes[tree.LevelStart[level] + node];
-        if (Math.Max(ax, bx) < box.MinX - 1.0 || Math.Min(ax, bx) > box.MaxX + 1.0 || Math.Max(ay, by) < box.MinY - 1.0 || Math.Min(ay, by) > box.MaxY + 1.0) return;
+        if (Math.Max(ax, bx) < box.MinX - 1.0 || Math.Min(ax, bx) > box.MaxX + 1.0 || Math.Max(ay, by) < box.MinY - 1.0
+            || Math.Min(ay, by) > box.MaxY + 1.0) return;
         if (level > 0)
         {
             Descend(ax, ay, bx, by, level - 1, 2 * node);

@@ -23,8 +23,8 @@ internal sealed class OffsetCorners
     public double[] Ny { get; private set; } = new double[64];
 
     /// <summary>
-    /// What the corner at the start of an edge is: 0 a join, 1 a cut of the two moved edges that meet there, 2 the same but with edges dropped in between (<see cref="Crossing"/>), 3 back
-    /// through the vertex.
+    /// What the corner at the start of an edge is: 0 a join, 1 a cut of the two moved edges that meet there, 2 the same but with edges dropped in between
+    /// (<see cref="Crossing"/>), 3 back through the vertex.
     /// </summary>
     public byte[] Kind { get; private set; } = new byte[64];
 
@@ -36,7 +36,10 @@ internal sealed class OffsetCorners
     /// <summary>Where the moved edges of a corner of kind 2 meet, relative to the start of the edge.</summary>
     public (double X, double Y) Crossing(int edge) => (_x[edge], _y[edge]);
 
-    /// <summary>Computes all corners for a distance in grid units. Extension says by how much a join prolongs the moved edges, from the cross and dot products of the normals.</summary>
+    /// <summary>
+    /// Computes all corners for a distance in grid units. Extension says by how much a join prolongs the moved edges, from the cross and dot products of the
+    /// normals.
+    /// </summary>
     public void Compute(GridPoint[] path, double distance, Func<double, double, double> extension)
     {
         var n = path.Length;

@@ -16,7 +16,9 @@ internal sealed class PlanarGraph
     public bool[] Dead = new bool[256];
     public int Edges;
 
-    /// <summary>Around vertex v counter-clockwise from due west: Half[HalfStart[v]] up to HalfStart[v + 1]; a half-edge is 2·edge, + 1 when v is the head.</summary>
+    /// <summary>
+    /// Around vertex v counter-clockwise from due west: Half[HalfStart[v]] up to HalfStart[v + 1]; a half-edge is 2·edge, + 1 when v is the head.
+    /// </summary>
     public int[] HalfStart = new int[257];
     public int[] Half = new int[512];
 

@@ -12,8 +12,8 @@ public readonly record struct HatchLine(int Row, Vec3 From, Vec3 To);
 public sealed partial class Region
 {
     /// <summary>
-    /// The parts of lines that lie in the region (or, with <paramref name="outside"/>, out of it). The boundary is inside. Original points and Z stay; new points
-    /// are put on the boundary, with Z interpolated. A closed polyline that is kept whole stays closed; cut ones are open.
+    /// The parts of lines that lie in the region (or, with <paramref name="outside"/>, out of it). The boundary is inside. Original points and Z stay; new
+    /// points are put on the boundary, with Z interpolated. A closed polyline that is kept whole stays closed; cut ones are open.
     /// </summary>
     /// <exception cref="ArgumentException">A coordinate is not a number or beyond ±5368.709 mm.</exception>
     public IReadOnlyList<Polyline> ClipLines(IEnumerable<Polyline> lines, bool outside = false)
@@ -40,8 +40,8 @@ public sealed partial class Region
     public IReadOnlyList<HatchLine> HatchLines(double angle, double spacing, double phase = 0) => HatchScanner.Scan(_paths, angle, spacing, phase);
 
     /// <summary>
-    /// Fewer vertices: contours are replaced by chords that stay within a tolerance (mm) of the vertices left away, found in one pass by sleeve fitting (Zhao and
-    /// Saalfeld 1997). What then crosses is resolved; parts that are smaller than the tolerance vanish.
+    /// Fewer vertices: contours are replaced by chords that stay within a tolerance (mm) of the vertices left away, found in one pass by sleeve fitting (Zhao
+    /// and Saalfeld 1997). What then crosses is resolved; parts that are smaller than the tolerance vanish.
     /// </summary>
     /// <exception cref="ArgumentException">The tolerance is negative or not a number.</exception>
     public Region Simplified(double tolerance) => Simplified(tolerance, new RegionEngine());
@@ -60,6 +60,8 @@ public sealed partial class Region
         return Own(engine.Run(InsideRule.Positive));
     }
 
-    /// <summary>The connected pieces: each an outer contour first, then its holes; in the order of the outers. An island within a hole is a piece of its own.</summary>
+    /// <summary>
+    /// The connected pieces: each an outer contour first, then its holes; in the order of the outers. An island within a hole is a piece of its own.
+    /// </summary>
     public IReadOnlyList<Region> Islands => _islands ?? System.Threading.Interlocked.CompareExchange(ref _islands, IslandFinder.Split(this), null) ?? _islands!;
 }

@@ -6,9 +6,9 @@ namespace Caterpillar.Geometry;
 public sealed partial class Region
 {
     /// <summary>
-    /// All places within a distance of the region, or, for a negative distance, all places of the region that are farther than it from the boundary. Corners that
-    /// turn away from the offset get a join; the others are exact. Raw offset curve, then union by positive winding numbers
-    /// (Chen and McMains, "Polygon offsetting by computing winding numbers", 2005).
+    /// All places within a distance of the region, or, for a negative distance, all places of the region that are farther than it from the boundary. Corners
+    /// that turn away from the offset get a join; the others are exact. Raw offset curve, then union by positive winding numbers (Chen and McMains, "Polygon
+    /// offsetting by computing winding numbers", 2005).
     /// </summary>
     /// <param name="distance">mm; positive grows, negative shrinks.</param>
     /// <param name="join">The join at corners.</param>
@@ -27,7 +27,8 @@ public sealed partial class Region
     public Region Closed(double radius, double arcTolerance = 0.005) => ThereAndBack(radius, 1, arcTolerance);
 
     /// <summary>
-    /// All places within a distance of lines: what strokes of twice that width cover. Round joins and caps by default; with the others, ends are cut square at the distance.
+    /// All places within a distance of lines: what strokes of twice that width cover. Round joins and caps by default; with the others, ends are cut square at
+    /// the distance.
     /// </summary>
     /// <param name="lines">Open or closed lines in mm; a closed one is a loop, not its inside.</param>
     /// <param name="distance">mm, half of the strokes' width; positive.</param>
@@ -35,7 +36,8 @@ public sealed partial class Region
     /// <param name="miterLimit">Longest miter, in distances; at least 1.</param>
     /// <param name="arcTolerance">How far, in mm, the chords of round joins may stay inside the arc; positive.</param>
     /// <exception cref="ArgumentException">A parameter or a coordinate is not a number or out of its range, or the result would leave the grid.</exception>
-    public static Region Around(IEnumerable<Polyline> lines, double distance, JoinStyle join = JoinStyle.Round, double miterLimit = 2, double arcTolerance = 0.005)
+    public static Region Around(IEnumerable<Polyline> lines, double distance, JoinStyle join = JoinStyle.Round, double miterLimit = 2,
+        double arcTolerance = 0.005)
     {
         if (lines is null) throw new ArgumentNullException(nameof(lines));
         if (!(distance >= 0.5 / Grid.PerMm)) throw new ArgumentException("The distance must be positive.", nameof(distance));

@@ -5,8 +5,8 @@ namespace Caterpillar.Geometry;
 public sealed partial class Region
 {
     /// <summary>
-    /// Shrunk by a distance, without what is then thinner than a width: where two walls of that width would overlap there is nothing. Shrinks by half a width more and
-    /// grows back, with mitered corners.
+    /// Shrunk by a distance, without what is then thinner than a width: where two walls of that width would overlap there is nothing. Shrinks by half a width
+    /// more and grows back, with mitered corners.
     /// </summary>
     /// <param name="distance">mm; not negative.</param>
     /// <param name="thinnest">mm; not negative. With 0 this is a plain offset.</param>

@@ -22,7 +22,8 @@ public sealed partial class Region
     public static Region Empty { get; } = new(Array.Empty<GridPoint[]>());
 
     /// <summary>
-    /// The area inside contours, each taken as closed. Crossings, overlaps, spikes and repeated points are resolved by the rule; vertices within some 15 nm of another edge are put on it; contours of fewer than three points or without area give nothing.
+    /// The area inside contours, each taken as closed. Crossings, overlaps, spikes and repeated points are resolved by the rule; vertices within some 15 nm of
+    /// another edge are put on it; contours of fewer than three points or without area give nothing.
     /// </summary>
     /// <param name="contours">Contours in mm, in any order.</param>
     /// <param name="rule">Which winding numbers are inside.</param>

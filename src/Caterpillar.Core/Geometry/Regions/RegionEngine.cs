@@ -3,8 +3,8 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// The clipper: contours in, rings of what is inside out. It cuts the contours at their crossings, takes winding numbers and follows the boundary. Where nothing
-/// crosses or touches, whole contours are kept or dropped. Holds its arrays for the next call; one thread at a time.
+/// The clipper: contours in, rings of what is inside out. It cuts the contours at their crossings, takes winding numbers and follows the boundary. Where
+/// nothing crosses or touches, whole contours are kept or dropped. Holds its arrays for the next call; one thread at a time.
 /// </summary>
 internal sealed class RegionEngine
 {
@@ -43,7 +43,8 @@ internal sealed class RegionEngine
     }
 
     /// <summary>
-    /// The same, but where nothing crosses or touches it gives the numbers of the contours that bound the inside (by their order of adding), each with whether its direction is kept, and no rings.
+    /// The same, but where nothing crosses or touches it gives the numbers of the contours that bound the inside (by their order of adding), each with whether
+    /// its direction is kept, and no rings.
     /// </summary>
     public GridPoint[][] Run(InsideRule rule, List<(int Contour, bool Forward)> kept)
     {

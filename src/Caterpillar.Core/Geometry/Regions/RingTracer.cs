@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Follows the boundary of what is inside through a graph and gives simple rings with the inside on their left. At vertices where several rings meet it keeps to
-/// the same piece of the inside; a ring that comes back to a vertex is cut there.
+/// Follows the boundary of what is inside through a graph and gives simple rings with the inside on their left. At vertices where several rings meet it keeps
+/// to the same piece of the inside; a ring that comes back to a vertex is cut there.
 /// </summary>
 internal sealed class RingTracer
 {

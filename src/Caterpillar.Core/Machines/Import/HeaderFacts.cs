@@ -10,7 +10,8 @@ namespace Caterpillar.Machines;
 internal sealed class HeaderFacts
 {
     private static readonly Regex Size = new(
-        @"([0-9]{2,5}(?:\.[0-9]{1,3})?)\s{0,3}(?:mm)?\s{0,3}[x×*]\s{0,3}([0-9]{2,5}(?:\.[0-9]{1,3})?)(?:\s{0,3}(?:mm)?\s{0,3}[x×*]\s{0,3}([0-9]{2,5}(?:\.[0-9]{1,3})?))?",
+        @"([0-9]{2,5}(?:\.[0-9]{1,3})?)\s{0,3}(?:mm)?\s{0,3}[x×*]\s{0,3}"
+        + @"([0-9]{2,5}(?:\.[0-9]{1,3})?)(?:\s{0,3}(?:mm)?\s{0,3}[x×*]\s{0,3}([0-9]{2,5}(?:\.[0-9]{1,3})?))?",
         RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
 
     private readonly double?[] _position = new double?[3];
@@ -48,7 +49,8 @@ internal sealed class HeaderFacts
     public bool IsPrusa { get; private set; }
 
     /// <summary>Where the nozzle is in the end, or null where that is not known.</summary>
-    public Vec3? Position => _position[0] is { } x && _position[1] is { } y && _position[2] is { } z && Moved && new Vec3(x, y, z) is { IsFinite: true } p ? p : null;
+    public Vec3? Position => _position[0] is { } x && _position[1] is { } y && _position[2] is { } z && Moved
+        && new Vec3(x, y, z) is { IsFinite: true } p ? p : null;
 
     private bool Moved { get; set; }
 
@@ -96,7 +98,8 @@ internal sealed class HeaderFacts
     }
 
     /// <summary>The temperature above 0 that a line sets in numbers.</summary>
-    public static double? TemperatureOf(HeaderLine line) => line['S'] is > 0 and <= 2000 and var set ? set : line['R'] is > 0 and <= 2000 and var reach ? reach : null;
+    public static double? TemperatureOf(HeaderLine line)
+        => line['S'] is > 0 and <= 2000 and var set ? set : line['R'] is > 0 and <= 2000 and var reach ? reach : null;
 
     private void Move(HeaderLine line)
     {

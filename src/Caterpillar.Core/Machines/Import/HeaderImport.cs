@@ -8,9 +8,10 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// Makes a printer of the header and footer files of ExtruderTurtle: G-code before and behind a print, with fixed numbers or with <c>{x}</c>, <c>{y}</c>, <c>{z}</c>, <c>{feedrate}</c>,
-/// <c>{hotend_temp}</c> and <c>{bed_temp}</c>. The lines become templates; temperatures come from the material, and the mode of E, the size of the bed and the place of the nozzle are
-/// taken from what the lines say. Files of other programs of this kind work too.
+/// Makes a printer of the header and footer files of ExtruderTurtle: G-code before and behind a print, with fixed numbers or with <c>{x}</c>, <c>{y}</c>,
+/// <c>{z}</c>, <c>{feedrate}</c>,
+/// <c>{hotend_temp}</c> and <c>{bed_temp}</c>. The lines become templates; temperatures come from the material, and the mode of E, the size of the bed and the
+/// place of the nozzle are taken from what the lines say. Files of other programs of this kind work too.
 /// </summary>
 public static class HeaderImport
 {
@@ -25,7 +26,8 @@ public static class HeaderImport
     /// <param name="headerFile">Name of the header in messages.</param>
     /// <param name="footerFile">Name of the footer in messages.</param>
     /// <returns>
-    /// The printer; none with an error where the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>, <c>header.no_command</c>,
+    /// The printer; none with an error where the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>,
+    /// <c>header.no_command</c>,
     /// <c>header.merge_conflict</c>, <c>header.unknown_name</c>) with their place and stay as comments; remarks say what was guessed.
     /// </returns>
     public static Result<ImportedPrinter> Read(
@@ -39,7 +41,8 @@ public static class HeaderImport
         var foot = HeaderText.Read(footer, footerFile, problems);
         var facts = head.Facts;
         if (head.Lines.Count == 0) problems.Add(Severity.Warning, "header.empty", "The header has no lines.", new SourceLocation(headerFile));
-        if (facts.Inches) problems.Add(Severity.Error, "header.inches", "The header leaves the machine in inches (G20); toolpaths are in mm.", new SourceLocation(headerFile));
+        if (facts.Inches) problems.Add(Severity.Error, "header.inches", "The header leaves the machine in inches (G20); toolpaths are in mm.",
+            new SourceLocation(headerFile));
         if (problems.HasErrors) return new Result<ImportedPrinter>(null, problems.ToList());
 
         var start = new HeaderTemplate(head, headerFile, problems);
@@ -66,12 +69,14 @@ public static class HeaderImport
             if (like is null) printer = printer with { DefaultMaterial = "clay", DefaultSettings = "clay", MaxFlow = 0 };
             problems.Add(Severity.Remark, "header.cold", "The header heats no nozzle: material is extruded cold, as clay is.", new SourceLocation(headerFile));
         }
-        if (facts.RelativeE is null) problems.Add(Severity.Remark, "header.e_mode", "The header says neither M82 nor M83: E is written in increments (M83).", new SourceLocation(headerFile));
+        if (facts.RelativeE is null) problems.Add(Severity.Remark, "header.e_mode", "The header says neither M82 nor M83: E is written in increments (M83).",
+            new SourceLocation(headerFile));
         var material = new Material { Name = name, Title = name, NozzleTemperature = Math.Min(nozzle, 2000), BedTemperature = Math.Min(bed, 500) };
         return new Result<ImportedPrinter>(new ImportedPrinter(printer, material, facts.Position), problems.ToList());
     }
 
-    // A size in a comment; else twice the place where the print starts, since that is the middle; else what the similar printer has. Never less than the places of the header.
+    // A size in a comment; else twice the place where the print starts, since that is the middle; else what the similar printer has. Never less than the places
+    // of the header.
     private static (Vec3 Volume, BedOrigin Origin) Bed(HeaderFacts facts, Printer like, string file, DiagnosticList problems)
     {
         var place = new SourceLocation(file);

@@ -4,7 +4,10 @@ using System.Text;
 
 namespace Caterpillar.Machines;
 
-/// <summary>The names in braces that ExtruderTurtle fills into its headers (<c>setup</c>, written with Python's <c>str.format</c>), and what takes their place in templates.</summary>
+/// <summary>
+/// The names in braces that ExtruderTurtle fills into its headers (<c>setup</c>, written with Python's <c>str.format</c>), and what takes their place in
+/// templates.
+/// </summary>
 internal static class HeaderNames
 {
     private static readonly (string Name, string Formula)[] Names =
@@ -17,7 +20,10 @@ internal static class HeaderNames
         ("bed_temp", "bed_temperature_c"),
     ];
 
-    /// <summary>The text as a line of a template. Braces around other things become braces of the text; they are added to <paramref name="unknown"/> with their column from 1.</summary>
+    /// <summary>
+    /// The text as a line of a template. Braces around other things become braces of the text; they are added to <paramref name="unknown"/> with their column
+    /// from 1.
+    /// </summary>
     public static string ToTemplate(string text, List<string> used, List<(string Name, int Column)> unknown)
     {
         if (text.IndexOfAny(['{', '}']) < 0) return text;

@@ -43,7 +43,8 @@ internal sealed class HeaderText
             if (IsMarker(text, '<') || (IsMarker(text, '=') && side > 0) || IsMarker(text, '>'))
             {
                 side = text[0] switch { '<' => 1, '=' => 2, _ => 0 };
-                _problems.Add(Severity.Warning, "header.merge_conflict", "The file has markers of an unfinished merge; of each pair of versions the first is taken.", Place(i + 1));
+                _problems.Add(Severity.Warning, "header.merge_conflict",
+                    "The file has markers of an unfinished merge; of each pair of versions the first is taken.", Place(i + 1));
                 continue;
             }
             if (side == 2) continue;

@@ -15,7 +15,8 @@ internal static class JsonFlat
     /// <summary>The keys in their order, or null and an error.</summary>
     public static List<JsonEntry>? Read(string text, string file, List<Diagnostic> diagnostics)
     {
-        using var reader = new JsonTextReader(new StringReader(text)) { FloatParseHandling = FloatParseHandling.Decimal, DateParseHandling = DateParseHandling.None, MaxDepth = 16 };
+        using var reader = new JsonTextReader(new StringReader(text)) { FloatParseHandling = FloatParseHandling.Decimal,
+            DateParseHandling = DateParseHandling.None, MaxDepth = 16 };
         try
         {
             if (!Next(reader) || reader.TokenType != JsonToken.StartObject)
@@ -32,13 +33,15 @@ internal static class JsonFlat
                 Next(reader);
                 entries.Add(new JsonEntry(key, Value(reader), line, column));
             }
-            if (reader.TokenType != JsonToken.EndObject) throw new JsonReaderException("The object is not closed.", reader.Path, reader.LineNumber, reader.LinePosition, null);
+            if (reader.TokenType != JsonToken.EndObject) throw new JsonReaderException("The object is not closed.", reader.Path, reader.LineNumber,
+                reader.LinePosition, null);
             if (Next(reader)) throw new JsonReaderException("There is text behind the object.", reader.Path, reader.LineNumber, reader.LinePosition, null);
             return entries;
         }
         catch (JsonReaderException bad)
         {
-            diagnostics.Add(new Diagnostic(Severity.Error, "profile.bad_json", Sentence(bad.Message), new SourceLocation(file, Math.Max(bad.LineNumber, 1), bad.LinePosition)));
+            diagnostics.Add(new Diagnostic(Severity.Error, "profile.bad_json", Sentence(bad.Message),
+                new SourceLocation(file, Math.Max(bad.LineNumber, 1), bad.LinePosition)));
             return null;
         }
     }

@@ -10,8 +10,10 @@ internal static class KeyAdvice
     // Longest first: the unit of a key is the longest of these that it ends in.
     private static readonly string[] Units = new[]
     {
-        "mm3_s", "mm_s2", "mm_s3", "mm_min", "mm_sec", "mm_s", "mm2", "mm3", "mm", "cm3_s", "cm_s", "cm", "m_s2", "m_s", "m", "um", "micron", "microns", "inch", "inches", "in_s", "in_min", "in",
-        "g_cm3", "kg_m3", "g_ml", "g", "c", "celsius", "f", "fahrenheit", "k", "kelvin", "deg", "degrees", "degree", "rad", "radians", "percent", "pct", "ratio", "factor", "s", "sec", "seconds", "ms", "min",
+        "mm3_s", "mm_s2", "mm_s3", "mm_min", "mm_sec", "mm_s", "mm2", "mm3", "mm", "cm3_s", "cm_s", "cm", "m_s2", "m_s", "m", "um", "micron", "microns", "inch",
+            "inches", "in_s", "in_min", "in",
+        "g_cm3", "kg_m3", "g_ml", "g", "c", "celsius", "f", "fahrenheit", "k", "kelvin", "deg", "degrees", "degree", "rad", "radians", "percent", "pct",
+            "ratio", "factor", "s", "sec", "seconds", "ms", "min",
         "moves", "count", "per_kg", "per_g",
     }.OrderByDescending(u => u.Length).ThenBy(u => u, StringComparer.Ordinal).ToArray();
 

@@ -25,7 +25,8 @@ internal sealed class NumberFormat(double min, double max) : KeyFormat<double>
 
     public override object Write(double value) => value;
 
-    public override string? Problem(double value) => value >= min && value <= max ? null : "must be " + Room + (double.IsNaN(value) ? "" : ", not " + Shown(value));
+    public override string? Problem(double value)
+        => value >= min && value <= max ? null : "must be " + Room + (double.IsNaN(value) ? "" : ", not " + Shown(value));
 
     private static string Shown(double value) => double.IsInfinity(value) ? "infinite" : RawValues.Number(value);
 }
@@ -178,7 +179,8 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
 }
 
 /// <summary>A value made of a list of numbers of one length.</summary>
-internal sealed class NumbersFormat<TValue>(string[] parts, double min, double max, Func<double[], TValue> make, Func<TValue, double[]> take) : KeyFormat<TValue>
+internal sealed class NumbersFormat<TValue>(string[] parts, double min, double max, Func<double[], TValue> make, Func<TValue, double[]> take)
+    : KeyFormat<TValue>
 {
     public override KeyKind Kind => KeyKind.Numbers;
 
@@ -213,7 +215,8 @@ internal sealed class NumbersFormat<TValue>(string[] parts, double min, double m
 
 /// <summary>A list of rows of numbers.</summary>
 internal sealed class RowsFormat<TItem>(
-    string[] parts, int minCount, int maxCount, double min, double max, Func<double[], TItem?> make, Func<TItem, double[]> take, Func<ValueList<TItem>, string?>? check = null)
+    string[] parts, int minCount, int maxCount, double min, double max, Func<double[], TItem?> make, Func<TItem, double[]> take, Func<ValueList<TItem>,
+        string?>? check = null)
     : KeyFormat<ValueList<TItem>>
     where TItem : struct
 {

@@ -30,5 +30,6 @@ internal static class Keys<T>
         => new(name, new NumbersFormat<Vec3>(["x", "y", "z"], min, max, n => new Vec3(n[0], n[1], n[2]), v => [v.X, v.Y, v.Z]), get, set, summary);
 
     public static ProfileKey<T, AxisValues> Axes(string name, double min, double max, Func<T, AxisValues> get, Func<T, AxisValues, T> set, string summary)
-        => new(name, new NumbersFormat<AxisValues>(["x", "y", "z", "e"], min, max, n => new AxisValues(n[0], n[1], n[2], n[3]), v => [v.X, v.Y, v.Z, v.E]), get, set, summary);
+        => new(name, new NumbersFormat<AxisValues>(["x", "y", "z", "e"], min, max, n => new AxisValues(n[0], n[1], n[2], n[3]), v => [v.X, v.Y, v.Z, v.E]), get,
+            set, summary);
 }

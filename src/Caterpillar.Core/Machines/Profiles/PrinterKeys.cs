@@ -106,7 +106,8 @@ internal static class PrinterKeys
 
     public static readonly ProfileKey<Printer, CornerRule> CornerRule = K.Choice(
         "corner_rule", p => p.CornerRule, (p, v) => p with { CornerRule = v }, "How the firmware limits the speed in corners.",
-        ("jerk", Machines.CornerRule.Jerk), ("junction_deviation", Machines.CornerRule.JunctionDeviation), ("square_corner_velocity", Machines.CornerRule.SquareCornerVelocity));
+        ("jerk", Machines.CornerRule.Jerk), ("junction_deviation", Machines.CornerRule.JunctionDeviation),
+            ("square_corner_velocity", Machines.CornerRule.SquareCornerVelocity));
 
     public static readonly ProfileKey<Printer, AxisValues> Jerk = K.Axes(
         "jerk_mm_s", 0, 10_000, p => p.Jerk, (p, v) => p with { Jerk = v },
@@ -133,7 +134,8 @@ internal static class PrinterKeys
         p => p.ToolOffsets, (p, v) => p with { ToolOffsets = v }, "Offsets of the tools against the first; as many as there are tools.");
 
     public static readonly ProfileKey<Printer, ValueList<HeadPoint>> HeadOutline = new(
-        "head_outline_mm", new RowsFormat<HeadPoint>(["radius", "height"], 1, 64, 0, 10_000, n => new HeadPoint(n[0], n[1]), h => [h.Radius, h.Height], Ascends),
+        "head_outline_mm", new RowsFormat<HeadPoint>(["radius", "height"], 1, 64, 0, 10_000, n => new HeadPoint(n[0], n[1]), h => [h.Radius, h.Height],
+            Ascends),
         p => p.HeadOutline, (p, v) => p with { HeadOutline = v }, "Outline of nozzle and head around their axis, from the tip outwards.");
 
     public static readonly ProfileKey<Printer, ValueList<Bounds>> HeadBoxes = new(

@@ -22,7 +22,10 @@ public enum KeyKind : byte
     Lines,
 }
 
-/// <summary>A key of a profile: its name with the unit, its room and what it means. Reader, writer, schema, templates and manual all read the keys from <see cref="ProfileKeys"/>.</summary>
+/// <summary>
+/// A key of a profile: its name with the unit, its room and what it means. Reader, writer, schema, templates and manual all read the keys from
+/// <see cref="ProfileKeys"/>.
+/// </summary>
 public abstract class ProfileKey
 {
     private protected ProfileKey(string name, string summary)

@@ -30,9 +30,11 @@ internal static class ProfileKinds
 {
     public static readonly ProfileKind<Printer> Printer = new("printer", "", PrinterKeys.All, () => new Printer(), (p, name) => p with { Name = name });
 
-    public static readonly ProfileKind<Material> Material = new("material", "materials/", MaterialKeys.All, () => new Material(), (m, name) => m with { Name = name });
+    public static readonly ProfileKind<Material> Material = new("material", "materials/", MaterialKeys.All, () => new Material(),
+        (m, name) => m with { Name = name });
 
-    public static readonly ProfileKind<PrintSettings> Settings = new("settings", "settings/", SettingsKeys.All, () => new PrintSettings(), (s, name) => s with { Name = name });
+    public static readonly ProfileKind<PrintSettings> Settings = new("settings", "settings/", SettingsKeys.All, () => new PrintSettings(),
+        (s, name) => s with { Name = name });
 
     /// <summary>In which kinds of profiles a key stands, for messages.</summary>
     public static string? KindOf(string key)

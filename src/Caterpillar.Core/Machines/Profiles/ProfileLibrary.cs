@@ -9,8 +9,10 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// The profiles by name: those that come with Caterpillar, and over them those of a user's folder, which has printers as <c>*.json</c>, materials in <c>materials/</c> and settings in
-/// <c>settings/</c>. A user's profile replaces the one of the same name; it may also inherit it. Profiles are read when they are asked for, so a library sees changes of the folder.
+/// The profiles by name: those that come with Caterpillar, and over them those of a user's folder, which has printers as <c>*.json</c>, materials in
+/// <c>materials/</c> and settings in
+/// <c>settings/</c>. A user's profile replaces the one of the same name; it may also inherit it. Profiles are read when they are asked for, so a library sees
+/// changes of the folder.
 /// </summary>
 public sealed class ProfileLibrary
 {
@@ -38,7 +40,8 @@ public sealed class ProfileLibrary
     public Result<PrintSettings> Settings(string nameOrFile) => Find(ProfileKinds.Settings, nameOrFile);
 
     /// <summary>
-    /// A whole setup. Without a material or settings those that the printer names; <paramref name="values"/> are <c>key=value</c> for any key of the three, applied in their order.
+    /// A whole setup. Without a material or settings those that the printer names; <paramref name="values"/> are <c>key=value</c> for any key of the three,
+    /// applied in their order.
     /// </summary>
     /// <inheritdoc cref="Printer" path="/exception"/>
     public Result<PrintSetup> Setup(string printer = "generic", string? material = null, string? settings = null, IEnumerable<string>? values = null)
@@ -74,11 +77,13 @@ public sealed class ProfileLibrary
             // A profile that inherits its own name means the one below it.
             if (!chain.Contains(source.File)) return Read(kind, source, chain);
         }
-        if (chain.Count > 0 && Sources(kind, name).Any()) return Failed<T>("profile.circle", $"The {kind.Noun} \"{name}\" inherits itself.", new SourceLocation(chain[0]));
+        if (chain.Count > 0 && Sources(kind, name).Any()) return Failed<T>("profile.circle", $"The {kind.Noun} \"{name}\" inherits itself.",
+            new SourceLocation(chain[0]));
         var names = Names(kind);
         var near = SpellingSuggestion.Nearest(name, names);
         return Failed<T>(
-            "profile.not_found", $"There is no {kind.Noun} \"{name}\"; " + (near is not null ? $"did you mean {near}?" : "there are " + string.Join(", ", names) + "."), null);
+            "profile.not_found", $"There is no {kind.Noun} \"{name}\"; "
+                + (near is not null ? $"did you mean {near}?" : "there are " + string.Join(", ", names) + "."), null);
     }
 
     private Result<T> Read<T>(ProfileKind<T> kind, Source source, IReadOnlyList<string> chain)
@@ -108,7 +113,8 @@ public sealed class ProfileLibrary
             names.Add(path.Substring(kind.Folder.Length, path.Length - kind.Folder.Length - ".json".Length));
         }
         var folder = _userFolder is null ? null : Path.Combine(_userFolder, kind.Folder);
-        if (folder is not null && Directory.Exists(folder)) names.UnionWith(Directory.GetFiles(folder, "*.json").Select(f => Path.GetFileNameWithoutExtension(f)));
+        if (folder is not null && Directory.Exists(folder)) names.UnionWith(Directory.GetFiles(folder, "*.json")
+            .Select(f => Path.GetFileNameWithoutExtension(f)));
         return names.ToArray();
     }
 

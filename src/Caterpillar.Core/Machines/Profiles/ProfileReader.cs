@@ -7,7 +7,8 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// Reads profiles from JSON. Unknown keys, keys with another unit, values of another kind and values outside their room are errors that name the file, the line and the key.
+/// Reads profiles from JSON. Unknown keys, keys with another unit, values of another kind and values outside their room are errors that name the file, the line
+/// and the key.
 /// <c>inherits</c> names a profile to start from; without it the values are those of the generic printer, PLA and the standard settings.
 /// </summary>
 public static class ProfileReader
@@ -36,7 +37,8 @@ public static class ProfileReader
         foreach (var entry in entries)
         {
             var place = new SourceLocation(file, entry.Line, entry.Column, entry.Key);
-            if (!seen.Add(entry.Key)) diagnostics.Add(new Diagnostic(Severity.Error, "profile.repeated_key", "This key stands here for the second time.", place));
+            if (!seen.Add(entry.Key)) diagnostics.Add(new Diagnostic(Severity.Error, "profile.repeated_key", "This key stands here for the second time.",
+                place));
             else if (entry.Key is not ("inherits" or "$schema")) profile = Apply(kind, profile, entry.Key, entry.Value, place, diagnostics);
         }
         return new Result<T>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : profile, diagnostics);
@@ -70,7 +72,8 @@ public static class ProfileReader
         if (KeyAdvice.OtherUnit(key, names) is { } other)
         {
             var (wrong, right) = (KeyAdvice.UnitOf(key), KeyAdvice.UnitOf(other));
-            var why = wrong.Length == 0 ? $"{key} does not say its unit" : right.Length == 0 ? $"{key} has no unit" : $"{key} is measured in {Spoken(right)}, not in {Spoken(wrong)}";
+            var why = wrong.Length == 0 ? $"{key} does not say its unit" : right.Length == 0 ? $"{key} has no unit"
+                : $"{key} is measured in {Spoken(right)}, not in {Spoken(wrong)}";
             return new Diagnostic(Severity.Error, "profile.wrong_unit", $"{why}: the key is {other}.", place);
         }
         var message = $"{key} is no key of {(noun == "settings" ? "settings" : "a " + noun)}";
@@ -79,7 +82,8 @@ public static class ProfileReader
         return new Diagnostic(Severity.Error, "profile.unknown_key", message.EndsWith("?", StringComparison.Ordinal) ? message : message + ".", place);
     }
 
-    private static T Base<T>(ProfileKind<T> kind, List<JsonEntry> entries, string file, string name, Func<string, Result<T>>? parent, List<Diagnostic> diagnostics)
+    private static T Base<T>(ProfileKind<T> kind, List<JsonEntry> entries, string file, string name, Func<string, Result<T>>? parent,
+        List<Diagnostic> diagnostics)
         where T : class
     {
         var entry = entries.FirstOrDefault(e => e.Key == "inherits");
@@ -91,7 +95,8 @@ public static class ProfileReader
             return kind.Empty(name);
         }
         var found = parent?.Invoke(wanted);
-        if (found?.Value is null) diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_parent", $"The {kind.Noun} \"{wanted}\" to inherit cannot be read.", place));
+        if (found?.Value is null) diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_parent",
+            $"The {kind.Noun} \"{wanted}\" to inherit cannot be read.", place));
         if (found is not null) diagnostics.AddRange(found.Diagnostics);
         return found?.Value is { } value ? kind.Named(value, name) : kind.Empty(name);
     }

@@ -3,7 +3,9 @@ using System.Linq;
 
 namespace Caterpillar.Machines;
 
-/// <summary>JSON schemas of the profiles (draft 2020-12), made from the table of keys; they stand in <c>printers/schema/</c> and help editors to complete and check.</summary>
+/// <summary>
+/// JSON schemas of the profiles (draft 2020-12), made from the table of keys; they stand in <c>printers/schema/</c> and help editors to complete and check.
+/// </summary>
 public static class ProfileSchema
 {
     public static string Printer => Of(ProfileKinds.Printer.Noun, ProfileKeys.Printer);

@@ -7,9 +7,10 @@ using Caterpillar.Basics;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// Lines of G-code with values and conditions: <c>M104 S{nozzle_temperature_c}</c>, <c>{if bed_temperature_c &gt; 0}</c> … <c>{elsif …}</c> … <c>{else}</c> … <c>{endif}</c>. Between braces
-/// stands any formula of <see cref="Expressions.Formula"/> over the keys of the profiles and the names of <see cref="TemplateNames"/>, or the name of a text. Flags are 1 and 0. Numbers are
-/// written with up to five decimals. A line that has only directives gives no line; <c>{{</c> and <c>}}</c> are braces of the text. Immutable.
+/// Lines of G-code with values and conditions: <c>M104 S{nozzle_temperature_c}</c>, <c>{if bed_temperature_c &gt; 0}</c> … <c>{elsif …}</c> … <c>{else}</c> …
+/// <c>{endif}</c>. Between braces stands any formula of <see cref="Expressions.Formula"/> over the keys of the profiles and the names of
+/// <see cref="TemplateNames"/>, or the name of a text. Flags are 1 and 0. Numbers are written with up to five decimals. A line that has only directives gives
+/// no line; <c>{{</c> and <c>}}</c> are braces of the text. Immutable.
 /// </summary>
 public sealed class Template
 {

@@ -45,7 +45,8 @@ public static class TemplateNames
 
     /// <summary>Names of texts.</summary>
     internal static readonly string[] Texts = Keys()
-        .Where(k => k.Kind is KeyKind.Choice).Select(k => k.Name).Concat(Print.Select(p => p.Key).Where(n => n.EndsWith("_name", StringComparison.Ordinal))).ToArray();
+        .Where(k => k.Kind is KeyKind.Choice).Select(k => k.Name).Concat(Print.Select(p => p.Key).Where(n => n.EndsWith("_name", StringComparison.Ordinal)))
+            .ToArray();
 
     private static IEnumerable<ProfileKey> Keys() => ProfileKeys.Printer.Concat(ProfileKeys.Material).Concat(ProfileKeys.Settings);
 }

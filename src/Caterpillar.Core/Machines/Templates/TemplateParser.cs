@@ -50,7 +50,8 @@ internal sealed class TemplateParser(SourceLocation source)
             var end = c == '{' ? line.IndexOfAny(['}'], at) : -1;
             if (end < 0)
             {
-                Problem("template.brace", c == '{' ? "This brace is not closed; write {{ for a brace in the text." : "There is no brace to close; write }} for a brace in the text.", Place(number, at + 1));
+                Problem("template.brace", c == '{' ? "This brace is not closed; write {{ for a brace in the text."
+                    : "There is no brace to close; write }} for a brace in the text.", Place(number, at + 1));
                 return;
             }
             Flush(text, number, at);
@@ -109,7 +110,8 @@ internal sealed class TemplateParser(SourceLocation source)
             return;
         }
         var formula = Expressions.Formula.Compile(text, TemplateNames.Numbers, place);
-        foreach (var problem in formula.Diagnostics) _problems.Add(problem with { Source = place with { Column = place.Column + from + (problem.Source?.Column ?? 1) - 1 } });
+        foreach (var problem in formula.Diagnostics) _problems.Add(problem with { Source =
+            place with { Column = place.Column + from + (problem.Source?.Column ?? 1) - 1 } });
         if (formula.Value is { UsesRandom: true }) Problem("template.random", "Templates do not roll dice.", place);
         _parts.Add(new TemplatePart(kind, text.Trim(), place, formula.Value));
     }

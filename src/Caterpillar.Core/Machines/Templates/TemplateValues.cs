@@ -6,7 +6,10 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Machines;
 
-/// <summary>The values that templates may use: every number and word of the three profiles by its key, and what is known of the print (<see cref="TemplateNames"/>). Immutable.</summary>
+/// <summary>
+/// The values that templates may use: every number and word of the three profiles by its key, and what is known of the print (<see cref="TemplateNames"/>).
+/// Immutable.
+/// </summary>
 public sealed class TemplateValues
 {
     private readonly Dictionary<string, double> _numbers;
@@ -84,7 +87,8 @@ public sealed class TemplateValues
                     volume += c.Deposited[i] * (toolpath.VolumePerE(c.Tool[i]) ?? 0);
                     filament += c.Deposited[i] * law.FilamentPerE;
                 }
-                if (c.Kind[i] == MoveKind.Print) bounds = c.TryGetArc(i, out var arc) ? bounds.Include(arc.Bounds(start, end)) : bounds.Include(start).Include(end);
+                if (c.Kind[i] == MoveKind.Print) bounds = c.TryGetArc(i, out var arc) ? bounds.Include(arc.Bounds(start, end))
+                    : bounds.Include(start).Include(end);
                 start = end;
             }
         }

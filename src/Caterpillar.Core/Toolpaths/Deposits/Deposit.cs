@@ -5,9 +5,9 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// What is printed so far, seen from above: a height field of square cells, with the strands in bins for exact answers. One structure for the height of travels, beads from the
-/// gap, the safe return of turtles, support and collision. It grows with the print; strands far below the top of their bin are dropped, and there the cells answer (never
-/// too low, and too wide by less than a cell). Not thread-safe.
+/// What is printed so far, seen from above: a height field of square cells, with the strands in bins for exact answers. One structure for the height of
+/// travels, beads from the gap, the safe return of turtles, support and collision. It grows with the print; strands far below the top of their bin are dropped,
+/// and there the cells answer (never too low, and too wide by less than a cell). Not thread-safe.
 /// </summary>
 public sealed class Deposit
 {
@@ -85,7 +85,8 @@ public sealed class Deposit
             _outside = Math.Max(_outside, strand.Top);
             // Only what lies inside is drawn into cells.
             double low = 0, high = 1;
-            if (!ClipAxis(strand.Ax, strand.Bx, edge - halfWidth - _cell, ref low, ref high) || !ClipAxis(strand.Ay, strand.By, edge - halfWidth - _cell, ref low, ref high)) return;
+            if (!ClipAxis(strand.Ax, strand.Bx, edge - halfWidth - _cell, ref low, ref high)
+                || !ClipAxis(strand.Ay, strand.By, edge - halfWidth - _cell, ref low, ref high)) return;
             var (a, b) = (Vec3.Lerp(from, to, low), Vec3.Lerp(from, to, high));
             strand = strand with { Ax = a.X, Ay = a.Y, Az = a.Z, Bx = b.X, By = b.Y, Bz = b.Z };
         }
@@ -93,8 +94,8 @@ public sealed class Deposit
     }
 
     /// <summary>
-    /// Highest top, mm, of what lies within <paramref name="radius"/> mm of the way from <paramref name="a"/> to <paramref name="b"/>, all seen from above; negative infinity where
-    /// nothing does.
+    /// Highest top, mm, of what lies within <paramref name="radius"/> mm of the way from <paramref name="a"/> to <paramref name="b"/>, all seen from above;
+    /// negative infinity where nothing does.
     /// </summary>
     public double TopAlong(Vec3 a, Vec3 b, double radius)
     {
@@ -124,7 +125,8 @@ public sealed class Deposit
     }
 
     /// <summary>
-    /// Highest top, mm, not above <paramref name="limit"/>, of what lies within <paramref name="radius"/> mm of a point seen from above; negative infinity where nothing does.
+    /// Highest top, mm, not above <paramref name="limit"/>, of what lies within <paramref name="radius"/> mm of a point seen from above; negative infinity
+    /// where nothing does.
     /// </summary>
     public double TopUnder(Vec3 point, double limit, double radius = 0)
     {
@@ -151,8 +153,8 @@ public sealed class Deposit
     }
 
     /// <summary>
-    /// True when a tip of some radius in mm moves straight from <paramref name="a"/> to <paramref name="b"/> without dipping more than <paramref name="tolerance"/> mm below the
-    /// top of anything that it passes.
+    /// True when a tip of some radius in mm moves straight from <paramref name="a"/> to <paramref name="b"/> without dipping more than
+    /// <paramref name="tolerance"/> mm below the top of anything that it passes.
     /// </summary>
     public bool IsFree(Vec3 a, Vec3 b, double radius, double tolerance = 1e-6)
     {

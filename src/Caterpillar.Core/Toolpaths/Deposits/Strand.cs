@@ -41,8 +41,8 @@ internal struct Strand
 internal static class StadiumClip
 {
     /// <summary>
-    /// Parameters from 0 to 1 along the segment from (x, y) by (dx, dy) between which it is within <paramref name="reach"/> mm of the segment from a to b. A stadium is
-    /// convex, so the part is one piece: the union of the pieces in its rectangle and its two discs.
+    /// Parameters from 0 to 1 along the segment from (x, y) by (dx, dy) between which it is within <paramref name="reach"/> mm of the segment from a to b. A
+    /// stadium is convex, so the part is one piece: the union of the pieces in its rectangle and its two discs.
     /// </summary>
     public static bool TryClip(double x, double y, double dx, double dy, Vec3 a, Vec3 b, double reach, out double from, out double to)
     {

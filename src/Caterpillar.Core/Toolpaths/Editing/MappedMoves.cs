@@ -12,8 +12,8 @@ internal static class MappedMoves
     }
 
     /// <summary>
-    /// The chosen strands, what is chosen between them, and what is done in place at their ends. Travels that lead to the first strand or away from the last have one end elsewhere: a way from or to
-    /// the home position stays.
+    /// The chosen strands, what is chosen between them, and what is done in place at their ends. Travels that lead to the first strand or away from the last
+    /// have one end elsewhere: a way from or to the home position stays.
     /// </summary>
     public static bool[] Of(Toolpath toolpath, MoveFilter filter)
     {

@@ -6,8 +6,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Moves, turns and scales paths and toolpaths. Cross-sections and speeds stay; E follows the length of the printed moves. Arcs stay arcs where the map keeps circles in
-/// the XY plane, else they become chords.
+/// Moves, turns and scales paths and toolpaths. Cross-sections and speeds stay; E follows the length of the printed moves. Arcs stay arcs where the map keeps
+/// circles in the XY plane, else they become chords.
 /// </summary>
 public static class Mapping
 {
@@ -33,14 +33,16 @@ public static class Mapping
     }
 
     /// <summary>
-    /// The same for the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Layers that are chosen whole (by number and object) get their new heights.
+    /// The same for the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Layers that are chosen
+    /// whole (by number and object) get their new heights.
     /// </summary>
     /// <inheritdoc cref="Transformed(Toolpath, Affine, double)" path="/param"/>
     public static Toolpath Transformed(this Toolpath toolpath, MoveFilter filter, Affine map, double tolerance = 0.01)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
-        var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), new AffineRunMap(map, tolerance), tolerance).Run(toolpath.Start ?? Vec3.Zero);
+        var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), new AffineRunMap(map, tolerance), tolerance)
+            .Run(toolpath.Start ?? Vec3.Zero);
         return mapped.With(toolpath.Start, toolpath.Layers.Select(l => filter.MatchesWhole(l) ? Image(l, map) : l));
     }
 

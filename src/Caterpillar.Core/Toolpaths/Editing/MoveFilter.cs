@@ -14,7 +14,10 @@ public sealed record MoveFilter
     /// <summary>What the machine does; null for all.</summary>
     public IReadOnlyCollection<MoveKind>? Kinds { get; init; }
 
-    /// <summary>First and last number of the layer in its object (<see cref="Layer.Index"/>); null for no limit. Moves without a layer are outside as soon as one is given.</summary>
+    /// <summary>
+    /// First and last number of the layer in its object (<see cref="Layer.Index"/>); null for no limit. Moves without a layer are outside as soon as one is
+    /// given.
+    /// </summary>
     public int? FirstLayer { get; init; }
 
     public int? LastLayer { get; init; }

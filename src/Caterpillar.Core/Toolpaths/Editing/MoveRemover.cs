@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Cuts moves out of a toolpath and mends what the cut leaves open: the way to the next strand, and for each tool what is pulled back, by E or by the firmware (G10 and G11). Events stay, and so
-/// do ways home; a dwell goes with its event. Blocks without cuts are shared.
+/// Cuts moves out of a toolpath and mends what the cut leaves open: the way to the next strand, and for each tool what is pulled back, by E or by the firmware
+/// (G10 and G11). Events stay, and so do ways home; a dwell goes with its event. Blocks without cuts are shared.
 /// </summary>
 internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
 {

@@ -5,8 +5,8 @@ using System.Linq;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Gives the moves from one place to another to another tool; a tool that is new is like the last one. Each tool has its own balance of retraction, so that what restored one may prime the other; kinds and
-/// deposited amounts follow.
+/// Gives the moves from one place to another to another tool; a tool that is new is like the last one. Each tool has its own balance of retraction, so that
+/// what restored one may prime the other; kinds and deposited amounts follow.
 /// </summary>
 internal sealed class ToolReassigner(Toolpath toolpath, int from, int until, int tool)
 {

@@ -6,8 +6,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Changes to a toolpath, planned or decoded. Each gives a new toolpath that shares all blocks that did not change; sources stay, so that a decoded file can be written again with only
-/// the changed lines different.
+/// Changes to a toolpath, planned or decoded. Each gives a new toolpath that shares all blocks that did not change; sources stay, so that a decoded file can be
+/// written again with only the changed lines different.
 /// </summary>
 public static class ToolpathEdits
 {
@@ -34,8 +34,9 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Maps the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Strands are divided until their image is met within <paramref name="tolerance"/> mm, arcs become chords, and the
-    /// material of printing moves follows their length. For shifts, turns and scaling see <see cref="Mapping"/>, which keeps arcs.
+    /// Maps the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Strands are divided until
+    /// their image is met within <paramref name="tolerance"/> mm, arcs become chords, and the material of printing moves follows their length. For shifts,
+    /// turns and scaling see <see cref="Mapping"/>, which keeps arcs.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
     /// <exception cref="InvalidOperationException">The map gives a point that is not finite.</exception>
@@ -49,8 +50,8 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Cuts the chosen moves out. Where a strand's start is no longer reached, a travel leads to it, and retraction is carried over for each tool: after the cut as much is pulled back as before it
-    /// was, by E or by the firmware. Events stay, and so does homing.
+    /// Cuts the chosen moves out. Where a strand's start is no longer reached, a travel leads to it, and retraction is carried over for each tool: after the
+    /// cut as much is pulled back as before it was, by E or by the firmware. Events stay, and so does homing.
     /// </summary>
     public static Toolpath Remove(this Toolpath toolpath, MoveFilter filter)
     {
@@ -67,7 +68,10 @@ public static class ToolpathEdits
         return new MoveRemover(toolpath, move => !filter.Matches(toolpath, move)).Run();
     }
 
-    /// <summary>Puts an event before a move (its number; the number of moves for the end). Behind a <see cref="ToolEvent"/> its tool makes the moves up to the next one; each tool has its own balance of retraction.</summary>
+    /// <summary>
+    /// Puts an event before a move (its number; the number of moves for the end). Behind a <see cref="ToolEvent"/> its tool makes the moves up to the next one;
+    /// each tool has its own balance of retraction.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
     public static Toolpath Insert(this Toolpath toolpath, int move, PrinterEvent what)
     {
@@ -78,13 +82,16 @@ public static class ToolpathEdits
         var at = events.FindIndex(e => e.Move > move);
         if (at < 0) at = events.Count;
         // A dwell or a way home is its event: what is put in front of the move comes in front of both.
-        while (at > 0 && events[at - 1].Move == move && events[at - 1].Event is DwellEvent or HomeEvent && move < toolpath.Count && IsOf(toolpath, toolpath[move], events[at - 1].Event)) at--;
+        while (at > 0 && events[at - 1].Move == move && events[at - 1].Event is DwellEvent or HomeEvent && move < toolpath.Count
+            && IsOf(toolpath, toolpath[move], events[at - 1].Event)) at--;
         var next = events.Skip(at).Where(e => e.Event is ToolEvent).Select(e => (int?)e.Move).FirstOrDefault() ?? toolpath.Count;
         events.Insert(at, new MoveEvent(move, what));
         return (what is ToolEvent { Tool: >= 0 } tool ? new ToolReassigner(toolpath, move, next, tool.Tool).Run() : toolpath).WithEvents(events);
     }
 
-    /// <summary>Puts an event (a pause, a tool, a temperature) before the first move of a layer by its number in its object; unchanged where there is no such layer.</summary>
+    /// <summary>
+    /// Puts an event (a pause, a tool, a temperature) before the first move of a layer by its number in its object; unchanged where there is no such layer.
+    /// </summary>
     public static Toolpath InsertAtLayer(this Toolpath toolpath, int layer, PrinterEvent what)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
@@ -99,7 +106,8 @@ public static class ToolpathEdits
         return toolpath;
     }
 
-    private static bool IsOf(Toolpath toolpath, Move move, PrinterEvent what) => what is DwellEvent ? move.Kind == MoveKind.Dwell : toolpath.HomeOf(move) is not null;
+    private static bool IsOf(Toolpath toolpath, Move move, PrinterEvent what)
+        => what is DwellEvent ? move.Kind == MoveKind.Dwell : toolpath.HomeOf(move) is not null;
 
     private static Toolpath Change(Toolpath toolpath, MoveFilter filter, Action<ToolpathColumns, int> change)
     {

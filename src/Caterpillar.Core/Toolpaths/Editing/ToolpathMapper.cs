@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Maps moves of a toolpath, run by run; blocks without any are shared. The material of strands follows their length. A travel that leads to a strand that is mapped ends where it now begins;
-/// what is done in place is done where the head now stands.
+/// Maps moves of a toolpath, run by run; blocks without any are shared. The material of strands follows their length. A travel that leads to a strand that is
+/// mapped ends where it now begins; what is done in place is done where the head now stands.
 /// </summary>
 /// <param name="toolpath">The toolpath.</param>
 /// <param name="mapped">For each move, whether its end is mapped.</param>
@@ -61,7 +61,8 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         return LeadsToRun(toolpath[first + count - 1]);
     }
 
-    private bool LeadsToRun(Move move) => !mapped[move.Index] && move.Index + 1 < mapped.Length && mapped[move.Index + 1] && move.Kind != MoveKind.Print && !move.IsInPlace;
+    private bool LeadsToRun(Move move)
+        => !mapped[move.Index] && move.Index + 1 < mapped.Length && mapped[move.Index + 1] && move.Kind != MoveKind.Print && !move.IsInPlace;
 
     private void Step(Move move)
     {
@@ -112,7 +113,8 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
     // Its start or end may have gone with a strand. What goes straight up or down still does.
     private void Unmapped(Move move, Vec3 end)
     {
-        if (end == move.End && _position != move.Start && move.Kind != MoveKind.Print && move.Start.X == end.X && move.Start.Y == end.Y) end = _position.WithZ(end.Z);
+        if (end == move.End && _position != move.Start && move.Kind != MoveKind.Print && move.Start.X == end.X
+            && move.Start.Y == end.Y) end = _position.WithZ(end.Z);
         if (_position == move.Start && end == move.End)
         {
             Add(move, end, move.E, move.Deposited, move.Speed, move.Arc);

@@ -24,8 +24,9 @@ public enum OutputAxis : byte
 }
 
 /// <summary>
-/// Lets a coordinate of the path drive another word, scaled, for printers with a rotating platform or other extra axes (Caterpillar 2019, section 6: a sleeve motor that turns the platform,
-/// "generated based on the scaled toolpaths"). The path is planned unrolled, and mapped last: amounts of E stay those of the unrolled path, and so does the time of every move.
+/// Lets a coordinate of the path drive another word, scaled, for printers with a rotating platform or other extra axes (Caterpillar 2019, section 6: a sleeve
+/// motor that turns the platform, "generated based on the scaled toolpaths"). The path is planned unrolled, and mapped last: amounts of E stay those of the
+/// unrolled path, and so does the time of every move.
 /// </summary>
 /// <param name="From">The coordinate that drives.</param>
 /// <param name="To">The word that it drives.</param>
@@ -37,18 +38,21 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
 
     /// <summary>The mapping that unrolls a drum of a diameter in mm: its circumference is a turn.</summary>
     public static AxisMapping Drum(PathAxis from, OutputAxis to, double diameter, double hold = 0)
-        => diameter > 0 ? new AxisMapping(from, to, 360 / (Math.PI * diameter), hold) : throw new ArgumentOutOfRangeException(nameof(diameter), "A drum needs a diameter.");
+        => diameter > 0 ? new AxisMapping(from, to, 360 / (Math.PI * diameter), hold)
+            : throw new ArgumentOutOfRangeException(nameof(diameter), "A drum needs a diameter.");
 
     /// <summary>
-    /// The toolpath with its words driven so; arcs become chords. The speed of a move is changed so that its time stays: it counts along X, Y and Z where one of them moves, else in degrees
-    /// per second (as RS274/NGC section 2.1.2.5 has it).
+    /// The toolpath with its words driven so; arcs become chords. The speed of a move is changed so that its time stays: it counts along X, Y and Z where one
+    /// of them moves, else in degrees per second (as RS274/NGC section 2.1.2.5 has it).
     /// </summary>
     /// <exception cref="InvalidOperationException">The scale is zero or not finite, or two coordinates would drive one word.</exception>
     public Toolpath Apply(Toolpath toolpath, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        if (Scale == 0 || double.IsNaN(Scale - Scale) || double.IsNaN(Hold - Hold)) throw new InvalidOperationException("The scale of an axis must be finite and not zero.");
-        if (To >= OutputAxis.X && To - OutputAxis.X != (int)From) throw new InvalidOperationException("A linear word can be driven by its own coordinate only.");
+        if (Scale == 0 || double.IsNaN(Scale - Scale)
+            || double.IsNaN(Hold - Hold)) throw new InvalidOperationException("The scale of an axis must be finite and not zero.");
+        if (To >= OutputAxis.X && To - OutputAxis.X != (int)From)
+            throw new InvalidOperationException("A linear word can be driven by its own coordinate only.");
         var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start is { } start ? Mapped(start) : null);
         foreach (var layer in toolpath.Layers) builder.AddLayer(layer);
         var nextEvent = 0;
@@ -60,7 +64,8 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
                 cancel.ThrowIfCancellationRequested();
                 progress?.Report((double)move.Index / toolpath.Count);
             }
-            for (; nextEvent < toolpath.Events.Count && toolpath.Events[nextEvent].Move <= move.Index; nextEvent++) builder.AddEvent(toolpath.Events[nextEvent].Event);
+            for (; nextEvent < toolpath.Events.Count
+                && toolpath.Events[nextEvent].Move <= move.Index; nextEvent++) builder.AddEvent(toolpath.Events[nextEvent].Event);
             var parts = move.Arc is { } arc ? arc.ChordCount(move.Start, ChordTolerance) : 1;
             var last = move.Start;
             for (var k = 1; k <= parts; k++)
@@ -68,7 +73,8 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
                 var next = move.Arc is { } curve ? curve.PointAt(move.Start, move.End, (double)k / parts) : move.End;
                 var (from, to) = (Mapped(last), Mapped(next));
                 var newTurn = To < OutputAxis.X ? Coordinate(next) * Scale : 0;
-                builder.Add(to, move.E / parts, move.Deposited / parts, Speed(move, last, next, from, to, newTurn - turn), move.Kind, move.Role, move.Layer, move.Tool, move.Source);
+                builder.Add(to, move.E / parts, move.Deposited / parts, Speed(move, last, next, from, to, newTurn - turn), move.Kind, move.Role, move.Layer,
+                    move.Tool, move.Source);
                 turn = newTurn;
                 if (To < OutputAxis.X) builder.SetRotary(To == OutputAxis.A ? turn : 0, To == OutputAxis.B ? turn : 0, To == OutputAxis.C ? turn : 0);
                 last = next;

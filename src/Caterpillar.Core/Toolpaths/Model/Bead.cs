@@ -17,8 +17,8 @@ public enum BeadShape : byte
 }
 
 /// <summary>
-/// The strand that is laid down along a segment: cross-section in mm², height in mm where it is known, speed in mm/s. An area of 0 deposits nothing (a stroke of
-/// a pen, a brush or a bare hot tool).
+/// The strand that is laid down along a segment: cross-section in mm², height in mm where it is known, speed in mm/s. An area of 0 deposits nothing (a stroke
+/// of a pen, a brush or a bare hot tool).
 /// </summary>
 public readonly record struct Bead
 {
@@ -57,7 +57,8 @@ public readonly record struct Bead
     }
 
     /// <summary>
-    /// Width in mm that follows from the area and the height for a shape. Where the height is unknown, or a stadium would be narrower than high, the strand is round.
+    /// Width in mm that follows from the area and the height for a shape. Where the height is unknown, or a stadium would be narrower than high, the strand is
+    /// round.
     /// </summary>
     public double Width(BeadShape shape = BeadShape.Rectangle)
     {

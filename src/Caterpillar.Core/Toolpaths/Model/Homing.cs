@@ -2,7 +2,9 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Ways home: the travels that <see cref="HomeEvent"/> stands for. They go where the switches are, whatever is done to the moves around them.</summary>
+/// <summary>
+/// Ways home: the travels that <see cref="HomeEvent"/> stands for. They go where the switches are, whatever is done to the moves around them.
+/// </summary>
 internal static class Homing
 {
     /// <summary>Where a head that stands at <paramref name="from"/> is after homing, mm.</summary>

@@ -8,8 +8,8 @@ namespace Caterpillar.Toolpaths;
 public static class PathArcs
 {
     /// <summary>
-    /// Replaces runs of straight segments by arcs within a tolerance (see <see cref="ArcFitter"/>). An arc never crosses a change of the bead, nor the seam of a closed path; arcs of the path
-    /// stay. The bead stays as it is, so that the material per mm is constant within an arc.
+    /// Replaces runs of straight segments by arcs within a tolerance (see <see cref="ArcFitter"/>). An arc never crosses a change of the bead, nor the seam of
+    /// a closed path; arcs of the path stay. The bead stays as it is, so that the material per mm is constant within an arc.
     /// </summary>
     public static PrintPath Fit(PrintPath path, ArcFitOptions? options = null)
     {

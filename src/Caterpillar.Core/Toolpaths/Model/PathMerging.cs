@@ -8,9 +8,9 @@ namespace Caterpillar.Toolpaths;
 public static class PathMerging
 {
     /// <summary>
-    /// Joins each open path to the one before it where the start of the one lies within <paramref name="tolerance"/> mm of the end of the other and role, layer, tool, name and overrides are equal.
-    /// The order is kept. With <paramref name="reverse"/> a path is also turned around to fit. The beads stay with their segments; the joint is the end of the first path. A chain that comes
-    /// back to its start becomes closed.
+    /// Joins each open path to the one before it where the start of the one lies within <paramref name="tolerance"/> mm of the end of the other and role,
+    /// layer, tool, name and overrides are equal. The order is kept. With <paramref name="reverse"/> a path is also turned around to fit. The beads stay with
+    /// their segments; the joint is the end of the first path. A chain that comes back to its start becomes closed.
     /// </summary>
     /// <exception cref="ArgumentException">The tolerance is negative or not a number, or a path is null.</exception>
     public static IReadOnlyList<PrintPath> Merge(IReadOnlyList<PrintPath> paths, double tolerance = 0.01, bool reverse = false)

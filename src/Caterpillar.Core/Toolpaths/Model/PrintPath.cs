@@ -6,8 +6,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// What to lay down, in one go and in order: vertices in mm, the segments between them straight or arcs in the XY plane with linear Z, and the beads of the segments.
-/// A closed path does not repeat its first vertex and has a segment back to it. Immutable.
+/// What to lay down, in one go and in order: vertices in mm, the segments between them straight or arcs in the XY plane with linear Z, and the beads of the
+/// segments. A closed path does not repeat its first vertex and has a segment back to it. Immutable.
 /// </summary>
 public sealed class PrintPath
 {
@@ -23,7 +23,8 @@ public sealed class PrintPath
     }
 
     /// <summary>A path with a bead for each segment, and optionally an arc for each (null where it is straight).</summary>
-    /// <exception cref="ArgumentException">As above; or the number of beads or arcs is not that of the segments; or an arc lies in another plane than XY.</exception>
+    /// <exception cref="ArgumentException">As above; or the number of beads or arcs is not that of the segments; or an arc lies in another plane than
+    /// XY.</exception>
     public PrintPath(IEnumerable<Vec3> points, IEnumerable<Bead> beads, bool closed = false, IEnumerable<Arc?>? arcs = null)
         : this((points ?? throw new ArgumentNullException(nameof(points))).ToArray(),
             (beads ?? throw new ArgumentNullException(nameof(beads))).ToArray(), closed, arcs?.ToArray(), perSegment: true)
@@ -40,8 +41,10 @@ public sealed class PrintPath
         }
         var segments = closed ? points.Length : points.Length - 1;
         if (perSegment && beads.Length != segments) throw new ArgumentException($"{segments} segments need as many beads, not {beads.Length}.", nameof(beads));
-        if (arcs is not null && arcs.Length != segments) throw new ArgumentException($"{segments} segments need as many arcs or nulls, not {arcs.Length}.", nameof(arcs));
-        if (arcs is not null && Array.Exists(arcs, a => a is { Plane: not ArcPlane.XY })) throw new ArgumentException("Arcs of a path lie in the XY plane.", nameof(arcs));
+        if (arcs is not null && arcs.Length != segments) throw new ArgumentException($"{segments} segments need as many arcs or nulls, not {arcs.Length}.",
+            nameof(arcs));
+        if (arcs is not null && Array.Exists(arcs, a => a is { Plane: not ArcPlane.XY })) throw new ArgumentException("Arcs of a path lie in the XY plane.",
+            nameof(arcs));
         _points = points;
         _beads = beads;
         _arcs = arcs;
@@ -162,7 +165,8 @@ public sealed class PrintPath
     public PrintPath StartingAt(int vertex)
     {
         if (!IsClosed) throw new InvalidOperationException("Only a closed path can begin elsewhere.");
-        return vertex == 0 ? this : With(Rotated(_points, vertex), _beads.Length == 1 ? _beads : Rotated(_beads, vertex), _arcs is null ? null : Rotated(_arcs, vertex));
+        return vertex == 0 ? this : With(Rotated(_points, vertex), _beads.Length == 1 ? _beads : Rotated(_beads, vertex), _arcs is null ? null
+            : Rotated(_arcs, vertex));
     }
 
     /// <summary>The same path with another bead for each segment.</summary>
@@ -198,7 +202,8 @@ public sealed class PrintPath
 
     private PrintPath With(Vec3[] points, Bead[] beads, Arc?[]? arcs) => Settings(new PrintPath(points, beads, IsClosed, arcs, beads.Length != 1));
 
-    private PrintPath Settings(PrintPath geometry) => new(geometry) { Role = Role, Layer = Layer, Tool = Tool, Name = Name, Color = Color, Overrides = Overrides };
+    private PrintPath Settings(PrintPath geometry)
+        => new(geometry) { Role = Role, Layer = Layer, Tool = Tool, Name = Name, Color = Color, Overrides = Overrides };
 
     private static T[] Rotated<T>(T[] items, int first)
     {

@@ -49,7 +49,8 @@ public sealed record RoleTotals(Role Role, double Length, double? Area, double? 
         for (var role = 0; role < count; role++)
         {
             if (lengths[role] == 0) continue;
-            totals.Add(unknown[role] ? new RoleTotals((Role)role, lengths[role], null, null) : new RoleTotals((Role)role, lengths[role], volumes[role] / lengths[role], widths[role] / lengths[role]));
+            totals.Add(unknown[role] ? new RoleTotals((Role)role, lengths[role], null, null)
+                : new RoleTotals((Role)role, lengths[role], volumes[role] / lengths[role], widths[role] / lengths[role]));
         }
         return totals;
     }

@@ -18,11 +18,12 @@ public abstract class Step
 }
 
 /// <summary>
-/// Paths with the same group may be sorted among each other. Groups keep the order in which they first appear: the layers from below, in each layer the islands, in each island
-/// walls before infill.
+/// Paths with the same group may be sorted among each other. Groups keep the order in which they first appear: the layers from below, in each layer the
+/// islands, in each island walls before infill.
 /// </summary>
 /// <param name="Layer">Number of the layer in the whole print.</param>
-/// <param name="Island">Number of the island in its layer. Planning may take the islands of a layer in another order; those below 0 (a skirt) come first and in their order.</param>
+/// <param name="Island">Number of the island in its layer. Planning may take the islands of a layer in another order; those below 0 (a skirt) come first and in
+/// their order.</param>
 /// <param name="Rank">Rank of the role in its island, lowest first.</param>
 public readonly record struct StepGroup(int Layer, int Island = 0, int Rank = 0);
 

@@ -23,8 +23,8 @@ public sealed record ToolpathTool(double? VolumePerE);
 public readonly record struct MoveEvent(int Move, PrinterEvent Event);
 
 /// <summary>
-/// What the machine does, move by move, in order: planned from steps or decoded from a file. Columns in shared blocks, so that many million moves fit and an edit copies
-/// only its block. Immutable.
+/// What the machine does, move by move, in order: planned from steps or decoded from a file. Columns in shared blocks, so that many million moves fit and an
+/// edit copies only its block. Immutable.
 /// </summary>
 public sealed class Toolpath
 {
@@ -33,7 +33,8 @@ public sealed class Toolpath
     private readonly MoveEvent[] _events;
 
     internal Toolpath(
-        IEnumerable<ToolpathBlock> blocks, IEnumerable<Layer> layers, IEnumerable<MoveEvent> events, IEnumerable<ToolpathTool> tools, Vec3? start, MoveSource source)
+        IEnumerable<ToolpathBlock> blocks, IEnumerable<Layer> layers, IEnumerable<MoveEvent> events, IEnumerable<ToolpathTool> tools, Vec3? start,
+            MoveSource source)
     {
         _blocks = blocks.Where(b => b.Count > 0).ToArray();
         _firsts = new int[_blocks.Length];
@@ -93,8 +94,8 @@ public sealed class Toolpath
     public double? VolumeOf(Move move) => VolumePerE(move.Tool) * move.Deposited;
 
     /// <summary>
-    /// The strand that a printing move lays down: its area in mm² from what it deposits, its height from the thickness of its layer; null where it prints nothing or the factor of its tool is not
-    /// known. Slicers mean a <see cref="BeadShape.Stadium"/>, Cura a <see cref="BeadShape.Rectangle"/>.
+    /// The strand that a printing move lays down: its area in mm² from what it deposits, its height from the thickness of its layer; null where it prints
+    /// nothing or the factor of its tool is not known. Slicers mean a <see cref="BeadShape.Stadium"/>, Cura a <see cref="BeadShape.Rectangle"/>.
     /// </summary>
     public Bead? BeadOf(Move move)
     {

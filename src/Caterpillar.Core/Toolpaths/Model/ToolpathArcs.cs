@@ -8,8 +8,10 @@ namespace Caterpillar.Toolpaths;
 public static class ToolpathArcs
 {
     /// <summary>
-    /// Replaces runs of straight printing moves by arcs within a tolerance (see <see cref="ArcFitter"/>). A run has one role, layer, tool and speed, material per mm that differs by no more than
-    /// <paramref name="evenness"/> (and the rounding of its file), and nothing between its lines. An arc takes the source of its first move and the material of all.
+    /// Replaces runs of straight printing moves by arcs within a tolerance (see <see cref="ArcFitter"/>). A run has one role, layer, tool and speed, material
+    /// per mm that differs by no more than
+    /// <paramref name="evenness"/> (and the rounding of its file), and nothing between its lines. An arc takes the source of its first move and the material of
+    /// all.
     /// </summary>
     public static Toolpath FitArcs(this Toolpath toolpath, ArcFitOptions? options = null, double evenness = 0.02)
     {
@@ -32,7 +34,8 @@ public static class ToolpathArcs
             var run = 0;
             for (var i = 0; i < columns.Count;)
             {
-                for (; next < toolpath.Events.Count && toolpath.Events[next].Move <= first + i; next++) events.Add(new MoveEvent(made, toolpath.Events[next].Event));
+                for (; next < toolpath.Events.Count
+                    && toolpath.Events[next].Move <= first + i; next++) events.Add(new MoveEvent(made, toolpath.Events[next].Event));
                 if (run <= i) run = RunEnd(columns, points, i, first, eventful, evenness);
                 if (run - i > 1 && fitter.From(i, run) is { } fit)
                 {
@@ -43,7 +46,8 @@ public static class ToolpathArcs
                         e += columns.E[k];
                         deposited += columns.Deposited[k];
                     }
-                    editor.Add(points[fit.End], e, deposited, columns.Speed[i], MoveKind.Print, columns.Role[i], columns.Layer[i], columns.Tool[i], columns.Source[i], fit.Arc);
+                    editor.Add(points[fit.End], e, deposited, columns.Speed[i], MoveKind.Print, columns.Role[i], columns.Layer[i], columns.Tool[i],
+                        columns.Source[i], fit.Arc);
                     i = fit.End;
                 }
                 else
@@ -78,7 +82,8 @@ public static class ToolpathArcs
         return end;
     }
 
-    private static bool IsStraightPrint(ToolpathColumns c, int i) => c.Kind[i] == MoveKind.Print && c.E[i] == c.Deposited[i] && c.A is null && !c.TryGetArc(i, out _);
+    private static bool IsStraightPrint(ToolpathColumns c, int i)
+        => c.Kind[i] == MoveKind.Print && c.E[i] == c.Deposited[i] && c.A is null && !c.TryGetArc(i, out _);
 
     private static BlockEditor Copied(ToolpathColumns columns, Vec3[] points, int count)
     {
@@ -89,7 +94,8 @@ public static class ToolpathArcs
 
     private static void Add(BlockEditor editor, ToolpathColumns c, Vec3[] points, int i)
     {
-        editor.Add(points[i + 1], c.E[i], c.Deposited[i], c.Speed[i], c.Kind[i], c.Role[i], c.Layer[i], c.Tool[i], c.Source[i], c.TryGetArc(i, out var arc) ? arc : null);
+        editor.Add(points[i + 1], c.E[i], c.Deposited[i], c.Speed[i], c.Kind[i], c.Role[i], c.Layer[i], c.Tool[i], c.Source[i], c.TryGetArc(i, out var arc)
+            ? arc : null);
         editor.Turn(c, i);
     }
 }

@@ -4,7 +4,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// A stretch of up to <see cref="Capacity"/> moves as columns. Blocks are immutable and shared: an edit copies only the blocks it changes, and in them only the columns.
+/// A stretch of up to <see cref="Capacity"/> moves as columns. Blocks are immutable and shared: an edit copies only the blocks it changes, and in them only the
+/// columns.
 /// </summary>
 public sealed class ToolpathBlock
 {

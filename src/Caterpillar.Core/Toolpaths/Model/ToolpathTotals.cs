@@ -13,7 +13,8 @@ namespace Caterpillar.Toolpaths;
 /// <param name="PrintBounds">Box around the printed moves, both ends and the extremes of arcs, mm.</param>
 /// <param name="AllBounds">Box around the ends of all moves, mm.</param>
 public sealed record ToolpathTotals(
-    double PrintLength, double TravelLength, double DepositedE, double? DepositedVolume, int PrintMoves, int TravelMoves, int Retractions, Bounds PrintBounds, Bounds AllBounds)
+    double PrintLength, double TravelLength, double DepositedE, double? DepositedVolume, int PrintMoves, int TravelMoves, int Retractions, Bounds PrintBounds,
+        Bounds AllBounds)
 {
     public static ToolpathTotals Of(Toolpath toolpath)
     {

@@ -5,7 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>A hollow cone, or its frustum, as one string: a helix whose radius changes with the height.</summary>
-public sealed class ConeTraceComponent() : TraceComponent("Cone Trace", "Cone", "A hollow cone, or its frustum, as one string: a helix whose radius changes with the height.")
+public sealed class ConeTraceComponent()
+    : TraceComponent("Cone Trace", "Cone", "A hollow cone, or its frustum, as one string: a helix whose radius changes with the height.")
 {
     public override Guid ComponentGuid => new("e07a3d59-4c6b-4182-9f0d-3b8e5c1a6f35");
 

@@ -5,7 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>A filled cylinder of flat spirals on top of each other, outwards and inwards in turn (Kanada's cylinder).</summary>
-public sealed class CylinderTraceComponent() : TraceComponent("Cylinder Trace", "Cylinder", "A filled cylinder of flat spirals on top of each other, outwards and inwards in turn (Kanada's cylinder).")
+public sealed class CylinderTraceComponent()
+    : TraceComponent("Cylinder Trace", "Cylinder", "A filled cylinder of flat spirals on top of each other, outwards and inwards in turn (Kanada's cylinder).")
 {
     public override Guid ComponentGuid => new("96d4c2b7-1a8e-4f75-b3e9-0e5d7f6c4e34");
 

@@ -5,7 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>A hollow cylinder as one string, without layers and seams (Kanada's helix).</summary>
-public sealed class HelixTraceComponent() : TraceComponent("Helix Trace", "Helix", "A hollow cylinder as one string, without layers and seams (Kanada's helix).")
+public sealed class HelixTraceComponent()
+    : TraceComponent("Helix Trace", "Helix", "A hollow cylinder as one string, without layers and seams (Kanada's helix).")
 {
     public override Guid ComponentGuid => new("2f9e6a84-b57c-4e13-a0d8-7c4b1e5f3d33");
 
@@ -23,6 +24,7 @@ public sealed class HelixTraceComponent() : TraceComponent("Helix Trace", "Helix
     {
         var (radius, height, pitch) = (run.Positive(1), run.Positive(2), run.Positive(3));
         var ramp = RampOf(run, 6);
-        Build(run, 4, [radius, height, pitch, ramp?.Minimum, ramp?.Start, ramp?.End], (trace, strings) => trace.Helix(Vec3.Zero, radius, height, pitch, strings, ramp));
+        Build(run, 4, [radius, height, pitch, ramp?.Minimum, ramp?.Start, ramp?.End],
+            (trace, strings) => trace.Helix(Vec3.Zero, radius, height, pitch, strings, ramp));
     }
 }

@@ -9,7 +9,8 @@ namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Grows an L-system into a turtle program.</summary>
 public sealed class LSystemComponent() : CaterpillarComponent(
-    "L-System", "LSys", "Grows a word by rules and makes a turtle program of it: F draws, f goes without drawing, + - ^ & \\ / | turn, [ ] branch and come back.", Panel.Design)
+    "L-System", "LSys", "Grows a word by rules and makes a turtle program of it: F draws, f goes without drawing, + - ^ & \\ / | turn, [ ] branch and come "
+        + "back.", Panel.Design)
 {
     // A word beyond this is shown shortened.
     private const int ShownLetters = 100_000;
@@ -19,7 +20,8 @@ public sealed class LSystemComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Text("Axiom", "A", "Word of generation 0, for example F.");
-        ports.Text("Rules", "R", "Rules, for example F -> F[+F]F[-F]F; 0.3 F -> FF draws by chance; A(l) : l > 1 -> F(l)A(l*0.7) has values.", access: GH_ParamAccess.list);
+        ports.Text("Rules", "R", "Rules, for example F -> F[+F]F[-F]F; 0.3 F -> FF draws by chance; A(l) : l > 1 -> F(l)A(l*0.7) has values.",
+            access: GH_ParamAccess.list);
         ports.Integer("Generations", "G", "Number of times that the word is rewritten.");
         ports.Angle("Angle", "An", "Turn of + - ^ & \\ /, in degrees.", 90);
         ports.Integer("Seed", "Sd", "Seed of the choices by chance, from 0.", 0);

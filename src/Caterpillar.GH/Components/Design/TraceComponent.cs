@@ -26,17 +26,21 @@ public abstract class TraceComponent(string name, string nickname, string descri
     : CaterpillarComponent(name, nickname, description, Panel.Design, GH_Exposure.tertiary)
 {
     private protected static void PlanePort(InputPorts ports)
-        => ports.Add(new Param_Plane(), "Plane", "Pl", "Where the shape stands, in document units: its middle at the origin, its axis along Z, its start along X. The world's origin without it.", optional: true);
+        => ports.Add(new Param_Plane(), "Plane", "Pl",
+            "Where the shape stands, in document units: its middle at the origin, its axis along Z, its start along X. The world's origin without it.",
+            optional: true);
 
     private protected static void StrandPorts(InputPorts ports)
     {
-        ports.Add(new BeadParam(), "Bead", "B", "Strand and speed; 0.45 mm wide and 0.2 mm high at the speed of the print settings without it.", optional: true);
+        ports.Add(new BeadParam(), "Bead", "B", "Strand and speed; 0.45 mm wide and 0.2 mm high at the speed of the print settings without it.",
+            optional: true);
         ports.Integer("Strings Per Turn", "N", "Number of straight strings in a turn.", Trace.DefaultStringsPerTurn);
     }
 
     private protected static void RampPorts(InputPorts ports)
     {
-        ports.Choice("Ramp", "Ra", "Which end begins with less flow: the gap to the bed opens from nothing in the first turn, and the last one ends level.", TraceRamp.None);
+        ports.Choice("Ramp", "Ra", "Which end begins with less flow: the gap to the bed opens from nothing in the first turn, and the last one ends level.",
+            TraceRamp.None);
         ports.Number("Least Flow", "L", "Flow at the very end of a ramp, 0 to 1 of the full one.", 0.2);
     }
 

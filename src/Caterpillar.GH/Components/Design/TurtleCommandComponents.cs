@@ -40,7 +40,8 @@ public enum TurtleMoveKind
 }
 
 /// <summary>A move of the turtle.</summary>
-public sealed class TurtleMoveComponent() : TurtleCommandComponent("Move", "Move", "A move of the turtle. With the pen down it prints, except for lifts, jumps and moves without printing.")
+public sealed class TurtleMoveComponent()
+    : TurtleCommandComponent("Move", "Move", "A move of the turtle. With the pen down it prints, except for lifts, jumps and moves without printing.")
 {
     public override Guid ComponentGuid => new("3a5d0f91-8c7e-4d54-9d0e-7b2f6c1a4e15");
 
@@ -86,7 +87,8 @@ public enum TurtleRotateKind
 
 /// <summary>A turn of the turtle.</summary>
 public sealed class TurtleRotateComponent() : TurtleCommandComponent(
-    "Rotate", "Rotate", "Turns the turtle: positive yaw to the left, positive pitch raises the nose, positive roll lifts the left side. Yaw comes first, then pitch, then roll.")
+    "Rotate", "Rotate", "Turns the turtle: positive yaw to the left, positive pitch raises the nose, positive roll lifts the left side. Yaw comes first, "
+        + "then pitch, then roll.")
 {
     public override Guid ComponentGuid => new("c1b64e0a-37f5-4a0b-8f66-2f6d8f0b5d16");
 
@@ -95,7 +97,8 @@ public sealed class TurtleRotateComponent() : TurtleCommandComponent(
         ports.Angle("Yaw", "Y", "Turn about up, in degrees.", 0);
         ports.Angle("Pitch", "P", "Turn about left, in degrees.", 0);
         ports.Angle("Roll", "R", "Turn about forward, in degrees.", 0);
-        ports.Choice("Kind", "K", "Turn about its own axes, set the heading from the axes of the world, or add to the angles of the heading.", TurtleRotateKind.Turn);
+        ports.Choice("Kind", "K", "Turn about its own axes, set the heading from the axes of the world, or add to the angles of the heading.",
+            TurtleRotateKind.Turn);
     }
 
     private protected override TurtleCommand Command(Run run)
@@ -115,7 +118,8 @@ public sealed class TurtleRotateComponent() : TurtleCommandComponent(
 }
 
 /// <summary>Pen up or down.</summary>
-public sealed class TurtlePenComponent() : TurtleCommandComponent("Pen", "Pen", "Puts the pen down, so that moves print, or lifts it. Nothing is retracted; that is planning's.")
+public sealed class TurtlePenComponent()
+    : TurtleCommandComponent("Pen", "Pen", "Puts the pen down, so that moves print, or lifts it. Nothing is retracted; that is planning's.")
 {
     public override Guid ComponentGuid => new("5e2c9f37-d1a8-4f39-9b7d-b0d7a3f24c17");
 
@@ -139,7 +143,8 @@ public sealed class TurtleExtrusionComponent() : TurtleCommandComponent("Extrusi
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Choice("Kind", "K", "mm of filament per mm of path, cross-section of the strand in mm², or its width and height in mm.", TurtleExtrusionKind.FilamentPerMm);
+        ports.Choice("Kind", "K", "mm of filament per mm of path, cross-section of the strand in mm², or its width and height in mm.",
+            TurtleExtrusionKind.FilamentPerMm);
         ports.Number("Value", "V", "The amount: mm per mm, mm², or the width in mm.", 0.05);
         ports.Number("Height", "H", "Height of the strand, in mm; 0 where it is not known.", 0);
         ports.OptionalNumber("Speed", "S", "Speed from here on, in mm/s; as before without it.");
@@ -156,7 +161,8 @@ public sealed class TurtleExtrusionComponent() : TurtleCommandComponent("Extrusi
             {
                 TurtleExtrusionKind.FilamentPerMm => TurtleCommand.Of(TurtleAction.Density, value),
                 TurtleExtrusionKind.Area => TurtleCommand.Of(TurtleAction.Area, value, height),
-                _ => TurtleCommand.Of(TurtleAction.Bead, value, height > 0 ? height : throw new InputProblem("Height must be greater than zero where the width is given.")),
+                _ => TurtleCommand.Of(TurtleAction.Bead, value, height > 0 ? height
+                    : throw new InputProblem("Height must be greater than zero where the width is given.")),
             },
         };
         if (run.MaybeValue<double>(3) is not null) commands.Add(TurtleCommand.Of(TurtleAction.Speed, run.Positive(3)));
@@ -185,14 +191,16 @@ public enum TurtleEventKind
 }
 
 /// <summary>Something that the printer does besides moving, or a tag.</summary>
-public sealed class TurtleEventComponent() : TurtleCommandComponent("Event", "Event", "Something that the printer does besides moving, a tag of what follows, or a branching point.")
+public sealed class TurtleEventComponent()
+    : TurtleCommandComponent("Event", "Event", "Something that the printer does besides moving, a tag of what follows, or a branching point.")
 {
     public override Guid ComponentGuid => new("f3d7c8e1-0b5a-4c92-a7e4-9a1c6b2d8f19");
 
     private protected override void Inputs(InputPorts ports)
     {
         ports.Choice("Kind", "K", "What happens.", TurtleEventKind.Dwell);
-        ports.Number("Value", "V", "mm of filament, milliseconds, °C (waits until reached), fan 0 to 1, number of a tool or layer, or thickness of the next layer in mm.", 0);
+        ports.Number("Value", "V", "mm of filament, milliseconds, °C (waits until reached), fan 0 to 1, number of a tool or layer, or thickness of the next "
+            + "layer in mm.", 0);
         ports.Text("Text", "T", "Comment, raw line, message of a pause, name, or color as #rrggbb.", "");
     }
 

@@ -15,17 +15,20 @@ using Grasshopper.Kernel.Parameters;
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Carries out turtle programs.</summary>
-public sealed class TurtleComponent() : CaterpillarComponent("Turtle", "Turtle", "Carries out a turtle program: print paths, and all steps in order for planning.", Panel.Design)
+public sealed class TurtleComponent()
+    : CaterpillarComponent("Turtle", "Turtle", "Carries out a turtle program: print paths, and all steps in order for planning.", Panel.Design)
 {
     public override Guid ComponentGuid => new("b7f06a52-91de-4f7b-8a2a-40d9c55f3c12");
 
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new TurtleProgramParam(), "Program", "P", "Program to carry out; text that is a script is one too.");
-        ports.Add(new Param_Plane(), "Start Plane", "Pl", "Where the turtle stands at first, in document units: X is forward, Y left. The world's origin without it.", optional: true);
+        ports.Add(new Param_Plane(), "Start Plane", "Pl",
+            "Where the turtle stands at first, in document units: X is forward, Y left. The world's origin without it.", optional: true);
         ports.Number("Filament Diameter", "D", "Diameter of the filament, in mm, by which mm of filament become strands.", 1.75);
         ports.Boolean("Every Pose", "E", "True gives the pose and triangle behind every command, false the last only.", false);
-        ports.Add(new BeadParam(), "Bead", "B", "Strand at first, in place of the 0.05 mm of filament per mm; commands of the program change it.", optional: true);
+        ports.Add(new BeadParam(), "Bead", "B", "Strand at first, in place of the 0.05 mm of filament per mm; commands of the program change it.",
+            optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -48,7 +51,8 @@ public sealed class TurtleComponent() : CaterpillarComponent("Turtle", "Turtle",
             KeepPoses = run.Get<bool>(3),
             Bead = run.Maybe<BeadGoo>(4) is { IsValid: true } bead ? bead.Value : null,
         };
-        var result = run.Cached([program, options.Start, options.Extrusion.FilamentDiameter, options.KeepPoses, options.Bead], () => run.Work("Turtle", (progress, cancel) =>
+        var result = run.Cached([program, options.Start, options.Extrusion.FilamentDiameter, options.KeepPoses, options.Bead],
+            () => run.Work("Turtle", (progress, cancel) =>
         {
             var done = program.Run(options, null, progress, cancel);
             return new Done(done.Value?.ToSteps() ?? [], done.Value is null ? [] : options.KeepPoses ? done.Value.Poses : [done.Value.Pose], done.Diagnostics);

@@ -55,7 +55,8 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
     {
         base.DrawViewportMeshes(args);
         if (Hidden || Locked) return;
-        foreach (var drawn in _drawn) args.Display.DrawMeshShaded(drawn.Face, new DisplayMaterial(Attributes.Selected ? args.WireColour_Selected : Color.FromArgb(60, 170, 90)));
+        foreach (var drawn in _drawn) args.Display.DrawMeshShaded(drawn.Face,
+            new DisplayMaterial(Attributes.Selected ? args.WireColour_Selected : Color.FromArgb(60, 170, 90)));
     }
 
     private protected override void Inputs(InputPorts ports)

@@ -23,7 +23,8 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.File("File", "F", "File to read: plain, binary (.bgcode) or gzip.", "G-code|*.gcode;*.bgcode;*.gco;*.g;*.nc;*.gcode.gz|All files|*.*", optional: true);
+        ports.File("File", "F", "File to read: plain, binary (.bgcode) or gzip.", "G-code|*.gcode;*.bgcode;*.gco;*.g;*.nc;*.gcode.gz|All files|*.*",
+            optional: true);
         ports.Add(new GCodeParam(), "G-code", "G", "G-code to read instead of a file; text is G-code.", optional: true);
         ports.Text("Dialect", "D", "Dialect of the firmware, such as marlin2, klipper or reprapfirmware; \"detect\" finds it in the file.", Detect);
         ports.Choice("Rule", "R", "What counts as printing: E beyond what was retracted (Balance), or any rise of E (Rising).", ExtrusionRule.Balance);
@@ -72,7 +73,8 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         // A changed file has another time or size: then it is read again.
         try
         {
-            return run.Cached([file.FullName, file.LastWriteTimeUtc, file.Length], () => run.Work("Reading", (_, cancel) => GCodeDocument.ReadFile(file.FullName, cancel)));
+            return run.Cached([file.FullName, file.LastWriteTimeUtc, file.Length],
+                () => run.Work("Reading", (_, cancel) => GCodeDocument.ReadFile(file.FullName, cancel)));
         }
         catch (InvalidDataException broken)
         {

@@ -24,8 +24,10 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
         ports.Number("Speeds", "V", "Speed of each move, in mm/s.", GH_ParamAccess.tree);
         ports.Text("Kinds", "K", "What the machine does: Print, Travel, Wipe, Retract, Restore, Moving Restore, Prime or Dwell.", GH_ParamAccess.tree);
         ports.Text("Roles", "R", "What each strand is for, such as OuterWall or Infill.", GH_ParamAccess.tree);
-        ports.Integer("Sources", "S", "Number of the line of the file, from 1, or of the step of the design, from 0; -1 where there is none.", GH_ParamAccess.tree);
-        ports.Number("Areas", "A", "Cross-section of each strand in mm²; 0 for what prints nothing, and where the diameter of the filament is not known.", GH_ParamAccess.tree);
+        ports.Integer("Sources", "S", "Number of the line of the file, from 1, or of the step of the design, from 0; -1 where there is none.",
+            GH_ParamAccess.tree);
+        ports.Number("Areas", "A", "Cross-section of each strand in mm²; 0 for what prints nothing, and where the diameter of the filament is not known.",
+            GH_ParamAccess.tree);
         ports.Number("Widths", "W", "Width of each strand in mm, with round sides and the height of its layer; 0 where there is none.", GH_ParamAccess.tree);
     }
 

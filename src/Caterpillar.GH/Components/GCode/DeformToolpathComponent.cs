@@ -14,7 +14,8 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Bends a toolpath by formulas.</summary>
 public sealed class DeformToolpathComponent() : CaterpillarComponent(
-    "Deform Toolpath", "DeformTP", "Bends what a toolpath prints by formulas of position, area and speed; the material follows the length of the strands.", Panel.GCode)
+    "Deform Toolpath", "DeformTP", "Bends what a toolpath prints by formulas of position, area and speed; the material follows the length of the strands.",
+        Panel.GCode)
 {
     private const int Formulas = 1 + MoveFilterPorts.Count;
 
@@ -25,7 +26,8 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
         ports.Add(new ToolpathParam(), "Toolpath", "TP", "Toolpath to bend, planned or decoded.");
         MoveFilterPorts.Declare(ports);
         DeformationPorts.Declare(ports);
-        ports.Add(new Param_Plane(), "Plane", "Pl", "Frame of the coordinates, in document units; its Z is the axis of angles. The world's origin without it.", optional: true);
+        ports.Add(new Param_Plane(), "Plane", "Pl", "Frame of the coordinates, in document units; its Z is the axis of angles. The world's origin without it.",
+            optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -48,8 +50,10 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
             run.Set(0, null);
             return;
         }
-        if (frame != Frame.World) deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation).Then(Deformation.Cartesian(p => frame.ToWorld(p)));
-        var result = run.Cached([goo.Value, frame, .. MoveFilterPorts.Key(filter), .. asked.Key], () => run.Work("Deform", (_, _) => goo.Value.Deform(filter, deformation, asked.Tolerance)));
+        if (frame != Frame.World) deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation)
+            .Then(Deformation.Cartesian(p => frame.ToWorld(p)));
+        var result = run.Cached([goo.Value, frame, .. MoveFilterPorts.Key(filter), .. asked.Key],
+            () => run.Work("Deform", (_, _) => goo.Value.Deform(filter, deformation, asked.Tolerance)));
         run.SetList(1, run.Report(result.Diagnostics));
         run.Set(0, result.Value is { } bent ? goo.With(bent) : null);
     }

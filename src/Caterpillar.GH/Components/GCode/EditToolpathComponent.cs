@@ -22,7 +22,8 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
         MoveFilterPorts.Declare(ports);
         ports.Number("Speed Factor", "S", "Speed of the chosen moves, as a factor of what it was.", 1);
         ports.Number("Flow Factor", "Fl", "Material of the chosen moves, as a factor of what it was.", 1);
-        ports.Add(new Param_Transform(), "Transform", "X", "Moves, turns or scales the chosen strands, in document units; start and end code stay where they are.", optional: true);
+        ports.Add(new Param_Transform(), "Transform", "X",
+            "Moves, turns or scales the chosen strands, in document units; start and end code stay where they are.", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "The changed toolpath.");
@@ -38,7 +39,8 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
         if (flow != 1) edited = edited.ScaleFlow(filter, flow);
         if (run.MaybeValue<Rg.Transform>(After + 2) is { } transform)
         {
-            var map = RhinoGeometry.ToAffine(transform, run.Units) ?? throw new InputProblem("Transform must keep lines parallel: it moves, turns, scales or shears.");
+            var map = RhinoGeometry.ToAffine(transform, run.Units)
+                ?? throw new InputProblem("Transform must keep lines parallel: it moves, turns, scales or shears.");
             edited = edited.Transformed(MoveFilterPorts.ReadLayers(run, 1, edited), map);
         }
         run.Set(0, goo.With(edited));

@@ -9,7 +9,8 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Keeps some moves of a toolpath, or takes them out.</summary>
 public sealed class FilterToolpathComponent() : CaterpillarComponent(
-    "Filter Toolpath", "FilterTP", "Keeps the moves of some roles, layers or places, or takes them out; travels and retractions are mended at the cuts.", Panel.GCode)
+    "Filter Toolpath", "FilterTP", "Keeps the moves of some roles, layers or places, or takes them out; travels and retractions are mended at the cuts.",
+        Panel.GCode)
 {
     public override Guid ComponentGuid => new("3db465e0-e208-4bcc-8814-4b292260c251");
 

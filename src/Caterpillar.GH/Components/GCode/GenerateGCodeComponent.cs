@@ -22,12 +22,16 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to write.");
-        ports.Add(new PrinterParam(), "Printer", "P", "Printer that will print it, or the name of its profile; without it the one it was planned for.", optional: true);
-        ports.Text("Override Reason", "R", "Why the findings of the checks are to be ignored, in words; they stay in the file as a comment. Empty obeys the checks.", "");
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer that will print it, or the name of its profile; without it the one it was planned for.",
+            optional: true);
+        ports.Text("Override Reason", "R",
+            "Why the findings of the checks are to be ignored, in words; they stay in the file as a comment. Empty obeys the checks.", "");
         ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; without it the one it was planned for.", optional: true);
         ports.Add(new SettingsParam(), "Settings", "S", "Print settings, or the name of their profile; without them those it was planned for.", optional: true);
-        ports.Boolean("Write Anew", "A", "False writes a decoded file again with only its edits changed; true writes all of it anew, with the printer's start and end code.", false);
-        ports.Text("Start Code", "SC", "Lines in place of everything before the first layer of a decoded file; without it what is there stays.", optional: true);
+        ports.Boolean("Write Anew", "A",
+            "False writes a decoded file again with only its edits changed; true writes all of it anew, with the printer's start and end code.", false);
+        ports.Text("Start Code", "SC", "Lines in place of everything before the first layer of a decoded file; without it what is there stays.",
+            optional: true);
         ports.Text("End Code", "EC", "Lines in place of everything behind the last layer of a decoded file; without it what is there stays.", optional: true);
     }
 
@@ -50,7 +54,8 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         if (string.IsNullOrWhiteSpace(reason)) reason = null;
         var anew = run.Get<bool>(5) || goo.DecodedGCode is null;
         var (start, end) = (run.Maybe<string>(6), run.Maybe<string>(7));
-        if (anew && (start ?? end) is not null) run.Report(GH_RuntimeMessageLevel.Warning, "Start Code and End Code are for decoded files that are written again; this one is written anew, with those of its printer.");
+        if (anew && (start ?? end) is not null) run.Report(GH_RuntimeMessageLevel.Warning,
+            "Start Code and End Code are for decoded files that are written again; this one is written anew, with those of its printer.");
         var code = new EditOptions { Start = Lines(start), End = Lines(end) };
         var result = run.Cached([goo.Value, setup, reason, anew, start, end], () => run.Work("Writing", (progress, cancel) => anew
             ? SafeWriter.ToDocument(goo.Value, setup, reason, progress, cancel)
@@ -65,7 +70,8 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
 
     private static PrintSetup? Setup(Run run, PrintSetup? planned, List<string> texts)
     {
-        var printer = run.Maybe<Printer>(1) ?? planned?.Printer ?? throw new InputProblem("Printer is missing: the toolpath was not planned for one.") { IsMissing = true };
+        var printer = run.Maybe<Printer>(1) ?? planned?.Printer
+            ?? throw new InputProblem("Printer is missing: the toolpath was not planned for one.") { IsMissing = true };
         var material = run.Maybe<Material>(3) ?? planned?.Material ?? run.Accept(Profiles.Library.Material(printer.DefaultMaterial), texts);
         var settings = run.Maybe<PrintSettings>(4) ?? planned?.Settings ?? run.Accept(Profiles.Library.Settings(printer.DefaultSettings), texts);
         return material is null || settings is null ? null : new PrintSetup(printer, material, settings);

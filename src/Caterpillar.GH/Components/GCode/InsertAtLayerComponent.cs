@@ -62,7 +62,8 @@ public sealed class InsertAtLayerComponent() : CaterpillarComponent(
         return run.Choice<LayerEventKind>(2) switch
         {
             LayerEventKind.Pause => new PauseEvent(text),
-            LayerEventKind.Tool => new ToolEvent(AtLeast(0, 99, "the number of a tool") is var tool && tool == Math.Floor(tool) ? (int)tool : throw new InputProblem("Value must be the number of a tool.")),
+            LayerEventKind.Tool => new ToolEvent(AtLeast(0, 99, "the number of a tool") is var tool
+                && tool == Math.Floor(tool) ? (int)tool : throw new InputProblem("Value must be the number of a tool.")),
             LayerEventKind.NozzleTemperature => new NozzleTemperatureEvent(AtLeast(0, 600, "a temperature in °C"), Wait: true),
             LayerEventKind.BedTemperature => new BedTemperatureEvent(AtLeast(0, 300, "a temperature in °C"), Wait: true),
             LayerEventKind.Fan => new FanEvent(AtLeast(0, 1, "a fan speed from 0 to 1")),

@@ -17,7 +17,8 @@ internal static class MoveFilterPorts
         ports.Choices<Role>("Roles", "R", "Roles of the moves that are meant, such as Outer Wall or Infill; without any all are.");
         ports.OptionalInteger("First Layer", "F", "Number of the first layer that is meant, from 0; without it there is no limit.");
         ports.OptionalInteger("Last Layer", "L", "Number of the last layer that is meant, from 0; without it there is no limit.");
-        ports.Text("Objects", "O", "Names of the objects that are meant, as the file has them; without any all are.", access: GH_ParamAccess.list, optional: true);
+        ports.Text("Objects", "O", "Names of the objects that are meant, as the file has them; without any all are.", access: GH_ParamAccess.list,
+            optional: true);
         ports.Geometry("Box", "B", "Geometry in whose bounding box a move ends that is meant, in document units; without it everywhere.", optional: true);
     }
 

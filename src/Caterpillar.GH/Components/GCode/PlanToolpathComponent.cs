@@ -23,8 +23,10 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
         ports.Flattened(new StepParam(), "Steps", "S", "Print paths, travels and events in the order of the design; branches follow each other.");
         ports.Add(new PrinterParam(), "Printer", "P", "Printer that will print it, or the name of its profile.");
         ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; without it the one that the printer names.", optional: true);
-        ports.Add(new SettingsParam(), "Settings", "Se", "Print settings, or the name of their profile; without them those that the printer names.", optional: true);
-        ports.Choice("Policy", "Po", "What planning may add: all that the settings say (Printer), or nothing beyond what was drawn (As Drawn).", PlanPolicy.Printer);
+        ports.Add(new SettingsParam(), "Settings", "Se", "Print settings, or the name of their profile; without them those that the printer names.",
+            optional: true);
+        ports.Choice("Policy", "Po", "What planning may add: all that the settings say (Printer), or nothing beyond what was drawn (As Drawn).",
+            PlanPolicy.Printer);
         ports.Choice("Sort", "So", "How paths are sorted inside the groups that a slicer gave them; other paths keep their order.", SortRule.Tour);
     }
 

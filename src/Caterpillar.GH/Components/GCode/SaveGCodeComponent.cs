@@ -23,7 +23,8 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new GCodeParam(), "G-code", "G", "G-code to write.");
-        ports.Target("File", "F", "File to write, binary where its name ends in .bgcode; relative to the definition's own file.", "G-code|*.gcode|Binary G-code|*.bgcode");
+        ports.Target("File", "F", "File to write, binary where its name ends in .bgcode; relative to the definition's own file.",
+            "G-code|*.gcode|Binary G-code|*.bgcode");
         ports.Boolean("Save", "S", "The moment it becomes true the file is written: give a button.", false);
         ports.Boolean("Overwrite", "O", "True replaces a file that is there already.", false);
     }

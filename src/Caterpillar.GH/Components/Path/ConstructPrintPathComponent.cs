@@ -43,7 +43,8 @@ public sealed class ConstructPrintPathComponent() : CaterpillarComponent(
             Layer = number >= 0 ? new Layer(number, curve.Bounds.Max.Z) : null,
         };
         if (run.Maybe<BeadGoo>(1) is { IsValid: true } bead) user = user with { Area = bead.Value.Area, Height = bead.Value.Height, Speed = bead.Value.Speed };
-        var options = new CurveOptions { Shape = BeadShape.Stadium, Subdivision = SubdivisionOptions.ByDistance(run.Positive(3)) with { KeepArcs = run.Get<bool>(4) } };
+        var options = new CurveOptions { Shape = BeadShape.Stadium,
+            Subdivision = SubdivisionOptions.ByDistance(run.Positive(3)) with { KeepArcs = run.Get<bool>(4) } };
         var made = CurvePaths.ToPaths([user], options);
         run.SetList(1, run.Report(made.Diagnostics));
         run.Set(0, made.Value is null ? null : new PrintPathGoo(made.Value.Single()));

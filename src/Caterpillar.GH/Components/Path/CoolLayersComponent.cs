@@ -38,5 +38,6 @@ public sealed class CoolLayersComponent() : PathShapingComponent(
         SetPaths(run, before, shaped);
     }
 
-    private static double AtLeast0(Run run, int input) => run.Finite(input) is >= 0 and var value ? value : throw new InputProblem("Times and rates must be 0 or more.");
+    private static double AtLeast0(Run run, int input)
+        => run.Finite(input) is >= 0 and var value ? value : throw new InputProblem("Times and rates must be 0 or more.");
 }

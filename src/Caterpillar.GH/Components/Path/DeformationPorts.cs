@@ -15,12 +15,17 @@ internal static class DeformationPorts
 
     public static void Declare(InputPorts ports)
     {
-        ports.Choice("System", "S", "Coordinates of the formulas: x, y, z in mm (Cartesian), or r in mm, theta in degrees and z in mm (Cylindrical).", DeformationSystem.Cartesian);
-        ports.Text("X", "X", "Formula of the new x, or of the new r in cylindrical coordinates, for example r + 1.05 * z; without it the coordinate stays.", optional: true);
-        ports.Text("Y", "Y", "Formula of the new y, or of the new theta in degrees, for example theta + 3 * z; without it the coordinate stays.", optional: true);
+        ports.Choice("System", "S", "Coordinates of the formulas: x, y, z in mm (Cartesian), or r in mm, theta in degrees and z in mm (Cylindrical).",
+            DeformationSystem.Cartesian);
+        ports.Text("X", "X", "Formula of the new x, or of the new r in cylindrical coordinates, for example r + 1.05 * z; without it the coordinate stays.",
+            optional: true);
+        ports.Text("Y", "Y", "Formula of the new y, or of the new theta in degrees, for example theta + 3 * z; without it the coordinate stays.",
+            optional: true);
         ports.Text("Z", "Z", "Formula of the new z, for example 0.3 * z; without it the coordinate stays.", optional: true);
-        ports.Text("Area", "A", "Formula of the new cross-section in mm² over c, the old one, and the coordinates before the mapping, for example 0.96 * c.", optional: true);
-        ports.Text("Speed", "V", "Formula of the new speed in mm/s over v, the old one, and the coordinates before the mapping, for example 0.5 * v.", optional: true);
+        ports.Text("Area", "A", "Formula of the new cross-section in mm² over c, the old one, and the coordinates before the mapping, for example 0.96 * c.",
+            optional: true);
+        ports.Text("Speed", "V", "Formula of the new speed in mm/s over v, the old one, and the coordinates before the mapping, for example 0.5 * v.",
+            optional: true);
         ports.Number("Tolerance", "T", "Distance in mm that bent curves keep from straight segments, which are divided for it; 0 divides none.", 0.01);
     }
 

@@ -12,7 +12,8 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Replaces runs of segments by arcs.</summary>
 public sealed class FitArcsComponent() : CaterpillarComponent(
-    "Fit Arcs", "FitArcs", "Replaces runs of straight segments by arcs within a tolerance, flat or helical, for smaller and smoother G-code.", Panel.Path, GH_Exposure.secondary)
+    "Fit Arcs", "FitArcs", "Replaces runs of straight segments by arcs within a tolerance, flat or helical, for smaller and smoother G-code.", Panel.Path,
+        GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("ce1b33da-ca9c-4052-913f-de8e63260a7c");
 
@@ -31,6 +32,7 @@ public sealed class FitArcsComponent() : CaterpillarComponent(
         var options = new ArcFitOptions { Tolerance = run.Positive(1) };
         var fitted = paths.Select(p => p.With(run.Cached([p.Value, options], () => PathArcs.Fit(p.Value, options)))).ToList();
         run.SetList(0, fitted);
-        run.Summarize($"{NumberFormatter.Format(paths.Sum(p => p.Value.SegmentCount))} → {NumberFormatter.Format(fitted.Sum(p => p.Value.SegmentCount))} segments");
+        run.Summarize($"{NumberFormatter.Format(paths.Sum(p => p.Value.SegmentCount))} → {NumberFormatter.Format(fitted.Sum(p => p.Value.SegmentCount))} "
+            + $"segments");
     }
 }

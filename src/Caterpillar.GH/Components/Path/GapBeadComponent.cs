@@ -23,8 +23,10 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in the order in which they are printed; each finds the ones before it underneath.", GH_ParamAccess.list);
-        ports.Geometry("Geometry", "G", "Objects below the paths, in document units: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list, optional: true);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in the order in which they are printed; each finds the ones before it underneath.",
+            GH_ParamAccess.list);
+        ports.Geometry("Geometry", "G", "Objects below the paths, in document units: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list,
+            optional: true);
         ports.Add(new SettingsParam(), "Settings", "S", "Print settings from which the limits follow; without them the standard ones.", optional: true);
         ports.OptionalNumber("Least Gap", "Min", "Smaller gaps are printed as if they were this high, in mm; without it a quarter of the layer height.");
         ports.OptionalNumber("Greatest Gap", "Max", "Larger gaps are printed as if they were this high, in mm; without it twice the layer height.");

@@ -29,17 +29,21 @@ public sealed class ModulateComponent() : PathShapingComponent(
     private protected override void Inputs(InputPorts ports)
     {
         PathsPort(ports);
-        ports.File("Image", "I", "Image (PNG, PGM, PBM): black is 0, white is 1.", "Images (*.png;*.pgm;*.pbm)|*.png;*.pgm;*.pbm|All files|*.*", optional: true);
-        ports.Text("Expression", "E",
-            "Formula of the field, 0 to 1, instead of an image, over x, y, z, r in mm, theta in degrees, s (way along the path in mm) and u (the same from 0 to 1), for example 0.5 + 0.5 * sin(6 * theta).",
+        ports.File("Image", "I", "Image (PNG, PGM, PBM): black is 0, white is 1.", "Images (*.png;*.pgm;*.pbm)|*.png;*.pgm;*.pbm|All files|*.*",
             optional: true);
-        ports.Choice("Mode", "M", "What changes: the speed at a constant flow of material, the flow at a constant speed, or the place, to the left of the way or upwards.", ModulationMode.Speed);
+        ports.Text("Expression", "E",
+            "Formula of the field, 0 to 1, instead of an image, over x, y, z, r in mm, theta in degrees, s (way along the path in mm) and u (the same from 0 "
+                + "to 1), for example 0.5 + 0.5 * sin(6 * theta).",
+            optional: true);
+        ports.Choice("Mode", "M", "What changes: the speed at a constant flow of material, the flow at a constant speed, or the place, to the left of the "
+            + "way or upwards.", ModulationMode.Speed);
         ports.Number("Low", "L", "Amount where the field is 0: factor on speed or flow, or displacement in mm.", 1);
         ports.Number("High", "H", "Amount where the field is 1: factor on speed or flow, or displacement in mm.", 0.65);
         ports.Text("Mask", "Ma", "Formula over the same names of how much takes effect, 0 to 1; everything without it.", optional: true);
         ports.Number("Resolution", "R", "Segments are divided into parts of at most so many mm first; 0 leaves them as they are.", 0);
         PlanePort(ports);
-        ports.Choice("Mapping", "W", "How the image lies on the paths: around them, as on a globe, seen from above, or one row for each path; it is as large as they are.", ImageLay.Cylinder);
+        ports.Choice("Mapping", "W", "How the image lies on the paths: around them, as on a globe, seen from above, or one row for each path; it is as large "
+            + "as they are.", ImageLay.Cylinder);
         ports.Integer("Repeat", "N", "Number of times that the image is repeated around a cylinder.", 1);
         ports.Boolean("Smooth", "Sm", "True takes values between pixels, false the nearest pixel.", false);
         ports.Number("Reference Speed", "V", "Speed in mm/s of paths that have none of their own; 0 where all have one.", 0);
@@ -70,7 +74,8 @@ public sealed class ModulateComponent() : PathShapingComponent(
                 ? Accept(FieldText.Compile(expression, source: new SourceLocation(Key: "expression")), problems)
                 : ImageField(file!, local, lay, repeat, smooth, problems);
             if (field is null || problems.Count > 0) return new Shaped([], problems);
-            return Shaped.Of(new Modulation(mode, field, low, high) { Mask = masking, Resolution = resolution, ReferenceSpeed = speed }.Apply(local, progress, cancel), frame);
+            return Shaped.Of(new Modulation(mode, field, low, high) { Mask = masking, Resolution = resolution, ReferenceSpeed = speed }.Apply(local, progress,
+                cancel), frame);
         })));
     }
 

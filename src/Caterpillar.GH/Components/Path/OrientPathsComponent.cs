@@ -11,7 +11,8 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Turns paths so that they begin near the end of the one before.</summary>
 public sealed class OrientPathsComponent() : CaterpillarComponent(
-    "Orient Paths", "Orient", "Keeps the order of paths, and turns or rotates each so that it begins near the end of the one before.", Panel.Path, GH_Exposure.secondary)
+    "Orient Paths", "Orient", "Keeps the order of paths, and turns or rotates each so that it begins near the end of the one before.", Panel.Path,
+        GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("b290ed56-f49f-4df9-98de-9e1484c57e53");
 

@@ -21,9 +21,11 @@ public abstract class PathShapingComponent(string name, string nickname, string 
         => ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths, in the order of printing.", GH_ParamAccess.list);
 
     private protected static void PlanePort(InputPorts ports)
-        => ports.Add(new Param_Plane(), "Plane", "Pl", "Frame of the coordinates, in document units; its Z is the axis of angles. The world's origin without it.", optional: true);
+        => ports.Add(new Param_Plane(), "Plane", "Pl",
+            "Frame of the coordinates, in document units; its Z is the axis of angles. The world's origin without it.", optional: true);
 
-    private protected static Frame FrameOf(Run run, int input) => run.MaybeValue<Rg.Plane>(input) is { } plane ? RhinoGeometry.ToFrame(plane, run.Units) : Frame.World;
+    private protected static Frame FrameOf(Run run, int input)
+        => run.MaybeValue<Rg.Plane>(input) is { } plane ? RhinoGeometry.ToFrame(plane, run.Units) : Frame.World;
 
     private protected sealed override void Outputs(OutputPorts ports)
     {
@@ -48,7 +50,8 @@ public abstract class PathShapingComponent(string name, string nickname, string 
     private protected static PrintPath[] ToLocal(IEnumerable<PrintPath> paths, Frame frame)
     {
         if (frame == Frame.World) return paths.ToArray();
-        var map = new Affine(new Vec3(frame.X.X, frame.Y.X, frame.Z.X), new Vec3(frame.X.Y, frame.Y.Y, frame.Z.Y), new Vec3(frame.X.Z, frame.Y.Z, frame.Z.Z), frame.ToLocal(Vec3.Zero));
+        var map = new Affine(new Vec3(frame.X.X, frame.Y.X, frame.Z.X), new Vec3(frame.X.Y, frame.Y.Y, frame.Z.Y), new Vec3(frame.X.Z, frame.Y.Z, frame.Z.Z),
+            frame.ToLocal(Vec3.Zero));
         return paths.Select(p => p.Transformed(map)).ToArray();
     }
 

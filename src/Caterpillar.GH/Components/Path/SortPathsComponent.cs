@@ -15,7 +15,8 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Puts print paths into an order with short ways between them.</summary>
 public sealed class SortPathsComponent() : CaterpillarComponent(
-    "Sort Paths", "Sort", "Puts print paths into an order with short ways between them; none is lost. Paths that are not sorted are printed in their order.", Panel.Path)
+    "Sort Paths", "Sort", "Puts print paths into an order with short ways between them; none is lost. Paths that are not sorted are printed in their order.",
+        Panel.Path)
 {
     public override Guid ComponentGuid => new("b1d0a5ee-6f0e-4b7c-9a55-61c2f1a7d3e4");
 
@@ -23,7 +24,8 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
     {
         ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths to sort.", GH_ParamAccess.list);
         ports.Choice("Rule", "R",
-            "The order: as given (None), as given but each from its nearest end (Orient), from each end to the nearest start, by layer, by lowest point, or the shortest tour found.",
+            "The order: as given (None), as given but each from its nearest end (Orient), from each end to the nearest start, by layer, by lowest point, or "
+                + "the shortest tour found.",
             SortRule.Nearest);
         ports.Boolean("Reverse", "Re", "True where open paths may be printed from their other end.", true);
         ports.Boolean("Rotate", "Ro", "True where closed paths may begin at any of their vertices.", true);

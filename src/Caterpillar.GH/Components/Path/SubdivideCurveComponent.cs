@@ -25,7 +25,8 @@ public enum SubdivisionMode
 
 /// <summary>Divides a curve as printing does.</summary>
 public sealed class SubdivideCurveComponent() : CaterpillarComponent(
-    "Subdivide Curve", "SubCrv", "Separates the linear from the curved parts of a curve; linear parts keep their end points only, curved parts are divided.", Panel.Path)
+    "Subdivide Curve", "SubCrv", "Separates the linear from the curved parts of a curve; linear parts keep their end points only, curved parts are divided.",
+        Panel.Path)
 {
     public override Guid ComponentGuid => new("a31cc893-fa2f-4120-a76b-5b2d09d19c7c");
 

@@ -19,7 +19,8 @@ public sealed class ConstructBeadComponent() : CaterpillarComponent(
         ports.Number("Height", "H", "Height of the strand, in mm.", 0.2);
         ports.Number("Multiplier", "M", "A factor on the cross-section; 1 is the plain strand.", 1);
         ports.Number("Speed", "V", "Speed of the head, in mm/s; 0 is the speed of the print settings.", 0);
-        ports.Choice("Model", "S", "Cross-section that width and height belong to: a rectangle (as in the Caterpillar paper), a stadium (as slicers have it) or a circle of the width.", BeadShape.Stadium);
+        ports.Choice("Model", "S", "Cross-section that width and height belong to: a rectangle (as in the Caterpillar paper), a stadium (as slicers have it) "
+            + "or a circle of the width.", BeadShape.Stadium);
         ports.Number("Filament Diameter", "D", "Diameter of the filament for the output E Factor, in mm.", 1.75);
     }
 

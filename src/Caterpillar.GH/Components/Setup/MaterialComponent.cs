@@ -18,7 +18,8 @@ public sealed class MaterialComponent() : ProfileComponent("Material", "Material
     {
         ports.Text("Name", "N", "Name of the profile, such as pla, petg or clay.", "pla");
         ports.File("File", "F", "File of a profile of your own (JSON); it counts before the name.", "Material profile|*.json", optional: true);
-        ports.Text("Overrides", "O", "Values to change as key=value, for example nozzle_temperature_c=215; keys carry their unit.", access: GH_ParamAccess.list, optional: true);
+        ports.Text("Overrides", "O", "Values to change as key=value, for example nozzle_temperature_c=215; keys carry their unit.", access: GH_ParamAccess.list,
+            optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)

@@ -24,7 +24,8 @@ public sealed class PlanarSlicerComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Geometry("Geometry", "G", "Solids to slice, standing where they are to be printed, in document units: meshes, Breps, SubDs or extrusions.", GH_ParamAccess.list);
+        ports.Geometry("Geometry", "G", "Solids to slice, standing where they are to be printed, in document units: meshes, Breps, SubDs or extrusions.",
+            GH_ParamAccess.list);
         ports.Add(new SettingsParam(), "Settings", "S", "How to print; without it the standard settings.", optional: true);
         ports.Number("Tolerance", "T", "How far the facets of a curved solid may be from it, in mm.", 0.05);
     }

@@ -74,10 +74,12 @@ public class ArcTests
     private static IEnumerable<TestCaseData> CenterCases() => ProgramTable.Cases(Centers, Sources);
 
     [TestCaseSource(nameof(LengthCases))]
-    public void Arcs_are_drawn_or_refused(string program, string dialect, string length, string source) => Assert.That(Length(program, dialect, 0), Is.EqualTo(length), source);
+    public void Arcs_are_drawn_or_refused(string program, string dialect, string length, string source)
+        => Assert.That(Length(program, dialect, 0), Is.EqualTo(length), source);
 
     [TestCaseSource(nameof(CenterCases))]
-    public void Centers_are_relative_or_absolute(string program, string dialect, string length, string source) => Assert.That(Length("G0 X10;" + program, dialect, 10), Is.EqualTo(length), source);
+    public void Centers_are_relative_or_absolute(string program, string dialect, string length, string source)
+        => Assert.That(Length("G0 X10;" + program, dialect, 10), Is.EqualTo(length), source);
 
     // Two full circles in front of a half one, 3 mm up: rise and E of each move.
     [TestCase("marlin2", "3/2")]

@@ -49,7 +49,8 @@ public class DetectionTests
         Assert.That(decoding.Dialect.Name, Is.EqualTo("klipper"));
         Assert.That(decoding.Report.Bytes, Is.EqualTo(bytes.Length));
         using var memory = new MemoryStream();
-        using (var packed = new System.IO.Compression.GZipStream(memory, System.IO.Compression.CompressionMode.Compress, true)) packed.Write(bytes, 0, bytes.Length);
+        using (var packed = new System.IO.Compression.GZipStream(memory, System.IO.Compression.CompressionMode.Compress, true)) packed.Write(bytes, 0,
+            bytes.Length);
         memory.Position = 0;
         var unpacked = GCodeDecoder.DecodeStream(memory).Value!;
         Assert.That(unpacked.Dialect.Name, Is.EqualTo("klipper"));

@@ -57,7 +57,8 @@ public class FactorTests
 
     [TestCaseSource(nameof(FlowCases))]
     public void Material_is_scaled(string program, string dialect, string deposited, string source)
-        => Assert.That(ProgramTable.Text(ProgramTable.Decode(program + ";G1 X10 E1", dialect).Toolpath.Moves().Select(m => m.Deposited).LastOrDefault()), Is.EqualTo(deposited), source);
+        => Assert.That(ProgramTable.Text(ProgramTable.Decode(program + ";G1 X10 E1", dialect).Toolpath.Moves().Select(m => m.Deposited).LastOrDefault()),
+            Is.EqualTo(deposited), source);
 
     [Test]
     public void Words_stay_as_written_where_material_is_scaled()

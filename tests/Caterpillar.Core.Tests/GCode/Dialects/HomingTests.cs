@@ -64,7 +64,8 @@ public class HomingTests
 
     [TestCaseSource(nameof(WayCases))]
     public void Homing_takes_its_way(string program, string dialect, string way, string source)
-        => Assert.That(string.Join(",", ProgramTable.Decode(program, dialect).Toolpath.Moves().Select(m => ProgramTable.Text(m.End.X))), Is.EqualTo(way), source);
+        => Assert.That(string.Join(",", ProgramTable.Decode(program, dialect).Toolpath.Moves().Select(m => ProgramTable.Text(m.End.X))), Is.EqualTo(way),
+            source);
 
     [Test]
     public void Homing_is_an_event_and_no_move_of_the_files_own()
@@ -82,5 +83,6 @@ public class HomingTests
     [TestCase("marlin1", 15.708)]
     [TestCase("slicer", 10)]
     public void Marlin_homes_into_the_plane_XY(string dialect, double length)
-        => Assert.That(ProgramTable.Decode("G18;G28;G3 X0 Y10 J5", dialect).Report.TravelLength, Is.EqualTo(length).Within(0.001), "in ZX the center is the start");
+        => Assert.That(ProgramTable.Decode("G18;G28;G3 X0 Y10 J5", dialect).Report.TravelLength, Is.EqualTo(length).Within(0.001),
+            "in ZX the center is the start");
 }

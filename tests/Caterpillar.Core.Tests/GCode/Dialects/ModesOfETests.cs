@@ -55,9 +55,11 @@ public class ModesOfETests
     public void The_order_of_modes_is_reported_where_firmwares_differ()
     {
         foreach (var program in new[] { "M83;G90", "G91;M82", "G91" })
-            Assert.That(ProgramTable.Run(program + ";G1 X1 E1;G1 X2 E1", "marlin2").Diagnostics.Select(d => d.Code), Does.Contain("gcode.dialect_e_mode"), program);
+            Assert.That(ProgramTable.Run(program + ";G1 X1 E1;G1 X2 E1", "marlin2").Diagnostics.Select(d => d.Code), Does.Contain("gcode.dialect_e_mode"),
+                program);
         foreach (var program in new[] { "G90;M83", "M82", "G91;M83", "G90" })
-            Assert.That(ProgramTable.Run(program + ";G1 X1 E1;G1 X2 E1", "marlin2").Diagnostics.Select(d => d.Code), Does.Not.Contain("gcode.dialect_e_mode"), program);
+            Assert.That(ProgramTable.Run(program + ";G1 X1 E1;G1 X2 E1", "marlin2").Diagnostics.Select(d => d.Code), Does.Not.Contain("gcode.dialect_e_mode"),
+                program);
     }
 
     [TestCase("grbl", "gcode.word_refused")]

@@ -89,7 +89,8 @@ public class MotionTests
 
     [TestCaseSource(nameof(PrintCases))]
     public void Moves_print_without_E(string program, string dialect, string count, string source)
-        => Assert.That(ProgramTable.Text(ProgramTable.Decode(program, dialect).Toolpath.Moves().Count(m => m.Kind == MoveKind.Print)), Is.EqualTo(count), source);
+        => Assert.That(ProgramTable.Text(ProgramTable.Decode(program, dialect).Toolpath.Moves().Count(m => m.Kind == MoveKind.Print)), Is.EqualTo(count),
+            source);
 
     [Test]
     public void What_is_not_followed_is_reported()
@@ -97,7 +98,8 @@ public class MotionTests
         foreach (var dialect in DialectTable.All)
         {
             foreach (var command in dialect.NotFollowed)
-                Assert.That(ProgramTable.Run(command + " X1 P1", dialect.Name).Diagnostics.Select(d => d.Code), Does.Contain("gcode.not_followed"), dialect.Name + " " + command);
+                Assert.That(ProgramTable.Run(command + " X1 P1", dialect.Name).Diagnostics.Select(d => d.Code), Does.Contain("gcode.not_followed"),
+                    dialect.Name + " " + command);
         }
         Assert.That(ProgramTable.Run("G1 R1 X5", "reprapfirmware").Diagnostics.Select(d => d.Code), Does.Contain("gcode.not_followed"));
     }

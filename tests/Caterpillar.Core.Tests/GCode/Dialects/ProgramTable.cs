@@ -11,12 +11,14 @@ using NUnit.Framework;
 namespace Caterpillar.Tests.GCode.Dialects;
 
 /// <summary>
-/// Tables of small programs: a row is a program (lines divided by <c>;</c>), a column a dialect, a cell what its firmware makes of it, read from its source and not from our decoder. Where a firmware's
-/// extruder has another letter than E (A of LinuxCNC), programs are run with that letter.
+/// Tables of small programs: a row is a program (lines divided by <c>;</c>), a column a dialect, a cell what its firmware makes of it, read from its source and
+/// not from our decoder. Where a firmware's extruder has another letter than E (A of LinuxCNC), programs are run with that letter.
 /// </summary>
 internal static class ProgramTable
 {
-    /// <summary>One case for each program and dialect; <paramref name="sources"/> has a line <c>dialect: file and function</c> for each dialect of the table.</summary>
+    /// <summary>
+    /// One case for each program and dialect; <paramref name="sources"/> has a line <c>dialect: file and function</c> for each dialect of the table.
+    /// </summary>
     public static IEnumerable<TestCaseData> Cases(string table, string sources)
     {
         var where = sources.Split('\n').Where(l => l.Trim().Length > 0).Select(l => l.Split([':'], 2)).ToDictionary(p => p[0].Trim(), p => p[1].Trim());
@@ -42,7 +44,8 @@ internal static class ProgramTable
     public static Result<DecodedGCode> Run(string program, string dialect)
     {
         var rules = DialectTable.Find(dialect)!;
-        if (rules.ExtruderLetters.StartsWith("A", StringComparison.Ordinal)) program = string.Join(";", program.Split(';').Select(l => l.StartsWith("G", StringComparison.Ordinal) ? l.Replace(" E", " A") : l));
+        if (rules.ExtruderLetters.StartsWith("A", StringComparison.Ordinal)) program = string.Join(";",
+            program.Split(';').Select(l => l.StartsWith("G", StringComparison.Ordinal) ? l.Replace(" E", " A") : l));
         return GCodeDecoder.Decode(Encoding.ASCII.GetBytes(program.Replace(';', '\n') + "\n"), new DecodeOptions { Dialect = rules });
     }
 

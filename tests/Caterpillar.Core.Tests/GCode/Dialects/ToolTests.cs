@@ -98,7 +98,8 @@ public class ToolTests
 
     [TestCaseSource(nameof(FanCases))]
     public void A_fan_turns(string program, string dialect, string speed, string source)
-        => Assert.That(ProgramTable.Text(ProgramTable.Decode(program, dialect).Toolpath.Events.Select(e => e.Event).OfType<FanEvent>().Select(f => (double?)f.Speed).SingleOrDefault()), Is.EqualTo(speed), source);
+        => Assert.That(ProgramTable.Text(ProgramTable.Decode(program, dialect).Toolpath.Events.Select(e => e.Event).OfType<FanEvent>()
+            .Select(f => (double?)f.Speed).SingleOrDefault()), Is.EqualTo(speed), source);
 
     [Test]
     public void RepRapFirmware_heats_tools_by_G10()
@@ -114,7 +115,8 @@ public class ToolTests
         var decoding = ProgramTable.Decode("M83;G1 X10 E1;G1 E-2;G1 X20;G1 X21 E0.5;G1 E2;G1 X30 E1;G1 X29 E-0.5;T1;G1 X28 E1;T0;G1 E0.5", "marlin2");
         Assert.That(decoding.Toolpath.Moves().Select(m => m.Kind), Is.EqualTo(new[]
         {
-            MoveKind.Print, MoveKind.Retract, MoveKind.Travel, MoveKind.MovingRestore, MoveKind.Restore, MoveKind.Print, MoveKind.Wipe, MoveKind.Print, MoveKind.Restore,
+            MoveKind.Print, MoveKind.Retract, MoveKind.Travel, MoveKind.MovingRestore, MoveKind.Restore, MoveKind.Print, MoveKind.Wipe, MoveKind.Print,
+                MoveKind.Restore,
         }));
         Assert.That(decoding.Toolpath[4].Deposited, Is.EqualTo(0.5).Within(1e-12), "more is pushed than was pulled");
         Assert.That(ProgramTable.Decode("M83;G1 E3;G1 X1 E1", "marlin2").Toolpath[0].Kind, Is.EqualTo(MoveKind.Prime));

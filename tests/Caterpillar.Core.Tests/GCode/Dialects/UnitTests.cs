@@ -89,7 +89,8 @@ public class UnitTests
 
     [TestCaseSource(nameof(ArcCases))]
     public void Centers_are_inches_or_mm(string program, string dialect, string length, string source)
-        => Assert.That(ProgramTable.Text(ProgramTable.Decode(program, dialect).Report.TravelLength + ProgramTable.Decode(program, dialect).Report.PrintLength), Is.EqualTo(length), source);
+        => Assert.That(ProgramTable.Text(ProgramTable.Decode(program, dialect).Report.TravelLength + ProgramTable.Decode(program, dialect).Report.PrintLength),
+            Is.EqualTo(length), source);
 
     [TestCaseSource(nameof(VolumeCases))]
     public void E_is_a_volume_or_a_length(string program, string dialect, string volume, string source)
@@ -102,5 +103,6 @@ public class UnitTests
 
     [Test]
     public void A_file_may_say_the_diameter_of_its_filament()
-        => Assert.That(ProgramTable.Decode("G1 X1 E1;; filament_diameter = 2", "marlin2").Toolpath.Tools[0].VolumePerE, Is.EqualTo(System.Math.PI).Within(1e-12).Or.Null);
+        => Assert.That(ProgramTable.Decode("G1 X1 E1;; filament_diameter = 2", "marlin2").Toolpath.Tools[0].VolumePerE,
+            Is.EqualTo(System.Math.PI).Within(1e-12).Or.Null);
 }

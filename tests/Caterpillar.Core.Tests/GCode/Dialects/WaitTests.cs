@@ -77,7 +77,8 @@ public class WaitTests
 
     [TestCaseSource(nameof(DwellCases))]
     public void A_dwell_takes_its_time(string program, string dialect, string seconds, string source)
-        => Assert.That(ProgramTable.Text(ProgramTable.Decode(program, dialect).Toolpath.Events.Select(e => e.Event).OfType<DwellEvent>().Sum(d => d.Seconds)), Is.EqualTo(seconds), source);
+        => Assert.That(ProgramTable.Text(ProgramTable.Decode(program, dialect).Toolpath.Events.Select(e => e.Event).OfType<DwellEvent>().Sum(d => d.Seconds)),
+            Is.EqualTo(seconds), source);
 
     [TestCaseSource(nameof(PauseCases))]
     public void A_pause_waits_for_the_user(string program, string dialect, string count, string source)

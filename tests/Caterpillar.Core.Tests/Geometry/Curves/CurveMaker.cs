@@ -27,7 +27,8 @@ internal static class CurveMaker
         if (random.Next(4) == 0) return NurbsCurve.Periodic(degree, points.Length >= 3 ? points : [.. points, Point(random), Point(random)], null);
         var knots = new double[count + degree + 1];
         for (var i = 0; i <= degree; i++) knots[count + i] = 1;
-        for (var i = degree + 1; i < count; i++) knots[i] = random.Next(5) == 0 && knots[i - degree] < knots[i - 1] ? knots[i - 1] : knots[i - 1] + Next(random, 0.02, 1);
+        for (var i = degree + 1; i < count; i++) knots[i] = random.Next(5) == 0
+            && knots[i - degree] < knots[i - 1] ? knots[i - 1] : knots[i - 1] + Next(random, 0.02, 1);
         for (var i = 0; i <= degree; i++) knots[count + i] = knots[count - 1] + 0.4;
         return new NurbsCurve(degree, points, knots, weights);
     }
@@ -38,7 +39,8 @@ internal static class CurveMaker
         var quarter = new ArcCurve(Frame.FromAxes(new Vec3(10, 5), -Vec3.UnitY, Vec3.UnitX), 5, 90);
         var nurbs = NurbsCurve.Clamped(3, [new(15, 15), new(15, 19), new(20, 24, 2), new(26, 20, 4), new(30, 20, 4)]);
         return new PolyCurve(
-            [new LineCurve(new Vec3(0, 0), new Vec3(10, 0)), quarter, new LineCurve(new Vec3(15, 5), new Vec3(15, 15)), nurbs, new LineCurve(new Vec3(30, 20, 4), new Vec3(30, 0, 4))]);
+            [new LineCurve(new Vec3(0, 0), new Vec3(10, 0)), quarter, new LineCurve(new Vec3(15, 5), new Vec3(15, 15)), nurbs,
+                new LineCurve(new Vec3(30, 20, 4), new Vec3(30, 0, 4))]);
     }
 
     /// <summary>The definition by Cox and de Boor, with nothing reused.</summary>

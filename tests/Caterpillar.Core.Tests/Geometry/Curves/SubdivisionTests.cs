@@ -88,7 +88,8 @@ public class SubdivisionTests
     public void Straight_spans_of_a_nurbs_curve_are_linear()
     {
         // Degree 3 with five collinear control points at each end.
-        var curve = NurbsCurve.Clamped(3, [new(0, 0), new(2, 0), new(4, 0), new(6, 0), new(8, 0), new(10, 3), new(10, 6), new(10, 8), new(10, 10), new(10, 12)]);
+        var curve = NurbsCurve.Clamped(3,
+            [new(0, 0), new(2, 0), new(4, 0), new(6, 0), new(8, 0), new(10, 3), new(10, 6), new(10, 8), new(10, 10), new(10, 12)]);
         var divided = CurveSubdivider.Subdivide(curve, SubdivisionOptions.ByDistance(0.5));
         Assert.That(divided.IsLinear(0), Is.True);
         Assert.That(divided.IsLinear(divided.SegmentCount - 1), Is.True);
@@ -129,7 +130,8 @@ public class SubdivisionTests
             var degree = random.Next(1, 6);
             var size = Math.Pow(10, random.Next(-1, 3));
             var points = new List<Vec3>();
-            for (var i = random.Next(degree + 1, degree + 7); i > 0; i--) points.Add(points.Count > 0 && random.Next(4) == 0 ? points[points.Count - 1] : CurveMaker.Point(random, size));
+            for (var i = random.Next(degree + 1, degree + 7); i > 0; i--) points.Add(points.Count > 0
+                && random.Next(4) == 0 ? points[points.Count - 1] : CurveMaker.Point(random, size));
             var curve = NurbsCurve.Clamped(degree, points, points.ConvertAll(_ => Math.Pow(10, 4 * random.NextDouble() - 2)));
             var options = SubdivisionOptions.ByTolerance(size * 0.004) with { EqualDivision = n % 2 == 0 };
             Check(curve, CurveSubdivider.Subdivide(curve, options), options);
@@ -167,7 +169,8 @@ public class SubdivisionTests
         var arc = new ArcCurve(Frame.World, 10, 90);
         var equal = CurveSubdivider.Subdivide(arc, SubdivisionOptions.ByDistance(2));
         Assert.That(equal.SegmentCount, Is.EqualTo(8));
-        for (var i = 0; i < 8; i++) Assert.That(equal.Points[i].DistanceTo(equal.EndOf(i)), Is.EqualTo(equal.Points[0].DistanceTo(equal.Points[1])).Within(1e-9));
+        for (var i = 0; i < 8; i++) Assert.That(equal.Points[i].DistanceTo(equal.EndOf(i)),
+            Is.EqualTo(equal.Points[0].DistanceTo(equal.Points[1])).Within(1e-9));
         var walk = CurveSubdivider.Subdivide(arc, SubdivisionOptions.ByDistance(2) with { EqualDivision = false });
         Assert.That(walk.SegmentCount, Is.EqualTo(8));
         // Seven steps of 2 mm on 15.708 mm.

@@ -11,7 +11,8 @@ namespace Caterpillar.Tests.Geometry.Meshes;
 /// <summary>Files of every format made in memory: a box 1 × 2 × 3 where nothing else is said.</summary>
 internal static class MeshBytes
 {
-    public const string ModelStart = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
+    public const string ModelStart =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
         + "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\">\n";
 
     public static TriMesh Box { get; } = MeshMaker.Box(0, 0, 0, 1, 2, 3);
@@ -35,18 +36,22 @@ internal static class MeshBytes
     }
 
     public static byte[] Obj()
-        => Text("# box\no box\n" + string.Concat(Box.Vertices.Select(p => "v " + Numbers(p) + "\n")) + string.Concat(Triples(Box).Select(t => $"f {t.A + 1}/1 {t.B + 1}//2 {t.C + 1}\n")));
+        => Text("# box\no box\n" + string.Concat(Box.Vertices.Select(p => "v " + Numbers(p) + "\n"))
+            + string.Concat(Triples(Box).Select(t => $"f {t.A + 1}/1 {t.B + 1}//2 {t.C + 1}\n")));
 
     public static byte[] TextPly() => Text(
-        "ply\nformat ascii 1.0\ncomment box\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\nelement face 12\nproperty list uchar int vertex_indices\nend_header\n"
+        "ply\nformat ascii 1.0\ncomment box\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\nelement face 12\nproperty list uchar "
+            + "int vertex_indices\nend_header\n"
         + string.Concat(Box.Vertices.Select(p => Numbers(p) + "\n")) + string.Concat(Triples(Box).Select(t => $"3 {t.A} {t.B} {t.C}\n")));
 
     /// <summary>Binary PLY with an element before, one behind, a list in the vertices and properties around the list of the faces.</summary>
     public static byte[] BinaryPly(bool bigEndian)
     {
-        var data = new List<byte>(Text($"ply\r\nformat binary_{(bigEndian ? "big" : "little")}_endian 1.0\r\nelement before 2\r\nproperty list uint8 double d\r\nproperty short s\r\n"
+        var data = new List<byte>(Text($"ply\r\nformat binary_{(bigEndian ? "big" : "little")}_endian 1.0\r\nelement before 2\r\nproperty list uint8 double "
+            + $"d\r\nproperty short s\r\n"
             + "element vertex 8\r\nproperty float z\r\nproperty list uchar ushort l\r\nproperty float x\r\nproperty uchar red\r\nproperty double y\r\n"
-            + "element face 12\r\nproperty char a\r\nproperty list uint uint16 vertex_index\r\nproperty list uchar float b\r\nelement behind 1\r\nproperty int i\r\nend_header\r\n"));
+            + "element face 12\r\nproperty char a\r\nproperty list uint uint16 vertex_index\r\nproperty list uchar float b\r\nelement behind 1\r\nproperty "
+                + "int i\r\nend_header\r\n"));
         void Put(byte[] bytes) => data.AddRange(bigEndian ? Enumerable.Reverse(bytes) : bytes);
         for (var i = 0; i < 2; i++)
         {

@@ -48,7 +48,8 @@ public class MeshFormatTests
     [Test]
     public void Ascii_stl_may_have_any_case_white_space_exponents_and_several_solids()
     {
-        const string Text = "\uFEFFSOLID the vertex of facet 7\r\nFacet\tNormal nan -nan(ind) 1e400\r\nOuter\tLoop\r\nVertex 0 0 0\tVERTEX 1E+1 0 -0\r\nvertex 0 .5e1 0.\r\nEndLoop endfacet\r\nendsolid\r\n"
+        const string Text = "\uFEFFSOLID the vertex of facet 7\r\nFacet\tNormal nan -nan(ind) 1e400\r\nOuter\tLoop\r\nVertex 0 0 0\tVERTEX 1E+1 0 "
+            + "-0\r\nvertex 0 .5e1 0.\r\nEndLoop endfacet\r\nendsolid\r\n"
             + "solid\nfacet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 5 0 vertex 10 0 0 endloop endfacet endsolid b";
         var read = MeshReader.Read(MeshBytes.Text(Text), "x.stl");
         Assert.That(read.Diagnostics, Is.Empty);
@@ -70,7 +71,8 @@ public class MeshFormatTests
         Assert.That(uncounted.Diagnostics.Single().Code, Is.EqualTo("mesh.count"));
         Assert.That(uncounted.Value!.Single().Mesh.TriangleCount, Is.EqualTo(12));
         var longer = MeshReader.Read([.. MeshBytes.BinaryStl(), 1, 2, 3], "x.stl");
-        Assert.That(longer.Diagnostics.Single(), Is.EqualTo(new Diagnostic(Severity.Remark, "mesh.trailing_bytes", "Bytes behind the last facet are ignored.", new SourceLocation("x.stl"), 3)));
+        Assert.That(longer.Diagnostics.Single(),
+            Is.EqualTo(new Diagnostic(Severity.Remark, "mesh.trailing_bytes", "Bytes behind the last facet are ignored.", new SourceLocation("x.stl"), 3)));
     }
 
     [Test]
@@ -111,7 +113,8 @@ public class MeshFormatTests
     [Test]
     public void Obj_polygons_are_fans_and_indices_may_be_negative_or_come_first()
     {
-        const string Text = "mtllib missing.mtl\nv 0 0 0 1 0.5 0.5 0.5\nv 4 0 0\nf 1/1/1 -1/2/2 3//3 \\\n 4 # quad\nusemtl red\ng left\nv 4 3 0\nvt 0 0\nvn 0 0 1\nv 0 3 0\ns off\no other\nl 1 2\nf -1 -2 -3 -4";
+        const string Text = "mtllib missing.mtl\nv 0 0 0 1 0.5 0.5 0.5\nv 4 0 0\nf 1/1/1 -1/2/2 3//3 \\\n 4 # quad\nusemtl red\ng left\nv 4 3 0\nvt 0 0\nvn "
+            + "0 0 1\nv 0 3 0\ns off\no other\nl 1 2\nf -1 -2 -3 -4";
         var read = MeshReader.Read(MeshBytes.Text(Text), "x.obj");
         Assert.That(read.Diagnostics, Is.Empty);
         var mesh = read.Value!.Single().Mesh;
@@ -125,7 +128,8 @@ public class MeshFormatTests
         var read = MeshReader.Read(MeshBytes.Text("v 0 0 0\nv 1 0 0\nv 0 1 0\nfoo 1\nbar 2\ncurv 0 1 2\nf 1 2\nf 1 2 3\n"), "x.obj");
         Assert.That(read.Diagnostics.Select(d => (d.Severity, d.Code, d.Count, d.Source!.Line)), Is.EqualTo(new (Severity, string, int, int?)[]
         {
-            (Severity.Remark, "mesh.ignored", 2, 4), (Severity.Warning, "mesh.unsupported", 1, 6), (Severity.Warning, "mesh.short_faces", 1, 7), (Severity.Remark, "mesh.open_edges", 3, null),
+            (Severity.Remark, "mesh.ignored", 2, 4), (Severity.Warning, "mesh.unsupported", 1, 6), (Severity.Warning, "mesh.short_faces", 1, 7),
+                (Severity.Remark, "mesh.open_edges", 3, null),
         }));
     }
 
@@ -164,14 +168,16 @@ public class MeshFormatTests
     public void Ply_faces_may_be_polygons()
     {
         const string Text = "ply\nformat ascii 1.0\nobj_info a b\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
-            + "property uchar red\nproperty list uchar uint vertex_indices\nproperty uchar blue\nend_header\n0 0 0\n4 0 0\n4 3 0\n0 3 0\n7 4 0 1 2 3 8\n9 3 0 3 2 1";
+            + "property uchar red\nproperty list uchar uint vertex_indices\nproperty uchar blue\nend_header\n0 0 0\n4 0 0\n4 3 0\n0 3 0\n7 4 0 1 2 3 8\n9 3 "
+                + "0 3 2 1";
         var mesh = MeshReader.Read(MeshBytes.Text(Text), "x.ply").Value!.Single().Mesh;
         Assert.That(mesh.Indices, Is.EqualTo(new[] { 0, 1, 2, 0, 2, 3, 0, 3, 2 }));
     }
 
     [TestCase("x.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 x 0\n", "x.stl:5:10: error mesh.syntax: A coordinate is not a number.")]
     [TestCase("x.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1", "x.stl:5:9: error mesh.truncated: The file ends inside a vertex.")]
-    [TestCase("x.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendfacet", "x.stl:5:1: error mesh.syntax: A facet with fewer than three vertices.")]
+    [TestCase("x.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendfacet",
+        "x.stl:5:1: error mesh.syntax: A facet with fewer than three vertices.")]
     [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1\n", "x.obj:3:6: error mesh.syntax: A vertex needs three numbers.")]
     [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "x.obj:4:1: error mesh.index: A face uses vertex 4, but there are 3.")]
     [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "x.obj:4:7: error mesh.index: A face uses a vertex that is not there.")]
@@ -197,7 +203,8 @@ public class MeshFormatTests
     public void Truncated_binary_files_name_the_byte()
     {
         var stl = MeshReader.Read(MeshBytes.BinaryStl().Take(300).ToArray(), "x.stl");
-        Assert.That(stl.Diagnostics.Single().ToString(), Is.EqualTo("x.stl: error mesh.truncated: The STL header counts 12 facets, but the file ends after 4. (byte 300)"));
+        Assert.That(stl.Diagnostics.Single().ToString(),
+            Is.EqualTo("x.stl: error mesh.truncated: The STL header counts 12 facets, but the file ends after 4. (byte 300)"));
         var ply = MeshBytes.BinaryPly(true);
         var cut = MeshReader.Read(ply.Take(ply.Length - 20).ToArray(), "x.ply");
         Assert.That(cut.Diagnostics.Single().Code, Is.EqualTo("mesh.truncated"));

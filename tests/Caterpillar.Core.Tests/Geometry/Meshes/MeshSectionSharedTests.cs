@@ -13,7 +13,8 @@ public class MeshSectionSharedTests
 {
     public static IEnumerable<string> Names =>
     [
-        "fandisk.stl", "igea.ply", "spot.obj", "cheburashka.ply", "homer.stl", "plate_holes.stl", "torus.obj", "nested_boxes.obj", "overlap_boxes.stl", "tube_thin.stl", "bumpy_sphere",
+        "fandisk.stl", "igea.ply", "spot.obj", "cheburashka.ply", "homer.stl", "plate_holes.stl", "torus.obj", "nested_boxes.obj", "overlap_boxes.stl",
+            "tube_thin.stl", "bumpy_sphere",
     ];
 
     [TestCaseSource(nameof(Names))]
@@ -30,7 +31,8 @@ public class MeshSectionSharedTests
             {
                 var loops = sections.Value![i].Loops;
                 Assert.That(sections.Value[i].OpenLines, Is.Empty);
-                Assert.That(loops.Sum(l => l.SignedAreaXY), Is.EqualTo((double)rows[i]["area_signed"]!).Within(1e-6).Percent.Or.EqualTo((double)rows[i]["area_signed"]!).Within(1e-6));
+                Assert.That(loops.Sum(l => l.SignedAreaXY),
+                    Is.EqualTo((double)rows[i]["area_signed"]!).Within(1e-6).Percent.Or.EqualTo((double)rows[i]["area_signed"]!).Within(1e-6));
                 if ((int)rows[i]["crossings"]! > 0) continue;
                 Assert.That(loops.Sum(l => l.Length), Is.EqualTo((double)rows[i]["perimeter"]!).Within(2e-6));
                 Assert.That(loops.Count(l => l.SignedAreaXY > 0), Is.EqualTo((int)rows[i]["outer"]!));

@@ -110,7 +110,8 @@ public class MeshSectionTests
         // Three sides of the rectangle, with the outside on the right.
         Assert.That(result.Value![0].OpenLines[0].Length, Is.EqualTo(4));
         Assert.That(result.Value![0].OpenLines[0][0], Is.EqualTo(new Vec3(0, 0, 1)));
-        Assert.That(result.Diagnostics.Single().ToString(), Is.EqualTo("warning mesh.open_edges: The mesh is open: contours have loose ends, first at z = 1 mm. (4 times)"));
+        Assert.That(result.Diagnostics.Single().ToString(),
+            Is.EqualTo("warning mesh.open_edges: The mesh is open: contours have loose ends, first at z = 1 mm. (4 times)"));
     }
 
     [TestCase(0.05, 0.1, true)]
@@ -270,7 +271,8 @@ public class MeshSectionTests
 
     private static Vec3 RandomAxis(Random random) => new(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5);
 
-    private static string Text(Section section) => string.Join("|", section.Loops.Concat(section.OpenLines).Select(l => string.Join(" ", l.Points.Select(Bits))));
+    private static string Text(Section section)
+        => string.Join("|", section.Loops.Concat(section.OpenLines).Select(l => string.Join(" ", l.Points.Select(Bits))));
 
     private static string Bits(Vec3 p) => $"{BitConverter.DoubleToInt64Bits(p.X):x},{BitConverter.DoubleToInt64Bits(p.Y):x}";
 

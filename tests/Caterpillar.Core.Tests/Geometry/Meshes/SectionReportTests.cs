@@ -70,9 +70,11 @@ public class SectionReportTests
         var box = SectionReport.Of("a \"box\".stl", MeshBytes.Box, [1.5, 7]).Value!;
         Assert.That(SectionReport.ToJson([box, box]), Is.EqualTo(
             "[\n {\"model\": \"a \\\"box\\\".stl\", \"sections\": [\n"
-            + "  {\"z\": 1.5, \"length\": 6, \"area\": 2, \"outer\": 1, \"holes\": 0, \"open\": 0},\n  {\"z\": 7, \"length\": 0, \"area\": 0, \"outer\": 0, \"holes\": 0, \"open\": 0}\n ]},\n"
+            + "  {\"z\": 1.5, \"length\": 6, \"area\": 2, \"outer\": 1, \"holes\": 0, \"open\": 0},\n  {\"z\": 7, \"length\": 0, \"area\": 0, \"outer\": 0, "
+                + "\"holes\": 0, \"open\": 0}\n ]},\n"
             + " {\"model\": \"a \\\"box\\\".stl\", \"sections\": [\n"
-            + "  {\"z\": 1.5, \"length\": 6, \"area\": 2, \"outer\": 1, \"holes\": 0, \"open\": 0},\n  {\"z\": 7, \"length\": 0, \"area\": 0, \"outer\": 0, \"holes\": 0, \"open\": 0}\n ]}\n]\n"));
+            + "  {\"z\": 1.5, \"length\": 6, \"area\": 2, \"outer\": 1, \"holes\": 0, \"open\": 0},\n  {\"z\": 7, \"length\": 0, \"area\": 0, \"outer\": 0, "
+                + "\"holes\": 0, \"open\": 0}\n ]}\n]\n"));
         Assert.That(SectionReport.ToJson([]), Is.EqualTo("[]\n"));
         Assert.That(SectionReport.ToJson([SectionReport.Of("x", MeshBytes.Box, []).Value!]), Is.EqualTo("[\n {\"model\": \"x\", \"sections\": []}\n]\n"));
     }

@@ -29,7 +29,8 @@ public class ThreeMfTests
     public void Components_are_composed_and_mirrored_ones_face_outwards()
     {
         var model = Start + "<resources>" + MeshBytes.ModelObject(1)
-            + "<object id=\"2\"><components><component objectid=\"1\"/><component objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 -5 0 0\"/></components></object>"
+            + "<object id=\"2\"><components><component objectid=\"1\"/><component objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 -5 0 "
+                + "0\"/></components></object>"
             + "<object id=\"3\"><components><component objectid=\"2\" transform=\"2 0 0 0 2 0 0 0 2 0 0 1\"/></components></object>"
             + "</resources><build><item objectid=\"3\" transform=\"1 0 0 0 1 0 0 0 1 0 0 -1\"/></build></model>";
         var mesh = MeshReader.Read(MeshBytes.ThreeMf(model), "x.3mf").Value!.Single().Mesh;
@@ -41,7 +42,8 @@ public class ThreeMfTests
     [Test]
     public void Objects_may_lie_in_other_parts_of_the_package()
     {
-        var model = Start + "<resources><object id=\"5\"><components><component p:path=\"/3D/Objects/a.model\" objectid=\"9\"/></components></object></resources><build><item objectid=\"5\"/></build></model>";
+        var model = Start + "<resources><object id=\"5\"><components><component p:path=\"/3D/Objects/a.model\" "
+            + "objectid=\"9\"/></components></object></resources><build><item objectid=\"5\"/></build></model>";
         var part = Start + "<resources>" + MeshBytes.ModelObject(9) + "</resources><build/></model>";
         var read = MeshReader.Read(MeshBytes.ThreeMf(model, ("3D/Objects/a.model", part)), "x.3mf");
         Assert.That(read.Diagnostics, Is.Empty);
@@ -60,11 +62,14 @@ public class ThreeMfTests
 
     [TestCase("<resources/><build><item objectid=\"1\"/></build>", "mesh.index", "The object 1 is not there.")]
     [TestCase("<resources/><build><item objectid=\"x\"/></build>", "mesh.syntax", "<item> needs a whole number \"objectid\".")]
-    [TestCase("<resources/><build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 0 0 0 0\"/></build>", "mesh.syntax", "A transform must be twelve numbers that do not flatten space.")]
+    [TestCase("<resources/><build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 0 0 0 0\"/></build>", "mesh.syntax",
+        "A transform must be twelve numbers that do not flatten space.")]
     [TestCase("<resources><object id=\"1\"><components><component objectid=\"1\"/></components></object></resources><build><item objectid=\"1\"/></build>",
         "mesh.syntax", "Components contain each other, or there are too many.")]
-    [TestCase("<resources><object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"nan\" z=\"0\"/></vertices></mesh></object></resources>", "mesh.syntax", "<vertex> needs a number \"y\".")]
-    [TestCase("<resources><object id=\"1\"><mesh><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\"/></triangles></mesh></object></resources>", "mesh.index", "A triangle uses a vertex that is not there.")]
+    [TestCase("<resources><object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"nan\" z=\"0\"/></vertices></mesh></object></resources>", "mesh.syntax",
+        "<vertex> needs a number \"y\".")]
+    [TestCase("<resources><object id=\"1\"><mesh><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\"/></triangles></mesh></object></resources>", "mesh.index",
+        "A triangle uses a vertex that is not there.")]
     [TestCase("<resources><object id=\"1\"><mesh>", "mesh.syntax", "The XML of the model is damaged.")]
     public void Errors_say_what_is_wrong(string body, string code, string message)
     {
@@ -79,7 +84,8 @@ public class ThreeMfTests
     public void Components_that_multiply_are_stopped()
     {
         var objects = MeshBytes.ModelObject(1);
-        for (var id = 2; id < 40; id++) objects += $"<object id=\"{id}\"><components><component objectid=\"{id - 1}\"/><component objectid=\"{id - 1}\"/></components></object>";
+        for (var id = 2; id < 40; id++) objects += $"<object id=\"{id}\"><components><component objectid=\"{id - 1}\"/><component "
+            + $"objectid=\"{id - 1}\"/></components></object>";
         var read = MeshReader.Read(MeshBytes.ThreeMf(Start + "<resources>" + objects + "</resources><build><item objectid=\"39\"/></build></model>"), "x.3mf");
         Assert.That(read.Value, Is.Null);
         Assert.That(read.Diagnostics.Single().Code, Is.EqualTo("mesh.syntax"));
@@ -90,6 +96,7 @@ public class ThreeMfTests
     {
         var bytes = MeshBytes.Gzip(new byte[70 << 20]);
         var read = MeshReader.Read(bytes, "x.stl.gz");
-        Assert.That(read.Diagnostics.Single().ToString(), Is.EqualTo("x.stl.gz: error mesh.packed: The gzip file cannot be unpacked. It unpacks to more than 250 times its size."));
+        Assert.That(read.Diagnostics.Single().ToString(),
+            Is.EqualTo("x.stl.gz: error mesh.packed: The gzip file cannot be unpacked. It unpacks to more than 250 times its size."));
     }
 }

@@ -43,7 +43,8 @@ public class TriMeshTests
             var (a, b, c) = mesh.Triangle(t);
             Assert.That(a != b && b != c && c != a);
         }
-        var used = Enumerable.Range(0, 1000).Where(t => points[3 * t] != points[3 * t + 1] && points[3 * t + 1] != points[3 * t + 2] && points[3 * t + 2] != points[3 * t]).ToArray();
+        var used = Enumerable.Range(0, 1000)
+            .Where(t => points[3 * t] != points[3 * t + 1] && points[3 * t + 1] != points[3 * t + 2] && points[3 * t + 2] != points[3 * t]).ToArray();
         Assert.That(mesh.TriangleCount, Is.EqualTo(used.Length));
         Assert.That(mesh.VertexCount, Is.EqualTo(used.SelectMany(t => points.Skip(3 * t).Take(3)).Distinct().Count()));
         Assert.That(mesh.Indices.Select(i => mesh.Vertices[i]), Is.EqualTo(used.SelectMany(t => points.Skip(3 * t).Take(3))));

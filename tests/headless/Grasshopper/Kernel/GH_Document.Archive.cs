@@ -77,7 +77,8 @@ namespace Grasshopper.Kernel
         internal IGH_Param FindParam(Guid id) => Params().FirstOrDefault(p => p.InstanceGuid == id);
 
         private IEnumerable<IGH_Param> Params()
-            => _objects.SelectMany(o => o is IGH_Component component ? component.Params : o is IGH_Param param ? new[] { param } : Enumerable.Empty<IGH_Param>()).ToList();
+            => _objects.SelectMany(o => o is IGH_Component component ? component.Params : o is IGH_Param param ? new[] { param }
+                : Enumerable.Empty<IGH_Param>()).ToList();
 
         private static void Place(IGH_DocumentObject item, GH_IReader attributes)
         {

@@ -8,8 +8,8 @@ using Grasshopper.Kernel.Types;
 namespace Grasshopper.Kernel
 {
     /// <summary>
-    /// Runs a component once per combination of data: branches are matched by position, the last branch repeats; inside a branch items are matched by the longest
-    /// list, the last item repeats; a list input takes part once per branch; a tree input is outside of all this.
+    /// Runs a component once per combination of data: branches are matched by position, the last branch repeats; inside a branch items are matched by the
+    /// longest list, the last item repeats; a list input takes part once per branch; a tree input is outside of all this.
     /// </summary>
     internal sealed class SolveLoop : IGH_DataAccess
     {

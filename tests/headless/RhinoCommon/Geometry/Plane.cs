@@ -58,6 +58,7 @@ namespace Rhino.Geometry
 
         public override int GetHashCode() => Origin.GetHashCode() ^ XAxis.GetHashCode() ^ YAxis.GetHashCode();
 
-        public override string ToString() => string.Format(CultureInfo.InvariantCulture, "Origin={0} XAxis={1}, YAxis={2}, ZAxis={3}", Origin, XAxis, YAxis, ZAxis);
+        public override string ToString()
+            => string.Format(CultureInfo.InvariantCulture, "Origin={0} XAxis={1}, YAxis={2}, ZAxis={3}", Origin, XAxis, YAxis, ZAxis);
     }
 }

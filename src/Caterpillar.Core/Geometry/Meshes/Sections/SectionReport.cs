@@ -76,7 +76,8 @@ public sealed class SectionReport
             {
                 var s = report.Sections[i];
                 text.Append(i == 0 ? "\n" : ",\n").Append("  {\"z\": ").Append(NumberFormatter.Format(s.Z, 9))
-                    .Append(", \"length\": ").Append(NumberFormatter.Format(s.Length, 9)).Append(", \"area\": ").Append(NumberFormatter.Format(s.Area, 9)).Append(", \"outer\": ").Append(NumberFormatter.Format(s.Outer))
+                    .Append(", \"length\": ").Append(NumberFormatter.Format(s.Length, 9)).Append(", \"area\": ").Append(NumberFormatter.Format(s.Area, 9))
+                        .Append(", \"outer\": ").Append(NumberFormatter.Format(s.Outer))
                     .Append(", \"holes\": ").Append(NumberFormatter.Format(s.Holes)).Append(", \"open\": ").Append(NumberFormatter.Format(s.Open)).Append('}');
             }
             text.Append(report.Sections.Count > 0 ? "\n ]}" : "]}");
