@@ -16,7 +16,8 @@ internal sealed class IslandSlicer(SliceRules rules, Layer layer, RegionEngine e
         var walls = new WallBuilder(rules.WallRules, engine).Build(island);
         foreach (var wall in walls.Paths)
         {
-            var path = PrintPath.Own(Lifted(wall.Points), wall.Beads(rules.WallRules), wall.Closed).With(wall.Index == 0 ? Role.OuterWall : Role.InnerWall, layer);
+            var path = PrintPath.Own(Lifted(wall.Points), wall.Beads(rules.WallRules), wall.Closed)
+                .With(wall.Index == 0 ? Role.OuterWall : Role.InnerWall, layer);
             steps.Add(new PathStep(path, new StepGroup(layerNumber, islandNumber, rules.Walls - wall.Index)) { Region = island });
         }
         if (rules.InfillSpacing > 0 && !walls.Inside.IsEmpty) Fill(island, walls.Inside, layerNumber, islandNumber, steps);

@@ -9,8 +9,8 @@ namespace Caterpillar.Slicing;
 internal sealed class InfillFiller(RegionEngine engine)
 {
     /// <summary>
-    /// How many families of lines share the length: lines of one family are spacing × families apart. A spacing measured between the lines of the pattern itself (the
-    /// "density" of Caterpillar 2019) is divided by it to get <see cref="InfillRequest.Spacing"/>.
+    /// How many families of lines share the length: lines of one family are spacing × families apart. A spacing measured between the lines of the pattern
+    /// itself (the "density" of Caterpillar 2019) is divided by it to get <see cref="InfillRequest.Spacing"/>.
     /// </summary>
     public static int Families(InfillPattern pattern) => pattern switch
     {
@@ -23,7 +23,8 @@ internal sealed class InfillFiller(RegionEngine engine)
     /// <exception cref="ArgumentException">Spacing or width are not positive numbers, or what the pattern needs is missing.</exception>
     public IReadOnlyList<InfillLine> Fill(InfillRequest request)
     {
-        if (!(request.Spacing > 0) || double.IsInfinity(request.Spacing)) throw new ArgumentException("The spacing must be a positive number.", nameof(request));
+        if (!(request.Spacing > 0) || double.IsInfinity(request.Spacing)) throw new ArgumentException("The spacing must be a positive number.",
+            nameof(request));
         if (!(request.Width > 0) || double.IsInfinity(request.Width)) throw new ArgumentException("The width must be a positive number.", nameof(request));
         var lines = new List<InfillLine>();
         if (request.Area.IsEmpty) return lines;

@@ -30,7 +30,9 @@ internal sealed record InfillRequest(Region Area, InfillPattern Pattern, double 
     /// <summary>Nothing may stay uncovered: rows fit between the sides of each island, and the flow follows their distance.</summary>
     public bool Solid { get; init; }
 
-    /// <summary>For <see cref="InfillPattern.Formula"/>: variables x, y, z (mm), layer, spacing and width, in this order (<see cref="LevelSet.Variables"/>).</summary>
+    /// <summary>
+    /// For <see cref="InfillPattern.Formula"/>: variables x, y, z (mm), layer, spacing and width, in this order (<see cref="LevelSet.Variables"/>).
+    /// </summary>
     public Formula? Formula { get; init; }
 
     /// <summary>For <see cref="InfillPattern.Formula"/>: how far, in mm, the lines may lie off the true curve.</summary>

@@ -16,7 +16,10 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         return new WallResult(paths, Classic(island, paths), thin);
     }
 
-    /// <summary>Beads along the contours of an area, round after round, until it is full. The beads cover it by their spacings: its border may be the inner edge of walls.</summary>
+    /// <summary>
+    /// Beads along the contours of an area, round after round, until it is full. The beads cover it by their spacings: its border may be the inner edge of
+    /// walls.
+    /// </summary>
     public WallResult Fill(Region area)
     {
         var paths = new List<WallPath>();
