@@ -22,7 +22,11 @@ internal static class App
             var parsed = root.Parse(words);
             if (UnknownOption(parsed) is { } unknown) throw new CliException(ExitCode.Usage,
                 $"There is no option {unknown}; for a file of this name write ./{unknown}");
-            if (parsed.CommandResult.Command is Verb verb && parsed.Action is null && parsed.Errors.Count == 0) return verb.Run(parsed, session);
+            if (parsed.CommandResult.Command is Verb verb && parsed.Action is null && parsed.Errors.Count == 0)
+            {
+                OutputGuard.Check(verb, parsed);
+                return verb.Run(parsed, session);
+            }
             return Answer(parsed, session);
         }
         catch (CliException end)

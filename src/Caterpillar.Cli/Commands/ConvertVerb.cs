@@ -1,3 +1,4 @@
+using System;
 using System.CommandLine;
 using System.IO;
 using Caterpillar.Basics;
@@ -14,8 +15,14 @@ namespace Caterpillar.Cli.Commands;
 internal sealed class ConvertVerb : Verb
 {
     private readonly Argument<string> _file = new("FILE") { Description = "G-code file, also binary (.bgcode) or packed with gzip, or - for standard input." };
-    private readonly Option<string> _out = new("--output", "-o") { Description = "File to write, binary where its name ends in .bgcode; - is standard output.",
-        HelpName = "FILE", Required = true };
+    private readonly Option<string?> _out = new("--output", "-o")
+    {
+        Description = "File to write, binary where its name ends in .bgcode; - is standard output.",
+        HelpName = "FILE",
+    };
+
+    private readonly Option<bool> _inPlace = new("--in-place") { Description = "Replace the input itself, instead of --output." };
+
     private readonly Option<string?> _from = new("--from") { Description = "The firmware the file is for; detected from the file without it.",
         HelpName = "DIALECT" };
     private readonly Option<string?> _to = new("--dialect") { Description = "The firmware to write for.", HelpName = "DIALECT" };
@@ -40,7 +47,7 @@ internal sealed class ConvertVerb : Verb
         Arguments.Add(_file);
         foreach (var option in new Option[]
         {
-            _out, _from, _to, _e, _unit, _diameter, _arcs, _tolerance, _millimeters, _retraction, _decimals,
+            _out, _inPlace, _from, _to, _e, _unit, _diameter, _arcs, _tolerance, _millimeters, _retraction, _decimals,
         }) Options.Add(option);
         _edits.AddTo(this);
         _setup.AddTo(this);
@@ -50,9 +57,12 @@ internal sealed class ConvertVerb : Verb
         _arcs.AcceptOnlyFromAmong("fit", "expand");
     }
 
+    public override string[] Writes => ["G-code"];
+
     public override int Run(ParseResult arguments, Session session)
     {
         var file = arguments.GetValue(_file)!;
+        var output = Output(file, arguments);
         var target = Target(arguments);
         var from = CommonOptions.DialectOf(arguments.GetValue(_from));
         GCodeDocument document;
@@ -84,8 +94,20 @@ internal sealed class ConvertVerb : Verb
             written = session.Need(session.Long("Converting", p => GCodeConverter.ToDocument(decoding, target, p, session.Cancel)));
             dialect = target.Dialect ?? dialect;
         }
-        session.WriteGCode(arguments.GetValue(_out)!, Checked(written, dialect, arguments, session));
+        session.WriteGCode(output, Checked(written, dialect, arguments, session));
         return ExitCode.Done;
+    }
+
+    public override bool ReplacesInput(ParseResult arguments) => arguments.GetValue(_inPlace);
+
+    private string Output(string file, ParseResult arguments)
+    {
+        var output = arguments.GetValue(_out);
+        if (!arguments.GetValue(_inPlace)) return output ?? throw new CliException(ExitCode.Usage, "Say where to write: --output FILE, or --in-place.");
+        if (output is not null) throw new CliException(ExitCode.Usage, "--in-place and --output cannot go together.");
+        if (file == "-") throw new CliException(ExitCode.Usage, "--in-place needs a file, not standard input.");
+        return !file.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? file
+            : throw new CliException(ExitCode.Usage, $"--in-place: {file} is packed, and G-code is written unpacked; use --output.");
     }
 
     private DecodedGCode Again(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)

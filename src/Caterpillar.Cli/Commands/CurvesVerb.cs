@@ -59,6 +59,8 @@ internal sealed class CurvesVerb : Verb
         _setup.AddTo(this);
     }
 
+    public override string[] Writes => ["G-code"];
+
     public override int Run(ParseResult arguments, Session session)
     {
         var file = arguments.GetValue(_file)!;

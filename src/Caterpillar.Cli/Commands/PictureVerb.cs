@@ -42,6 +42,8 @@ internal sealed class PictureVerb : Verb
         Options.Add(_width);
     }
 
+    public override string[] Writes => ["a picture"];
+
     public override int Run(ParseResult arguments, Session session)
     {
         var file = arguments.GetValue(_file)!;

@@ -46,6 +46,8 @@ internal sealed class PrintersVerb : Verb
         Options.Add(_material);
     }
 
+    public override string[] Writes => ["JSON", "a table"];
+
     public override int Run(ParseResult arguments, Session session)
     {
         var name = arguments.GetValue(_name);

@@ -52,6 +52,8 @@ internal sealed class SectionsVerb : Verb
         Options.Add(_output);
     }
 
+    public override string[] Writes => ["JSON", "a table"];
+
     public override int Run(ParseResult arguments, Session session)
     {
         var heights = Heights(arguments);

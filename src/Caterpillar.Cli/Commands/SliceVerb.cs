@@ -41,6 +41,8 @@ internal sealed class SliceVerb : Verb
         Options.Add(_json);
     }
 
+    public override string[] Writes => ["G-code"];
+
     public override int Run(ParseResult arguments, Session session)
     {
         var files = arguments.GetValue(_models)!;

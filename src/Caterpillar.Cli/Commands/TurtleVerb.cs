@@ -42,6 +42,8 @@ internal sealed class TurtleVerb : Verb
         _setup.AddTo(this);
     }
 
+    public override string[] Writes => ["G-code"];
+
     public override int Run(ParseResult arguments, Session session)
     {
         if (arguments.GetValue(_commands))

@@ -1,0 +1,69 @@
+using System.IO;
+using NUnit.Framework;
+
+namespace Caterpillar.Cli.Tests;
+
+/// <summary>No verb may destroy what it reads, or write one kind of file under the name of another.</summary>
+public class OutputGuardTests : CliFixture
+{
+    private const string Program = "G90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E1 F1200\n";
+
+    [TestCase("slice", "a.stl", "-o", "a.stl")]
+    [TestCase("slice", "a.stl", "-o", "./sub/../a.stl")]
+    [TestCase("sections", "a.stl", "--heights", "1", "-o", "a.stl")]
+    [TestCase("picture", "l.gcode", "-o", "l.gcode")]
+    [TestCase("convert", "l.gcode", "-o", "l.gcode")]
+    [TestCase("turtle", "s.turtle", "-o", "s.turtle")]
+    [TestCase("curves", "c.csv", "-o", "c.csv")]
+    [TestCase("slice", "a.stl", "-o", "link.gcode")]
+    [TestCase("slice", "a.stl", "-o", "folder/a.gcode", "--printer", "a.gcode")]
+    public void An_output_that_is_an_input_is_wrong_usage(params string[] words)
+    {
+        Directory.CreateDirectory("sub");
+        File.WriteAllText("a.stl", Box(10, 10, 2));
+        File.WriteAllText("l.gcode", Program);
+        File.WriteAllText("a.gcode", Program);
+        File.WriteAllText("s.turtle", "forward 10");
+        File.WriteAllText("c.csv", "x,y\n0,0\n1,0\n");
+        File.CreateSymbolicLink("link.gcode", "a.stl");
+        Directory.CreateSymbolicLink("folder", ".");
+        var before = File.ReadAllText(words[1]);
+        var run = Run(words);
+        Assert.That(run.Code, Is.EqualTo(2), run.Messages);
+        Assert.That(run.Messages.Length, Is.LessThan(400));
+        Assert.That(File.ReadAllText(words[1]), Is.EqualTo(before));
+    }
+
+    [TestCase("slice", "a.stl", "-o", "a.png")]
+    [TestCase("slice", "a.stl", "-o", "b.stl")]
+    [TestCase("picture", "l.gcode", "-o", "m.gcode")]
+    [TestCase("convert", "l.gcode", "-o", "m.gcode.gz")]
+    [TestCase("printers", "ender3", "-o", "p.gcode")]
+    public void A_name_of_another_kind_of_file_is_wrong_usage(params string[] words)
+    {
+        File.WriteAllText("a.stl", Box(10, 10, 2));
+        File.WriteAllText("l.gcode", Program);
+        var run = Run(words);
+        Assert.That(run.Code, Is.EqualTo(2), run.Messages);
+        Assert.That(run.Messages, Does.Contain(words[3]).And.Contain("ending"));
+        Assert.That(File.Exists(words[3]), Is.False);
+    }
+
+    [Test]
+    public void Convert_replaces_its_input_when_told()
+    {
+        File.WriteAllText("l.gcode", Program);
+        Assert.That(Run("convert", "l.gcode", "--in-place", "--speed", "2").Code, Is.Zero);
+        Assert.That(File.ReadAllText("l.gcode"), Does.Contain("F2400"));
+    }
+
+    [TestCase("convert", "l.gcode")]
+    [TestCase("convert", "l.gcode", "--in-place", "-o", "m.gcode")]
+    [TestCase("convert", "-", "--in-place")]
+    public void Convert_wants_one_place_to_write(params string[] words)
+    {
+        File.WriteAllText("l.gcode", Program);
+        Assert.That(Run(words).Code, Is.EqualTo(2));
+        Assert.That(File.ReadAllText("l.gcode"), Is.EqualTo(Program));
+    }
+}
