@@ -19,7 +19,8 @@ public static class LimitCheck
 
     /// <summary>Checks a toolpath against a printer, material and settings.</summary>
     /// <returns>
-    /// Errors <c>bed.outside</c>, <c>bed.below</c>, <c>limit.flow</c>, <c>limit.cold_extrusion</c>, <c>limit.tool</c>; warnings (remarks for travels)
+    /// Errors <c>bed.outside</c>, <c>bed.below</c>, <c>limit.flow</c>, <c>limit.cold_extrusion</c>, <c>limit.tool</c>,
+    /// <c>limit.nozzle_temperature</c>, <c>limit.bed_temperature</c>, <c>limit.stationary</c>; warnings (remarks for travels)
     /// <c>limit.speed</c>; the
     /// source of each is the first such move and its step or line.
     /// </returns>
@@ -42,6 +43,7 @@ public static class LimitCheck
             {
                 var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
                 CheckPlace(columns, i, first + i, start, end, setup.Printer, findings);
+                CheckStationary(toolpath, columns, i, first + i, known ? start : end, end, setup.Printer, findings);
                 if (known) CheckRates(toolpath, columns, i, first + i, start, end, setup, findings);
                 if (columns.E[i] > 0 && nozzles?.At(first + i, columns.Tool[i]) is { } celsius && celsius < needed)
                     ReportCold(celsius, first + i, setup.Printer, findings);
@@ -49,6 +51,7 @@ public static class LimitCheck
                 start = end;
             }
         }
+        TemperatureCheck.Run(toolpath, setup, findings);
         progress?.Report(1);
         return findings.ToList();
     }
@@ -99,6 +102,16 @@ public static class LimitCheck
         if (flow > limit * 1.001) ReportFlow(flow, limit, move, findings);
     }
 
+    private static void CheckStationary(Toolpath toolpath, ToolpathColumns columns, int i, int move, Vec3 start, Vec3 end, Printer printer, Findings findings)
+    {
+        if (start != end || columns.E[i] == 0 || columns.TryGetArc(i, out _) || toolpath.VolumePerE(columns.Tool[i]) is not { } factor) return;
+        var volume = columns.E[i] * factor;
+        if (Math.Abs(volume) <= printer.MaxStationaryVolume * (1 + 1e-9)) return;
+        findings.Add(Severity.Error, "limit.stationary", move,
+            () => $"{NumberFormatter.Format(Math.Abs(volume), 1)} mm³ are {(volume > 0 ? "pushed out" : "pulled back")} while the head stands still; "
+                + $"{printer.Title} allows {NumberFormatter.Format(printer.MaxStationaryVolume, 1)} mm³.");
+    }
+
     private static void ReportTool(int tool, int move, Printer printer, Findings findings)
         => findings.Add(Severity.Error, "limit.tool", move,
             () => $"A move is for tool {NumberFormatter.Format(tool)}; {printer.Title} has {NumberFormatter.Format(printer.ToolCount)}, counted from 0.");
@@ -126,26 +139,4 @@ public static class LimitCheck
         => findings.Add(Severity.Error, "limit.cold_extrusion", move,
             () => $"A move extrudes at {NumberFormatter.Format(celsius, 0)} °C; {printer.Title} needs "
                 + $"{NumberFormatter.Format(printer.MinExtrusionTemperature, 0)} °C.");
-
-    // Messages are made for the first finding of a kind only.
-    private sealed class Findings(Toolpath toolpath)
-    {
-        private readonly DiagnosticList _list = new();
-
-        public void Add(Severity severity, string code, int move, Func<string> message)
-        {
-            if (!_list.Contains(code, severity)) _list.Add(severity, code, message(), Place(move));
-            else _list.Add(severity, code, "");
-        }
-
-        public IReadOnlyList<Diagnostic> ToList() => _list.ToList();
-
-        private SourceLocation Place(int move)
-        {
-            var source = toolpath[move].Source;
-            return toolpath.Source == MoveSource.Lines
-                ? new SourceLocation(Line: source > 0 ? source : null, Move: move)
-                : new SourceLocation(Step: source >= 0 ? source : null, Move: move);
-        }
-    }
 }

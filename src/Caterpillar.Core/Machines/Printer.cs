@@ -116,6 +116,15 @@ public sealed record Printer
     /// <summary>Below this nozzle temperature nothing may be extruded, °C; 0 for materials that are not heated.</summary>
     public double MinExtrusionTemperature { get; init => field = PrinterKeys.MinExtrusionTemperature.Check(value); } = 170;
 
+    /// <summary>Highest temperature that the hot end stands, °C; 0 for a nozzle that cannot be heated.</summary>
+    public double MaxNozzleTemperature { get; init => field = PrinterKeys.MaxNozzleTemperature.Check(value); } = 300;
+
+    /// <summary>Highest temperature of the bed, °C; 0 for a bed that cannot be heated.</summary>
+    public double MaxBedTemperature { get; init => field = PrinterKeys.MaxBedTemperature.Check(value); } = 120;
+
+    /// <summary>Most material that may be pushed out, or pulled back, while the head stands still, mm³.</summary>
+    public double MaxStationaryVolume { get; init => field = PrinterKeys.MaxStationaryVolume.Check(value); } = 500;
+
     /// <summary>Lines before the print.</summary>
     public ValueList<string> StartTemplate { get; init => field = PrinterKeys.StartTemplate.Check(value); } = ValueList<string>.Empty;
 

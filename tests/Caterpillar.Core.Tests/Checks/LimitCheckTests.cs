@@ -47,6 +47,55 @@ public class LimitCheckTests
         Assert.That(Run(Delta, b => Print(b, new Vec3(72, 72, 1)), new Vec3(69, 69, 1)).Single().Code, Is.EqualTo("bed.outside"));
     }
 
+    [TestCase(300, 0)]
+    [TestCase(300.5, 1)]
+    [TestCase(900, 1)]
+    public void A_nozzle_hotter_than_the_hot_end_stands_is_an_error_with_its_move(double celsius, int errors)
+    {
+        var found = Run(Generic, b =>
+        {
+            Print(b, new Vec3(20, 10, 0.2));
+            b.AddEvent(new NozzleTemperatureEvent(celsius));
+            Print(b, new Vec3(30, 10, 0.2));
+        });
+        Assert.That(found.Select(d => (d.Code, d.Source!.Move)), Is.EqualTo(Enumerable.Repeat(("limit.nozzle_temperature", (int?)1), errors)));
+    }
+
+    [TestCase(120, 0)]
+    [TestCase(120.5, 1)]
+    public void A_bed_hotter_than_it_stands_is_an_error(double celsius, int errors)
+        => Assert.That(Run(Generic, b => b.AddEvent(new BedTemperatureEvent(celsius))).Select(d => d.Code),
+            Is.EqualTo(Enumerable.Repeat("limit.bed_temperature", errors)));
+
+    [Test]
+    public void The_temperatures_of_the_material_are_checked_before_any_move()
+    {
+        var hot = new PrintSetup(Generic.Printer, new Material { NozzleTemperature = 450, BedTemperature = 200 }, Generic.Settings);
+        Assert.That(Run(hot, b => Print(b, new Vec3(20, 10, 0.2))).Select(d => d.Code),
+            Is.EqualTo(new[] { "limit.nozzle_temperature", "limit.bed_temperature" }));
+        var first = new PrintSetup(Generic.Printer, new Material { FirstLayerNozzleTemperature = 301 }, Generic.Settings);
+        Assert.That(Run(first, b => Print(b, new Vec3(20, 10, 0.2))).Select(d => d.Code), Is.EqualTo(new[] { "limit.nozzle_temperature" }));
+    }
+
+    [Test]
+    public void What_cannot_be_heated_says_so()
+    {
+        var cold = new PrintSetup(Generic.Printer with { MaxNozzleTemperature = 0, MinExtrusionTemperature = 0 }, new Material(), Generic.Settings);
+        Assert.That(Run(cold, b => Print(b, new Vec3(20, 10, 0.2))).Single().Message, Does.Contain("cannot heat"));
+    }
+
+    // 500 mm³ are 207.88 mm of filament of 1.75 mm.
+    [TestCase(207.8, 0)]
+    [TestCase(208, 1)]
+    [TestCase(-208, 1)]
+    [TestCase(1e9, 1)]
+    public void Material_in_place_has_a_limit(double e, int errors)
+    {
+        var found = Run(Generic, b => b.Add(new Vec3(10, 10, 0.2), e, 0, 5, e > 0 ? MoveKind.Prime : MoveKind.Retract, Role.Unspecified, -1, 0, 3),
+            new Vec3(10, 10, 0.2));
+        Assert.That(found.Select(d => d.Code), Is.EqualTo(Enumerable.Repeat("limit.stationary", errors)));
+    }
+
     [Test]
     public void An_arc_that_bulges_out_is_seen()
     {

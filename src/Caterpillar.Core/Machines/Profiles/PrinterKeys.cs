@@ -151,6 +151,18 @@ internal static class PrinterKeys
         "min_extrusion_temperature_c", 0, 2000, p => p.MinExtrusionTemperature, (p, v) => p with { MinExtrusionTemperature = v },
         "Below this nozzle temperature nothing may be extruded; 0 for materials that are not heated.");
 
+    public static readonly ProfileKey<Printer, double> MaxNozzleTemperature = K.Number(
+        "max_nozzle_temperature_c", 0, 2000, p => p.MaxNozzleTemperature, (p, v) => p with { MaxNozzleTemperature = v },
+        "Highest temperature that the hot end stands; 0 for a nozzle that cannot be heated.");
+
+    public static readonly ProfileKey<Printer, double> MaxBedTemperature = K.Number(
+        "max_bed_temperature_c", 0, 500, p => p.MaxBedTemperature, (p, v) => p with { MaxBedTemperature = v },
+        "Highest temperature of the bed; 0 for a bed that cannot be heated.");
+
+    public static readonly ProfileKey<Printer, double> MaxStationaryVolume = K.Number(
+        "max_stationary_volume_mm3", 0, 1e9, p => p.MaxStationaryVolume, (p, v) => p with { MaxStationaryVolume = v },
+        "Most material that may be pushed out, or pulled back, while the head stands still.");
+
     public static readonly ProfileKey<Printer, ValueList<string>> StartTemplate = K.Lines(
         "start_template", p => p.StartTemplate, (p, v) => p with { StartTemplate = v }, "Lines before the print.");
 
@@ -172,7 +184,8 @@ internal static class PrinterKeys
         MaxAcceleration, PrintAcceleration,
         TravelAcceleration, RetractionAcceleration, CornerRule, Jerk, JunctionDeviation, SquareCornerVelocity, MinimumCruiseRatio,
         PlannerQueue, ToolOffsets, HeadOutline, HeadBoxes,
-        MaxFlow, MinExtrusionTemperature, StartTemplate, EndTemplate, LayerTemplate, ToolChangeTemplate,
+        MaxFlow, MinExtrusionTemperature, MaxNozzleTemperature, MaxBedTemperature, MaxStationaryVolume, StartTemplate, EndTemplate, LayerTemplate,
+            ToolChangeTemplate,
     ];
 
     private static string? Ascends(ValueList<HeadPoint> outline)
