@@ -107,18 +107,13 @@ internal static class SettingsKeys
         "sort_paths", s => s.SortPaths, (s, v) => s with { SortPaths = v },
         "Sliced paths are sorted inside their groups, for short travels.");
 
-    public static readonly ProfileKey<PrintSettings, int> SkirtLoops = K.Whole(
-        "skirt_loops", 0, 1000, s => s.SkirtLoops, (s, v) => s with { SkirtLoops = v }, "Loops around the first layer; 0 for none.");
-
-    public static readonly ProfileKey<PrintSettings, double> SkirtDistance = K.Number(
-        "skirt_distance_mm", 0, 1000, s => s.SkirtDistance, (s, v) => s with { SkirtDistance = v }, "Distance of the skirt from the part.");
-
     public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [
         Title, LayerHeight, FirstLayerHeight, LineWidth, BeadShape, WallCount, InfillPercent, InfillSpacing, InfillAngle,
         InfillOverlapPercent, SimplifyTolerance, SubdivisionDistance,
         PrintSpeed, OuterWallSpeed, InfillSpeed, FirstLayerSpeed, TravelSpeed, TravelLift, LiftMinTravel, Detour, Comb, RetractionMinTravel,
         WipeDistance, RestoreDuringDescent,
-        StartDistance, StopDistance, SortPaths, SkirtLoops, SkirtDistance,
+        StartDistance, StopDistance, SortPaths,
+        ..SkinKeys.All, ..InfillKeys.All, ..BedKeys.All,
     ];
 }

@@ -20,14 +20,13 @@ internal static class Skirt
         var steps = new List<PathStep>();
         for (var loop = settings.SkirtLoops - 1; loop >= 0; loop--)
         {
-            var line = covered.Offset(settings.SkirtDistance + rules.Width / 2 + loop * rules.Pitch, JoinStyle.Round, arcTolerance: 0.05);
+            var line = covered.Offset(settings.SkirtDistance + rules.Width / 2 + loop * rules.Pitch(rules.Width), JoinStyle.Round, arcTolerance: 0.05);
             foreach (var island in line.Islands)
             {
                 // The outer contour only: a skirt inside a ring would be in the way of nothing.
                 var contour = island.Contours[0];
                 var points = Array.ConvertAll(contour.Raw, p => p.WithZ(first.Layer.Z));
-                steps.Add(new PathStep(PrintPath.Own(points, [rules.Bead], closed: true).With(Role.Skirt, first.Layer),
-                    new StepGroup(0, -1, settings.SkirtLoops - loop)));
+                steps.Add(new PathStep(PrintPath.Own(points, [rules.Bead(rules.Width)], closed: true).With(Role.Skirt, first.Layer), new StepGroup(0, -1, settings.SkirtLoops - loop)));
             }
         }
         steps.AddRange(first.Steps);

@@ -6,7 +6,7 @@ namespace Caterpillar.Machines;
 /// How something is printed. Lengths in mm, speeds in mm/s. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's room throws an
 /// <see cref="System.ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
-public sealed record PrintSettings
+public sealed partial record PrintSettings
 {
     /// <summary>Name of the profile.</summary>
     public string Name { get; init; } = "standard";
@@ -91,19 +91,16 @@ public sealed record PrintSettings
     /// <summary>Sliced paths are sorted inside their groups, for short travels.</summary>
     public bool SortPaths { get; init; } = true;
 
-    /// <summary>Loops around the first layer; 0 for none.</summary>
-    public int SkirtLoops { get; init => field = SettingsKeys.SkirtLoops.Check(value); }
-
-    /// <summary>Distance of the skirt from the part, mm.</summary>
-    public double SkirtDistance { get; init => field = SettingsKeys.SkirtDistance.Check(value); } = 5;
-
     /// <summary>Speed in mm/s of paths that state none.</summary>
     public double SpeedOf(Role role, bool firstLayer = false)
     {
         var own = role switch
         {
-            Role.OuterWall or Role.TopSkin => OuterWallSpeed,
-            Role.Infill or Role.SolidInfill => InfillSpeed,
+            Role.OuterWall => OuterWallSpeed,
+            Role.TopSkin => TopSkinSpeed > 0 ? TopSkinSpeed : OuterWallSpeed,
+            Role.Infill => InfillSpeed,
+            Role.SolidInfill or Role.BottomSkin => SolidInfillSpeed > 0 ? SolidInfillSpeed : InfillSpeed,
+            Role.Bridge => BridgeSpeed,
             _ => 0,
         };
         var speed = own > 0 ? own : PrintSpeed;

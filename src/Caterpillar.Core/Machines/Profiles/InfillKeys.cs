@@ -1,0 +1,35 @@
+using System.Collections.Generic;
+using K = Caterpillar.Machines.Keys<Caterpillar.Machines.PrintSettings>;
+
+namespace Caterpillar.Machines;
+
+/// <summary>Keys of print settings: what fills the inside of a part.</summary>
+internal static class InfillKeys
+{
+    /// <summary>Patterns that close an area.</summary>
+    public static readonly (string Word, InfillPattern Value)[] SolidPatterns =
+    [
+        ("monotonic", Machines.InfillPattern.Monotonic), ("lines", Machines.InfillPattern.Lines), ("concentric", Machines.InfillPattern.Concentric),
+        ("hilbert", Machines.InfillPattern.Hilbert),
+    ];
+
+    private static readonly (string Word, InfillPattern Value)[] Patterns =
+    [
+        ("lines", Machines.InfillPattern.Lines), ("grid", Machines.InfillPattern.Grid), ("triangles", Machines.InfillPattern.Triangles), ("cubic", Machines.InfillPattern.Cubic),
+        ("gyroid", Machines.InfillPattern.Gyroid), ("honeycomb", Machines.InfillPattern.Honeycomb), ("concentric", Machines.InfillPattern.Concentric),
+        ("hilbert", Machines.InfillPattern.Hilbert),
+    ];
+
+    public static readonly ProfileKey<PrintSettings, InfillPattern> InfillPattern = K.Choice(
+        "infill_pattern", s => s.InfillPattern, (s, v) => s with { InfillPattern = v },
+        "What the lines of the infill look like.", Patterns);
+
+    public static readonly ProfileKey<PrintSettings, double> InfillTurn = K.Number(
+        "infill_turn_deg", -360, 360, s => s.InfillTurn, (s, v) => s with { InfillTurn = v },
+        "By how much the direction of the infill turns from layer to layer.");
+
+    public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
+    [
+        InfillPattern, InfillTurn,
+    ];
+}

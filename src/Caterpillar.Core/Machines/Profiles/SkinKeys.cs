@@ -1,0 +1,83 @@
+using System.Collections.Generic;
+using K = Caterpillar.Machines.Keys<Caterpillar.Machines.PrintSettings>;
+
+namespace Caterpillar.Machines;
+
+/// <summary>Keys of print settings: the closed layers at the top and the bottom of a part, and bridges.</summary>
+internal static class SkinKeys
+{
+    public static readonly ProfileKey<PrintSettings, int> TopLayers = K.Whole(
+        "top_layers", 0, 100_000, s => s.TopLayers, (s, v) => s with { TopLayers = v },
+        "Closed layers below every surface that is seen from above.");
+
+    public static readonly ProfileKey<PrintSettings, int> BottomLayers = K.Whole(
+        "bottom_layers", 0, 100_000, s => s.BottomLayers, (s, v) => s with { BottomLayers = v },
+        "Closed layers above every surface that is seen from below.");
+
+    public static readonly ProfileKey<PrintSettings, double> TopThickness = K.Number(
+        "top_thickness_mm", 0, 10_000, s => s.TopThickness, (s, v) => s with { TopThickness = v },
+        "Least thickness of the closed layers at the top; more layers are closed where they are thin.");
+
+    public static readonly ProfileKey<PrintSettings, double> BottomThickness = K.Number(
+        "bottom_thickness_mm", 0, 10_000, s => s.BottomThickness, (s, v) => s with { BottomThickness = v },
+        "Least thickness of the closed layers at the bottom; more layers are closed where they are thin.");
+
+    public static readonly ProfileKey<PrintSettings, InfillPattern> TopPattern = K.Choice(
+        "top_pattern", s => s.TopPattern, (s, v) => s with { TopPattern = v },
+        "Lines of the surfaces seen from above.", InfillKeys.SolidPatterns);
+
+    public static readonly ProfileKey<PrintSettings, InfillPattern> BottomPattern = K.Choice(
+        "bottom_pattern", s => s.BottomPattern, (s, v) => s with { BottomPattern = v },
+        "Lines of the surfaces seen from below.", InfillKeys.SolidPatterns);
+
+    public static readonly ProfileKey<PrintSettings, double> SkinAngle = K.Number(
+        "skin_angle_deg", -360, 360, s => s.SkinAngle, (s, v) => s with { SkinAngle = v },
+        "Direction of the skins in the first layer, from +X; it turns by a quarter from layer to layer.");
+
+    public static readonly ProfileKey<PrintSettings, double> SkinWidth = K.Number(
+        "skin_line_width_mm", 0, 1000, s => s.SkinWidth, (s, v) => s with { SkinWidth = v },
+        "Width of the strands of the skins; 0 for the line width.");
+
+    public static readonly ProfileKey<PrintSettings, double> SkinMinWidth = K.Number(
+        "skin_min_width_mm", 0, 1000, s => s.SkinMinWidth, (s, v) => s with { SkinMinWidth = v },
+        "Skins narrower than this are left to the walls.");
+
+    public static readonly ProfileKey<PrintSettings, double> SkinExpand = K.Number(
+        "skin_expand_mm", 0, 1000, s => s.SkinExpand, (s, v) => s with { SkinExpand = v },
+        "How far skins reach into the infill, which holds them there.");
+
+    public static readonly ProfileKey<PrintSettings, double> SolidBelow = K.Number(
+        "solid_below_area_mm2", 0, 1e9, s => s.SolidBelow, (s, v) => s with { SolidBelow = v },
+        "Pieces of infill smaller than this area are made solid.");
+
+    public static readonly ProfileKey<PrintSettings, double> TopSkinSpeed = K.Number(
+        "top_skin_speed_mm_s", 0, 10_000, s => s.TopSkinSpeed, (s, v) => s with { TopSkinSpeed = v },
+        "Speed of the surfaces seen from above; 0 for the speed of outer walls.");
+
+    public static readonly ProfileKey<PrintSettings, double> SolidInfillSpeed = K.Number(
+        "solid_infill_speed_mm_s", 0, 10_000, s => s.SolidInfillSpeed, (s, v) => s with { SolidInfillSpeed = v },
+        "Speed of the other closed layers; 0 for the speed of the infill.");
+
+    public static readonly ProfileKey<PrintSettings, bool> Bridges = K.Flag(
+        "bridges", s => s.Bridges, (s, v) => s with { Bridges = v },
+        "Skins over air are spanned in the direction in which they are held best.");
+
+    public static readonly ProfileKey<PrintSettings, double> BridgeAnchor = K.Number(
+        "bridge_anchor_mm", 0, 1000, s => s.BridgeAnchor, (s, v) => s with { BridgeAnchor = v },
+        "How far a bridge lies on what holds it.");
+
+    public static readonly ProfileKey<PrintSettings, double> BridgeFlow = K.Number(
+        "bridge_flow", 0.01, 10, s => s.BridgeFlow, (s, v) => s with { BridgeFlow = v },
+        "Material of bridges, of that of the other strands.");
+
+    public static readonly ProfileKey<PrintSettings, double> BridgeSpeed = K.Number(
+        "bridge_speed_mm_s", 0, 10_000, s => s.BridgeSpeed, (s, v) => s with { BridgeSpeed = v },
+        "Speed of bridges; 0 for the print speed.");
+
+    public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
+    [
+        TopLayers, BottomLayers, TopThickness, BottomThickness, TopPattern, BottomPattern, SkinAngle, SkinWidth,
+        SkinMinWidth, SkinExpand, SolidBelow, TopSkinSpeed, SolidInfillSpeed, Bridges, BridgeAnchor, BridgeFlow,
+        BridgeSpeed,
+    ];
+}

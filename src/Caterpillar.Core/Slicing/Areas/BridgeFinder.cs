@@ -1,0 +1,84 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// The direction in which an area over air is best spanned: strands that lie on something at both ends, and as little length in the air as possible.
+/// </summary>
+internal static class BridgeFinder
+{
+    private const int Directions = 36;
+
+    // Strands held at both ends must be this share of the length in the air; else nothing spans the area.
+    private const double Held = 0.5;
+
+    /// <summary>The best direction in degrees from +X, or null where no direction holds the area.</summary>
+    /// <param name="area">The bridge with the anchors into which it reaches.</param>
+    /// <param name="below">What the layer below covers.</param>
+    /// <param name="width">Width of a strand, mm.</param>
+    public static double? Find(Region area, Region below, double width)
+    {
+        var box = area.Bounds;
+        var spacing = Math.Max(width, Math.Max(box.Size.X, box.Size.Y) / 100);
+        var best = -1.0;
+        double? angle = null;
+        var longest = LongestEdge(area);
+        for (var i = 0; i <= Directions; i++)
+        {
+            // Along the longest edge first: the sides of most gaps are parallel to something.
+            var direction = i == 0 ? longest : i == Directions ? longest + 90 : 180.0 * (i - 1) / (Directions - 1);
+            var score = Score(area, below, direction, spacing);
+            if (score <= best + 1e-6) continue;
+            best = score;
+            angle = direction;
+        }
+        return best > 0 ? angle : null;
+    }
+
+    // The share of the length over air that is held at both ends, and, less important, short spans.
+    private static double Score(Region area, Region below, double angle, double spacing)
+    {
+        double held = 0, loose = 0, spans = 0;
+        foreach (var line in area.HatchLines(angle, spacing, spacing / 2))
+        {
+            var parts = below.ClipLines([Polyline.Own([line.From, line.To], closed: false)], outside: true);
+            foreach (var part in parts)
+            {
+                var length = part.Length;
+                if (length < 1e-3) continue;
+                if (part[0].DistanceTo(line.From) > 1e-4 && part[part.Count - 1].DistanceTo(line.To) > 1e-4)
+                {
+                    held += length;
+                    spans += length * length;
+                }
+                else
+                {
+                    loose += length;
+                }
+            }
+        }
+        var all = held + loose;
+        if (!(held > Held * all)) return 0;
+        var mean = spans / held;
+        return held / all + 0.5 / (1 + mean);
+    }
+
+    private static double LongestEdge(Region area)
+    {
+        var longest = 0.0;
+        var angle = 0.0;
+        foreach (var contour in area.Contours)
+        {
+            for (var i = 0; i < contour.Count; i++)
+            {
+                var edge = contour[i + 1 == contour.Count ? 0 : i + 1] - contour[i];
+                if (edge.LengthSquared <= longest) continue;
+                longest = edge.LengthSquared;
+                angle = Angle.Atan2(edge.Y, edge.X);
+            }
+        }
+        return angle;
+    }
+}

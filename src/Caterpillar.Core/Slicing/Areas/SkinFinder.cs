@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Divides the inside of islands into skins and infill: what the layers above (or below) do not all cover is near a surface. Neighbors that surround the inside with their
+/// boundaries apart, as they do wherever walls are steep, cost no region operation.
+/// </summary>
+internal sealed class SkinFinder(LayerWork layer, RegionEngine engine)
+{
+    private readonly SliceRules _rules = layer.Rules;
+    private readonly int _above = Reach(layer);
+    private readonly int _below = Count(layer, -1, layer.Rules.Settings.BottomLayers, layer.Rules.Settings.BottomThickness);
+
+    /// <summary>How many upper neighbors the skins of a layer depend on.</summary>
+    public static int Reach(LayerWork layer) => Count(layer, 1, layer.Rules.Settings.TopLayers, layer.Rules.Settings.TopThickness);
+
+    public IslandAreas Find(Region inside)
+    {
+        if (inside.IsEmpty) return new IslandAreas();
+        var top = Exposed(inside, 1, _above);
+        var bottom = Exposed(inside, -1, _below);
+        var sparse = Covered(Covered(inside, 1, _above), -1, _below);
+        if (sparse.IsEmpty && ReferenceEquals(bottom, inside)) return Bottom(new IslandAreas(), inside);
+        if (sparse.IsEmpty && ReferenceEquals(top, inside) && bottom.IsEmpty) return new IslandAreas { Top = inside };
+        // All that is closed, without slivers, and somewhat into the infill.
+        var solid = ReferenceEquals(sparse, inside) ? Region.Empty : sparse.IsEmpty ? inside : Grown(inside.Subtract(sparse, engine), inside, _rules.Settings.SkinExpand);
+        sparse = ReferenceEquals(solid, inside) ? Region.Empty : solid.IsEmpty ? inside : WithoutSmall(inside.Subtract(solid, engine));
+        if (ReferenceEquals(sparse, inside)) return Alone(inside);
+        bottom = Grown(bottom, inside, Over(air: layer.Index > 0) ? _rules.Settings.BridgeAnchor : _rules.Settings.SkinExpand);
+        top = Grown(top, inside, _rules.Settings.SkinExpand).Subtract(bottom, engine);
+        var skins = bottom.IsEmpty ? top : top.IsEmpty ? bottom : bottom.Union(top, engine);
+        if (!skins.IsEmpty && !sparse.IsEmpty) sparse = sparse.Subtract(skins, engine);
+        var rest = skins.IsEmpty ? inside : inside.Subtract(skins, engine);
+        solid = sparse.IsEmpty ? rest : rest.Subtract(sparse, engine);
+        return Bottom(new IslandAreas { Top = top, Solid = solid, Sparse = sparse }, bottom);
+    }
+
+    // How many neighbors decide: as many as there are closed layers, or more where those would be too thin.
+    private static int Count(LayerWork layer, int direction, int layers, double thickness)
+    {
+        if (layers == 0) return 0;
+        var count = layers;
+        var sum = 0.0;
+        for (var k = 0; sum < thickness - 1e-9; k++)
+        {
+            var at = layer.Index + direction * k;
+            if (at < 0 || at >= layer.Body.Layers.Length) break;
+            sum += layer.Body.Layers[at].Plan.Thickness;
+            count = Math.Max(count, k + 1);
+        }
+        return count;
+    }
+
+    private Region Exposed(Region inside, int direction, int count)
+    {
+        if (count == 0) return Region.Empty;
+        var other = layer.RegionAt(direction);
+        if (other.IsEmpty) return inside;
+        return other.Surrounds(inside) ? Region.Empty : inside.Subtract(other.Near(inside.Box), engine);
+    }
+
+    private Region Covered(Region area, int direction, int count)
+    {
+        var last = Region.Empty;
+        for (var k = 1; k <= count && !area.IsEmpty; k++)
+        {
+            var other = layer.RegionAt(direction * k);
+            if (k > 1 && other.SameAs(last)) continue;
+            last = other;
+            if (!other.Surrounds(area)) area = area.Intersect(other.Near(area.Box), engine);
+        }
+        return area;
+    }
+
+    // Without what is narrower than the least width of skins, and grown by a distance, as far as the inside goes.
+    private Region Grown(Region area, Region inside, double distance)
+    {
+        if (area.IsEmpty || ReferenceEquals(area, inside)) return area;
+        var half = _rules.Settings.SkinMinWidth / 2;
+        var core = area.Offset(-half, JoinStyle.Miter, 2, 0.005, engine);
+        if (core.IsEmpty) return core;
+        return core.Offset(half + distance, JoinStyle.Miter, 2, 0.005, engine).Intersect(inside, engine);
+    }
+
+    // No skin: all infill, but for small pieces.
+    private IslandAreas Alone(Region inside)
+    {
+        var sparse = WithoutSmall(inside);
+        return new IslandAreas { Sparse = sparse, Solid = ReferenceEquals(sparse, inside) ? Region.Empty : inside.Subtract(sparse, engine) };
+    }
+
+    private Region WithoutSmall(Region sparse)
+    {
+        var limit = _rules.InfillSpacing > 0 ? _rules.Settings.SolidBelow : 0;
+        if (limit == 0) return sparse;
+        var islands = sparse.Islands;
+        var kept = new List<GridPoint[]>();
+        foreach (var island in islands)
+        {
+            if (island.Area >= limit) kept.AddRange(island.Paths);
+        }
+        return kept.Count == sparse.Paths.Length ? sparse : Region.Own(kept.ToArray());
+    }
+
+    private bool Over(bool air) => air && _rules.Settings.Bridges && !layer.RegionAt(-1).IsEmpty;
+
+    private IslandAreas Bottom(IslandAreas areas, Region bottom)
+    {
+        if (bottom.IsEmpty || !Over(air: layer.Index > 0)) return areas with { Bottom = bottom };
+        var below = layer.RegionAt(-1);
+        var bridges = new List<BridgeArea>();
+        var others = new List<GridPoint[]>();
+        foreach (var piece in bottom.Islands)
+        {
+            if (BridgeFinder.Find(piece, below.Near(piece.Box), _rules.SkinWidth) is { } angle) bridges.Add(new BridgeArea(piece, angle));
+            else others.AddRange(piece.Paths);
+        }
+        return areas with { Bottom = Region.Own(others.ToArray()), Bridges = bridges };
+    }
+}

@@ -1,0 +1,17 @@
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>What one worker needs for any layer; it keeps its arrays from layer to layer.</summary>
+internal sealed class LayerTools
+{
+    public LayerTools()
+    {
+        Engine = new RegionEngine();
+        Infill = new InfillFiller(Engine);
+    }
+
+    public RegionEngine Engine { get; }
+
+    public InfillFiller Infill { get; }
+}

@@ -1,0 +1,13 @@
+namespace Caterpillar.Slicing;
+
+/// <summary>The order of the paths of an island. Walls take the ranks from <see cref="Walls"/> on.</summary>
+internal static class StepRank
+{
+    public const int EarlyInfill = -1;
+    public const int Walls = 0;
+    public const int Bottom = 10_000;
+    public const int Solid = 10_001;
+    public const int Infill = 10_002;
+    public const int Top = 10_003;
+    public const int Ironing = 10_004;
+}
