@@ -16,7 +16,7 @@ public class PlanarSlicerTests
     {
         LayerHeight = 0.2, FirstLayerHeight = 0.2, LineWidth = 0.4, BeadShape = BeadShape.Rectangle, WallCount = 2, InfillPercent = 20, InfillAngle = 0,
             InfillOverlapPercent = 15,
-        SimplifyTolerance = 0, SkirtLoops = 0,
+        SimplifyTolerance = 0, SkirtLoops = 0, TopLayers = 0, BottomLayers = 0,
     };
 
     [Test]
