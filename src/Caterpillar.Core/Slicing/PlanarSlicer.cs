@@ -20,7 +20,8 @@ public static class PlanarSlicer
     /// <param name="threads">Degree of parallelism, 0 for all cores. It does not change the result.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
-    /// <returns>The layers, and what was noticed: the problems of the meshes, <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.open_contours</c>.</returns>
+    /// <returns>The layers, and what was noticed: the problems of the meshes, <c>slice.nothing</c>, <c>slice.below_bed</c>,
+    /// <c>slice.too_many_layers</c>, <c>slice.open_contours</c>.</returns>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
     public static Result<SliceResult> Slice(
         IReadOnlyList<NamedMesh> models, PrintSettings settings, int threads = 0, IProgress<double>? progress = null, CancellationToken cancel = default)

@@ -10,7 +10,8 @@ public class SkinFinderTests
 {
     private static readonly PrintSettings Plain = new()
     {
-        LayerHeight = 0.2, LineWidth = 0.4, TopLayers = 4, BottomLayers = 3, TopThickness = 0, BottomThickness = 0, SkinExpand = 0.6, SkinMinWidth = 0.2, BridgeAnchor = 1, SolidBelow = 0,
+        LayerHeight = 0.2, LineWidth = 0.4, TopLayers = 4, BottomLayers = 3, TopThickness = 0, BottomThickness = 0,
+        SkinExpand = 0.6, SkinMinWidth = 0.2, BridgeAnchor = 1, SolidBelow = 0,
     };
 
     [Test]
@@ -62,11 +63,11 @@ public class SkinFinderTests
     [Test]
     public void A_bridge_over_a_slanted_gap_runs_straight_across_it()
     {
-        // The gap between two half planes, turned by 30°.
+        // A hole of 8 mm by 24 mm, turned by 30°.
         var slab = Region.Rectangle(-20, -20, 20, 20);
-        var (sin, cos) = Basics.Angle.SinCos(30);
+        var (sin, cos) = Caterpillar.Basics.Angle.SinCos(30);
         Vec3 Turned(double x, double y) => new(x * cos - y * sin, x * sin + y * cos);
-        var gap = Region.From(new Polyline([Turned(-4, -60), Turned(4, -60), Turned(4, 60), Turned(-4, 60)], true));
+        var gap = Region.From(new Polyline([Turned(-4, -12), Turned(4, -12), Turned(4, 12), Turned(-4, 12)], true));
         var bridge = Areas(Stack(Plain, (3, slab.Subtract(gap)), (3, slab)), 3, Region.Rectangle(-19, -19, 19, 19)).Bridges.Single();
         Assert.That((bridge.Angle % 180 + 180) % 180, Is.EqualTo(30).Within(6));
     }
@@ -84,7 +85,8 @@ public class SkinFinderTests
     {
         var inside = Region.Rectangle(1, 1, 19, 19);
         // The layer above leaves 0.15 mm of the inside open: narrower than 0.2 mm.
-        Assert.That(Areas(Stack(Plain, (5, Region.Rectangle(0, 0, 20, 20)), (5, Region.Rectangle(0, 0, 18.85, 20))), 4, inside).Sparse.Area, Is.EqualTo(18 * 18).Within(1e-3));
+        var narrow = Stack(Plain, (5, Region.Rectangle(0, 0, 20, 20)), (5, Region.Rectangle(0, 0, 18.85, 20)));
+        Assert.That(Areas(narrow, 4, inside).Sparse.Area, Is.EqualTo(18 * 18).Within(1e-3));
         var small = Areas(Stack(Plain with { SolidBelow = 400 }, (20, Region.Rectangle(0, 0, 20, 20))), 10, inside);
         Assert.That((small.Sparse.IsEmpty, small.Solid.Area), Is.EqualTo((true, inside.Area)));
         var hollow = Areas(Stack(Plain with { SolidBelow = 400, InfillPercent = 0 }, (20, Region.Rectangle(0, 0, 20, 20))), 10, inside);

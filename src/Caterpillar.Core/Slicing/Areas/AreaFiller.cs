@@ -44,7 +44,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
         var bead = _rules.Bead(width);
         if (role == Role.Bridge) bead = bead.WithArea(bead.Area * _settings.BridgeFlow);
         var lines = tools.Infill.Fill(Request(area, pattern, _rules.Pitch(width), width, angle, solid: true));
-        Add(lines, bead, 1, role, rank);
+        Add(lines, bead, Balance(lines, area.Area * _rules.Thickness, _rules.Bead(width)), role, rank);
     }
 
     // Center lines keep half a pitch from the edge of the area, less the overlap.
@@ -53,6 +53,15 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
         var inset = _settings.WallCount == 0 ? 0 : _rules.Pitch(width) / 2 - _rules.Overlap;
         var lines = inset == 0 ? area : area.Offset(-inset, JoinStyle.Miter, 2, ArcTolerance, tools.Engine);
         return new InfillRequest(lines, pattern, spacing, width) { Angle = angle, Z = layer.Plan.Top, Layer = layer.Index, Solid = solid };
+    }
+
+    // The factor with which the lines hold exactly the volume of their area, whatever their number, their links and their overlap with the walls.
+    private static double Balance(IReadOnlyList<InfillLine> lines, double volume, Bead bead)
+    {
+        const double Most = 1.25;
+        var sum = 0.0;
+        foreach (var line in lines) sum += line.Length;
+        return sum > 0 ? Math.Min(Most, Math.Max(1 / Most, volume / (sum * bead.Area))) : 1;
     }
 
     private void Add(IReadOnlyList<InfillLine> lines, Bead bead, double flow, Role role, int rank)

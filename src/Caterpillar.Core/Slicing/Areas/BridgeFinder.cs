@@ -9,7 +9,7 @@ namespace Caterpillar.Slicing;
 /// </summary>
 internal static class BridgeFinder
 {
-    private const int Directions = 36;
+    private const int Directions = 24;
 
     // Strands held at both ends must be this share of the length in the air; else nothing spans the area.
     private const double Held = 0.5;
@@ -21,14 +21,14 @@ internal static class BridgeFinder
     public static double? Find(Region area, Region below, double width)
     {
         var box = area.Bounds;
-        var spacing = Math.Max(width, Math.Max(box.Size.X, box.Size.Y) / 100);
+        var spacing = Math.Max(width, Math.Max(box.Size.X, box.Size.Y) / 60);
         var best = -1.0;
         double? angle = null;
         var longest = LongestEdge(area);
-        for (var i = 0; i <= Directions; i++)
+        for (var i = 0; i < Directions + 2; i++)
         {
             // Along the longest edge first: the sides of most gaps are parallel to something.
-            var direction = i == 0 ? longest : i == Directions ? longest + 90 : 180.0 * (i - 1) / (Directions - 1);
+            var direction = i == 0 ? longest : i == 1 ? longest + 90 : 180.0 / Directions * (i - 2);
             var score = Score(area, below, direction, spacing);
             if (score <= best + 1e-6) continue;
             best = score;

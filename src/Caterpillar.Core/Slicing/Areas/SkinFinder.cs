@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Divides the inside of islands into skins and infill: what the layers above (or below) do not all cover is near a surface. Neighbors that surround the inside with their
-/// boundaries apart, as they do wherever walls are steep, cost no region operation.
+/// Divides the inside of islands into skins and infill: what the layers above (or below) do not all cover is near a surface. Neighbors that surround the inside
+/// with their boundaries apart, as they do wherever walls are steep, cost no region operation.
 /// </summary>
 internal sealed class SkinFinder(LayerWork layer, RegionEngine engine)
 {
@@ -26,7 +26,9 @@ internal sealed class SkinFinder(LayerWork layer, RegionEngine engine)
         if (sparse.IsEmpty && ReferenceEquals(bottom, inside)) return Bottom(new IslandAreas(), inside);
         if (sparse.IsEmpty && ReferenceEquals(top, inside) && bottom.IsEmpty) return new IslandAreas { Top = inside };
         // All that is closed, without slivers, and somewhat into the infill.
-        var solid = ReferenceEquals(sparse, inside) ? Region.Empty : sparse.IsEmpty ? inside : Grown(inside.Subtract(sparse, engine), inside, _rules.Settings.SkinExpand);
+        var solid = ReferenceEquals(sparse, inside) ? Region.Empty
+            : sparse.IsEmpty ? inside
+            : Grown(inside.Subtract(sparse, engine), inside, _rules.Settings.SkinExpand);
         sparse = ReferenceEquals(solid, inside) ? Region.Empty : solid.IsEmpty ? inside : WithoutSmall(inside.Subtract(solid, engine));
         if (ReferenceEquals(sparse, inside)) return Alone(inside);
         bottom = Grown(bottom, inside, Over(air: layer.Index > 0) ? _rules.Settings.BridgeAnchor : _rules.Settings.SkinExpand);

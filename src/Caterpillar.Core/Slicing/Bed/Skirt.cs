@@ -26,7 +26,8 @@ internal static class Skirt
                 // The outer contour only: a skirt inside a ring would be in the way of nothing.
                 var contour = island.Contours[0];
                 var points = Array.ConvertAll(contour.Raw, p => p.WithZ(first.Layer.Z));
-                steps.Add(new PathStep(PrintPath.Own(points, [rules.Bead(rules.Width)], closed: true).With(Role.Skirt, first.Layer), new StepGroup(0, -1, settings.SkirtLoops - loop)));
+                var path = PrintPath.Own(points, [rules.Bead(rules.Width)], closed: true).With(Role.Skirt, first.Layer);
+                steps.Add(new PathStep(path, new StepGroup(0, -1, settings.SkirtLoops - loop)));
             }
         }
         steps.AddRange(first.Steps);

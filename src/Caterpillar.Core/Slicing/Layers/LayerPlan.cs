@@ -9,8 +9,8 @@ internal static class LayerPlan
     private const int MaxLayers = 1_000_000;
 
     /// <summary>
-    /// Layers from the bed up to a height (mm): the first of its own thickness, the others alike. A layer belongs to the plan when the place where it cuts lies below the height. Null
-    /// where there would be more than a million.
+    /// Layers from the bed up to a height (mm): the first of its own thickness, the others alike. A layer belongs to the
+    /// plan when the place where it cuts lies below the height. Null where there would be more than a million.
     /// </summary>
     public static PlannedLayer[]? Of(double height, PrintSettings settings)
     {

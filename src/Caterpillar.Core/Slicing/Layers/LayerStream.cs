@@ -7,8 +7,8 @@ using System.Threading.Tasks;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Takes layers through the stages in blocks from below: while one block gets its outlines, the layers whose upper neighbors are known by then get their filling. So few layers
-/// are in flight, and what comes out is in order, whatever the number of threads.
+/// Takes layers through the stages in blocks from below: while one block gets its outlines, the layers whose upper neighbors are known by then get
+/// their filling. So few layers are in flight, and what comes out is in order, whatever the number of threads.
 /// </summary>
 internal sealed class LayerStream
 {
