@@ -5,7 +5,7 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// Turns triangles that are inside out. Over edges with two triangles that run along them in the same direction one of the two is turned, so that
-/// each body is turned alike: closed bodies outwards, open ones as most of their triangles were. A closed mesh that is inside out as a whole is
+/// each body is turned alike, as most of its triangles were. A closed mesh that is inside out as a whole is
 /// turned as a whole. Bodies without conflicts stay as they are, because cavities face inwards rightly.
 /// </summary>
 internal static class MeshOrientation
@@ -53,17 +53,12 @@ internal static class MeshOrientation
             body.Add(first);
             seen[first] = true;
             var conflicts = false;
-            var closed = true;
             for (var i = 0; i < body.Count; i++)
             {
                 for (var h = 3 * body[i]; h < 3 * body[i] + 3; h++)
                 {
                     var other = neighbors[h];
-                    if (other < 0)
-                    {
-                        closed = false;
-                        continue;
-                    }
+                    if (other < 0) continue;
                     // Half-edges of neighbors should start at different vertices.
                     var same = mesh.RawTriangles[h] == mesh.RawTriangles[other];
                     conflicts |= same;
@@ -73,7 +68,7 @@ internal static class MeshOrientation
                     body.Add(other / 3);
                 }
             }
-            if (conflicts && IsWrongWayRound(mesh, body, turn, closed))
+            if (conflicts && IsWrongWayRound(body, turn))
             {
                 foreach (var t in body) turn[t] = !turn[t];
             }
@@ -85,19 +80,15 @@ internal static class MeshOrientation
         return turn;
     }
 
-    private static bool IsWrongWayRound(TriMesh mesh, List<int> body, bool[] turn, bool closed)
+    // As most of the triangles were: a cavity stays a cavity, and BodyOrientation looks at what is wrong as a whole.
+    private static bool IsWrongWayRound(List<int> body, bool[] turn)
     {
-        var origin = mesh.Bounds.Center;
-        var volume = 0.0;
         var turned = 0;
         foreach (var t in body)
         {
-            var (a, b, c) = mesh.Triangle(t);
-            var part = Vec3.Dot(mesh.RawVertices[a] - origin, Vec3.Cross(mesh.RawVertices[b] - origin, mesh.RawVertices[c] - origin));
-            volume += turn[t] ? -part : part;
             if (turn[t]) turned++;
         }
-        return closed && volume != 0 ? volume < 0 : 2 * turned > body.Count;
+        return 2 * turned > body.Count;
     }
 
     // For each half-edge the other one of an edge with exactly two triangles, else −1.

@@ -4,12 +4,16 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Joins open contours whose ends lie within a distance: first ends to beginnings; then, where surfaces are turned inside out, ends to ends and
-/// beginnings to beginnings (the part with the smaller length is turned round). The nearest pair goes first, ties by the order of the lines. A line
-/// closes on itself only where it is at least twice as long as the gap.
+/// Joins open contours to closed ones. Ends at the same place are joined first; then the nearest ends, within distances that grow fourfold up to the
+/// largest gap: an end to a beginning, and only when those are four times as far away an end to an end (a part that is turned inside out; the shorter one
+/// is turned round). A contour closes on itself while others are still joined only where it is at least twice as long as the gap, so that a fragment does
+/// not curl up. After each round no two ends of different contours are that near, so the number of pairs stays in proportion to the number of ends.
 /// </summary>
 internal sealed class GapCloser
 {
+    private const double FirstReach = 1e-6;
+    private const double Growth = 4;
+
     private readonly List<Polyline> _lines;
     private readonly double _gap;
 
@@ -17,12 +21,20 @@ internal sealed class GapCloser
     private readonly int[] _mate;
     private readonly int[] _chain;
     private readonly double[] _length;
+    private readonly List<int> _free = [];
+    private readonly List<(double Distance, int A, int B)> _pairs = [];
+    private readonly Dictionary<(long, long), int> _cells = [];
+    private readonly int[] _nextInCell;
+    private int _closed;
+    private double _sum;
+    private double _widest;
 
     private GapCloser(List<Polyline> lines, double gap)
     {
         _lines = lines;
         _gap = gap;
         _mate = new int[2 * lines.Count];
+        _nextInCell = new int[2 * lines.Count];
         _chain = new int[lines.Count];
         _length = new double[lines.Count];
         for (var i = 0; i < lines.Count; i++)
@@ -30,75 +42,133 @@ internal sealed class GapCloser
             _mate[2 * i] = _mate[2 * i + 1] = -1;
             _chain[i] = i;
             _length[i] = lines[i].Length;
+            _free.Add(2 * i);
+            _free.Add(2 * i + 1);
         }
     }
 
-    /// <summary>
-    /// Joins what can be joined: closed contours are added to the loops, the rest stays in <paramref name="open"/>. Returns how many gaps were
-    /// closed and the widest in mm.
-    /// </summary>
-    public static (int Closed, double Widest) Close(List<Polyline> open, List<Polyline> loops, double gap)
+    /// <summary>Joins what can be joined: closed contours are added to the loops, the rest stays in <paramref name="open"/>.</summary>
+    public static ClosedGaps Close(List<Polyline> open, List<Polyline> loops, double gap)
     {
-        if (open.Count == 0 || !(gap > 0)) return (0, 0);
+        if (open.Count == 0 || !(gap >= 0)) return default;
         var closer = new GapCloser(open, gap);
-        var (closed, widest) = closer.Match();
-        if (closed == 0) return (0, 0);
+        closer.JoinEqualEnds();
+        // Parts that are turned inside out are joined within a quarter of the reach, so two more rounds bring them to the full gap.
+        for (var reach = FirstReach; gap > 0 && closer._free.Count > 0 && reach < gap * Growth * Growth; reach *= Growth) closer.JoinWithin(reach);
+        closer.CloseTheRest();
         closer.Assemble(loops);
-        return (closed, widest);
+        return new ClosedGaps(closer._closed, closer._sum, closer._widest);
     }
 
     private Vec3 Position(int node) => _lines[node >> 1][(node & 1) == 0 ? 0 : _lines[node >> 1].Count - 1];
 
-    private (int Closed, double Widest) Match()
+    // Ends at exactly the same place: beginnings meet ends in their order, what is left over meets its like.
+    private void JoinEqualEnds()
     {
-        var pairs = Candidates();
-        var closed = 0;
-        var widest = 0.0;
-        foreach (var turning in new[] { false, true })
+        var order = _free.ToArray();
+        Array.Sort(order, (a, b) =>
         {
-            foreach (var (distance, a, b) in pairs)
+            Vec3 p = Position(a), q = Position(b);
+            return p.X != q.X ? p.X.CompareTo(q.X) : p.Y != q.Y ? p.Y.CompareTo(q.Y) : a.CompareTo(b);
+        });
+        for (int from = 0, to; from < order.Length; from = to)
+        {
+            var place = Position(order[from]);
+            for (to = from + 1; to < order.Length && Position(order[to]) == place; to++)
             {
-                if (((a ^ b) & 1) == 0 != turning || _mate[a] >= 0 || _mate[b] >= 0) continue;
-                var (ca, cb) = (Root(a >> 1), Root(b >> 1));
-                if (ca == cb && _length[ca] < 2 * distance) continue;
-                _mate[a] = b;
-                _mate[b] = a;
-                if (ca != cb)
+            }
+            if (to - from < 2) continue;
+            foreach (var turning in new[] { false, true })
+            {
+                int begin = from, end = from;
+                while (true)
                 {
-                    _chain[Math.Max(ca, cb)] = Math.Min(ca, cb);
-                    _length[Math.Min(ca, cb)] = _length[ca] + distance + _length[cb];
+                    // The next free pair: one pointer for each side, so a heap of ends at one place takes linear time.
+                    while (begin < to && (_mate[order[begin]] >= 0 || (!turning && (order[begin] & 1) != 0))) begin++;
+                    end = turning ? begin + 1 : end;
+                    while (end < to && (_mate[order[end]] >= 0 || (!turning && (order[end] & 1) == 0))) end++;
+                    if (begin >= to || end >= to) break;
+                    if (!Join(order[begin], order[end], 0, false)) end++;
+                    else if (turning) begin = end;
                 }
-                closed++;
-                widest = Math.Max(widest, distance);
             }
         }
-        return (closed, widest);
+        DropJoined();
     }
 
-    // All pairs of ends within the gap, nearest first.
-    private List<(double Distance, int A, int B)> Candidates()
+    private void JoinWithin(double reach)
     {
-        var size = Math.Max(_gap, 1e-6);
-        var cells = new Dictionary<(long, long), List<int>>();
-        var pairs = new List<(double Distance, int A, int B)>();
-        for (var node = 0; node < _mate.Length; node++)
+        FindPairs(Math.Min(reach, _gap));
+        foreach (var turning in new[] { false, true })
+        {
+            foreach (var (distance, a, b) in _pairs)
+            {
+                if (((a ^ b) & 1) == 0 == turning && (!turning || distance <= reach / Growth)) Join(a, b, distance, false);
+            }
+        }
+        DropJoined();
+    }
+
+    private void CloseTheRest()
+    {
+        foreach (var node in _free)
+        {
+            if (_mate[node] >= 0) continue;
+            var other = OtherEnd(node);
+            var distance = Position(node).DistanceTo(Position(other));
+            if (distance <= _gap && _length[Root(node >> 1)] > 1.05 * distance) Join(node, other, distance, true);
+        }
+    }
+
+    private int OtherEnd(int node)
+    {
+        var end = node ^ 1;
+        while (_mate[end] >= 0) end = _mate[end] ^ 1;
+        return end;
+    }
+
+    private bool Join(int a, int b, double distance, bool closeShort)
+    {
+        if (_mate[a] >= 0 || _mate[b] >= 0) return false;
+        var (ca, cb) = (Root(a >> 1), Root(b >> 1));
+        if (ca == cb && !closeShort && _length[ca] < 2 * distance) return false;
+        _mate[a] = b;
+        _mate[b] = a;
+        if (ca != cb)
+        {
+            _chain[Math.Max(ca, cb)] = Math.Min(ca, cb);
+            _length[Math.Min(ca, cb)] = _length[ca] + distance + _length[cb];
+        }
+        _closed++;
+        _sum += distance;
+        _widest = Math.Max(_widest, distance);
+        return true;
+    }
+
+    private void DropJoined() => _free.RemoveAll(node => _mate[node] >= 0);
+
+    // All pairs of free ends within the reach, nearest first, ties by the order of the lines.
+    private void FindPairs(double reach)
+    {
+        _cells.Clear();
+        _pairs.Clear();
+        foreach (var node in _free)
         {
             var p = Position(node);
-            var (x, y) = ((long)Math.Floor(p.X / size), (long)Math.Floor(p.Y / size));
+            var (x, y) = ((long)Math.Floor(p.X / reach), (long)Math.Floor(p.Y / reach));
             for (var i = 0; i < 9; i++)
             {
-                if (!cells.TryGetValue((x + i % 3 - 1, y + i / 3 - 1), out var others)) continue;
-                foreach (var other in others)
+                if (!_cells.TryGetValue((x + i % 3 - 1, y + i / 3 - 1), out var other)) continue;
+                for (; other >= 0; other = _nextInCell[other])
                 {
                     var distance = p.DistanceTo(Position(other));
-                    if (distance <= _gap) pairs.Add((distance, other, node));
+                    if (distance <= reach) _pairs.Add((distance, other, node));
                 }
             }
-            if (!cells.TryGetValue((x, y), out var list)) cells.Add((x, y), list = []);
-            list.Add(node);
+            _nextInCell[node] = _cells.TryGetValue((x, y), out var first) ? first : -1;
+            _cells[(x, y)] = node;
         }
-        pairs.Sort((p, q) => p.Distance != q.Distance ? p.Distance.CompareTo(q.Distance) : p.A != q.A ? p.A.CompareTo(q.A) : p.B.CompareTo(q.B));
-        return pairs;
+        _pairs.Sort((p, q) => p.Distance != q.Distance ? p.Distance.CompareTo(q.Distance) : p.A != q.A ? p.A.CompareTo(q.A) : p.B.CompareTo(q.B));
     }
 
     private int Root(int line)

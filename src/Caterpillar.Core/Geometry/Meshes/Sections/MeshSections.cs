@@ -30,7 +30,6 @@ public static class MeshSections
         options ??= new SectionOptions();
         var (ascending, order) = Sorted(heights);
         var sections = new Section[ascending.Length];
-        var gaps = new (int Closed, double Widest)[ascending.Length];
         if (ascending.Length > 0 && mesh.TriangleCount > 0)
         {
             var buckets = new LayerBuckets(mesh, ascending);
@@ -39,7 +38,7 @@ public static class MeshSections
             {
                 long held = buckets.Counts[from];
                 for (to = from + 1; to < ascending.Length && held + buckets.Counts[to] <= MaxHeld; to++) held += buckets.Counts[to];
-                Cut(mesh, ascending, buckets, from, to, options, sections, gaps, progress, cancel);
+                Cut(mesh, ascending, buckets, from, to, options, sections, progress, cancel);
             }
         }
         var diagnostics = new DiagnosticList();
@@ -48,14 +47,14 @@ public static class MeshSections
         {
             ordered[order[i]] = sections[i] ?? new Section(ascending[i], [], []);
         }
-        Report(ordered, gaps, diagnostics);
+        Report(ordered, diagnostics);
         progress?.Report(1);
         return new Result<IReadOnlyList<Section>>(ordered, diagnostics.ToList());
     }
 
     private static void Cut(
         TriMesh mesh, double[] heights, LayerBuckets buckets, int from, int to, SectionOptions options,
-        Section[] sections, (int Closed, double Widest)[] gaps, IProgress<double>? progress, CancellationToken cancel)
+        Section[] sections, IProgress<double>? progress, CancellationToken cancel)
     {
         var triangles = buckets.Fill(from, to);
         var starts = new int[to - from + 1];
@@ -73,8 +72,8 @@ public static class MeshSections
                 var loops = new List<Polyline>();
                 var open = new List<Polyline>();
                 walker.Cut(heights[i], triangles, starts[i - from], starts[i - from + 1], options.MergeCollinear, loops, open);
-                gaps[i] = GapCloser.Close(open, loops, options.GapMm);
-                sections[i] = new Section(heights[i], loops.ToArray(), open.ToArray());
+                var gaps = GapCloser.Close(open, loops, options.GapMm);
+                sections[i] = new Section(heights[i], loops.ToArray(), open.ToArray(), gaps);
             }
             if (progress is not null)
             {
@@ -98,14 +97,14 @@ public static class MeshSections
         return (ascending, order);
     }
 
-    private static void Report(Section[] sections, (int Closed, double Widest)[] gaps, DiagnosticList diagnostics)
+    private static void Report(Section[] sections, DiagnosticList diagnostics)
     {
         var closed = 0;
         var widest = 0.0;
-        foreach (var gap in gaps)
+        foreach (var section in sections)
         {
-            closed += gap.Closed;
-            widest = Math.Max(widest, gap.Widest);
+            closed += section.Gaps.Count;
+            widest = Math.Max(widest, section.Gaps.Widest);
         }
         if (closed > 0)
         {

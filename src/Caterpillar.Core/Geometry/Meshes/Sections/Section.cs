@@ -5,11 +5,12 @@ namespace Caterpillar.Geometry;
 /// <summary>A plane section of a mesh at one height. Immutable.</summary>
 public sealed class Section
 {
-    internal Section(double z, IReadOnlyList<Polyline> loops, IReadOnlyList<Polyline> openLines)
+    internal Section(double z, IReadOnlyList<Polyline> loops, IReadOnlyList<Polyline> openLines, ClosedGaps gaps = default)
     {
         Z = z;
         Loops = loops;
         OpenLines = openLines;
+        Gaps = gaps;
     }
 
     /// <summary>Height of the plane in mm.</summary>
@@ -23,6 +24,9 @@ public sealed class Section
 
     /// <summary>What does not close: sections of open surfaces, with the outside of the surface on their right.</summary>
     public IReadOnlyList<Polyline> OpenLines { get; }
+
+    /// <summary>What was added to close contours of a broken mesh.</summary>
+    public ClosedGaps Gaps { get; }
 
     /// <summary>Number of loose ends: two for each open line.</summary>
     public int OpenEnds => 2 * OpenLines.Count;
