@@ -4,6 +4,7 @@ using System.CommandLine.Help;
 using System.CommandLine.Parsing;
 using System.IO;
 using System.Linq;
+using Caterpillar.Basics;
 
 namespace Caterpillar.Cli;
 
@@ -41,7 +42,7 @@ internal static class App
         }
         catch (Exception disk) when (disk is IOException or UnauthorizedAccessException or InvalidDataException)
         {
-            session.Messages.WriteLine(Sentence(disk));
+            session.Messages.WriteLine(LongWords.Shorten(Sentence(disk)));
             return ExitCode.BadInput;
         }
         catch (Exception bug)
@@ -68,7 +69,7 @@ internal static class App
             session.WriteText("-", text => parsed.Invoke(new InvocationConfiguration { Output = text, Error = session.Messages }));
             return ExitCode.Done;
         }
-        foreach (var error in parsed.Errors.Select(e => e.Message).Distinct()) session.Messages.WriteLine(error);
+        foreach (var error in parsed.Errors.Select(e => e.Message).Distinct()) session.Messages.WriteLine(LongWords.Shorten(error));
         var verb = parsed.CommandResult.Command is Verb v ? " " + v.Name : "";
         session.Messages.WriteLine($"See: caterpillar{verb} --help");
         return ExitCode.Usage;

@@ -1,9 +1,10 @@
 using System;
+using Caterpillar.Basics;
 
 namespace Caterpillar.Cli;
 
 /// <summary>Ends the program with a message (none where everything was said already) and an exit code.</summary>
-internal sealed class CliException(int code, string? message = null) : Exception(message ?? "")
+internal sealed class CliException(int code, string? message = null) : Exception(LongWords.Shorten(message ?? ""))
 {
     public int Code { get; } = code;
 }

@@ -78,7 +78,9 @@ internal sealed class ConvertVerb : Verb
             return ExitCode.BadInput;
         }
         var decoding = session.Need(session.Long("Reading",
-            p => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = from, FilamentDiameter = arguments.GetValue(_diameter) }, p, session.Cancel)));
+            p => GCodeDecoder.Decode(document,
+                new DecodeOptions { Dialect = from, FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, p,
+                session.Cancel)));
         var edited = _edits.Edit(decoding.Toolpath, Tolerance(arguments), arguments, session);
         if (arguments.GetValue(_arcs) == "fit") edited = edited.FitArcs(new ArcFitOptions { Tolerance = Tolerance(arguments) });
         var code = _edits.Code(arguments);
@@ -111,7 +113,8 @@ internal sealed class ConvertVerb : Verb
     }
 
     private DecodedGCode Again(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
-        => GCodeDecoder.Decode(text, new DecodeOptions { Dialect = dialect, FilamentDiameter = arguments.GetValue(_diameter) }, null, session.Cancel).Value!;
+        => GCodeDecoder.Decode(text, new DecodeOptions { Dialect = dialect,
+            FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, null, session.Cancel).Value!;
 
     // Against a printer only where one is named: the file was made for one that nobody knows here.
     private GCodeDocument Checked(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
@@ -134,11 +137,12 @@ internal sealed class ConvertVerb : Verb
             Dialect = CommonOptions.DialectOf(arguments.GetValue(_to)),
             RelativeE = arguments.GetValue(_e) is { } e ? e == "relative" : null,
             Volumetric = arguments.GetValue(_unit) is { } unit ? unit == "mm3" : null,
-            FilamentDiameter = arguments.GetValue(_diameter),
+            FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter"),
             ExpandArcs = arguments.GetValue(_arcs) == "expand",
             ChordTolerance = Tolerance(arguments),
             Millimeters = arguments.GetValue(_millimeters),
-            RetractionLength = arguments.GetValue(_retraction),
+            RetractionLength = arguments.GetValue(_retraction) is >= 0 and <= 1000 and var retraction ? retraction
+                : throw new CliException(ExitCode.Usage, "--retraction needs a length of 0 to 1000."),
             DecimalsXyz = decimals[0],
             DecimalsE = decimals[1],
             DecimalsF = decimals[2],

@@ -46,8 +46,7 @@ internal sealed class DecodeVerb : Verb
         {
             Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
             Rule = arguments.GetValue(_rule) == "rising" ? ExtrusionRule.Rising : ExtrusionRule.Balance,
-            FilamentDiameter = arguments.GetValue(_diameter) is not { } d ? null : d > 0
-                && d < 1e6 ? d : throw new CliException(ExitCode.Usage, "--filament-diameter needs a positive number of mm."),
+            FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter"),
             Threads = arguments.GetValue(_threads),
         };
         var json = arguments.GetValue(_json);

@@ -43,6 +43,9 @@ internal sealed class MoveFilterOptions
                 throw new CliException(ExitCode.Usage, $"There is no object \"{name}\"; there are "
                     + string.Join(", ", toolpath.Layers.Select(l => $"\"{l.Object}\"").Distinct().Take(20)) + ".");
         }
+        if (arguments.GetValue(_first) > arguments.GetValue(_last))
+            throw new CliException(ExitCode.Usage, "--first-layer is above --last-layer.");
+        if (arguments.GetValue(_tool) < 0) throw new CliException(ExitCode.Usage, "--tool needs a number from 0 on.");
         var filter = new MoveFilter
         {
             FirstLayer = arguments.GetValue(_first),

@@ -1,5 +1,7 @@
+using System;
 using System.CommandLine;
 using System.IO;
+using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
@@ -12,8 +14,8 @@ namespace Caterpillar.Cli.Commands;
 internal sealed class ToolpathEditOptions
 {
     private readonly MoveFilterOptions _filter = new();
-    private readonly Option<double?> _speed = new("--speed") { Description = "Multiply the speed of the chosen strands.", HelpName = "FACTOR" };
-    private readonly Option<double?> _flow = new("--flow") { Description = "Multiply the material of the chosen strands.", HelpName = "FACTOR" };
+    private readonly Option<string?> _speed = new("--speed") { Description = "Multiply the speed of the chosen strands.", HelpName = "FACTOR|%" };
+    private readonly Option<string?> _flow = new("--flow") { Description = "Multiply the material of the chosen strands.", HelpName = "FACTOR|%" };
     private readonly Option<string?> _scale = new("--scale") { Description = "Scale what is chosen about the middle of its foot.", HelpName = "FACTOR|X,Y,Z" };
     private readonly Option<double?> _turn = new("--turn") { Description = "Turn what is chosen about its middle, counter-clockwise from above.",
         HelpName = "DEGREES" };
@@ -46,11 +48,14 @@ internal sealed class ToolpathEditOptions
     {
         var filter = _filter.Of(toolpath, arguments);
         var strands = filter with { Kinds = [MoveKind.Print] };
+        if (_filter.IsGiven(arguments) && !toolpath.Moves().Any(strands.MatchesIn(toolpath)))
+            session.Print([new Diagnostic(Severity.Warning, "edit.nothing_selected", "What is selected prints nothing in this file, so nothing is edited.")]);
         if (arguments.GetValue(_speed) is { } speed) toolpath = toolpath.ScaleSpeed(strands, Numbers.Factor(speed, "--speed", 1e-6));
         if (arguments.GetValue(_flow) is { } flow) toolpath = toolpath.ScaleFlow(strands, Numbers.Factor(flow, "--flow", 0));
         if (Map(toolpath, strands, arguments) is { } map) toolpath = toolpath.Transformed(filter, map, tolerance);
         if (arguments.GetValue(_deform) is { } formulas)
         {
+            if (formulas.Trim().Length == 0) throw new CliException(ExitCode.Usage, "--deform needs formulas, for example \"x + 0.1*z, y, z\".");
             var deformation = session.Need(Deformation(toolpath, strands, formulas, arguments.GetValue(_axis)), ExitCode.Usage);
             toolpath = session.Need(toolpath.Deform(filter, deformation, tolerance));
         }
@@ -69,6 +74,8 @@ internal sealed class ToolpathEditOptions
         foreach (var text in arguments.GetValue(_lines) ?? [])
         {
             var (layer, line) = Numbers.Pair(text, "--line-at-layer");
+            if (line.Trim().Length == 0 || line.AsSpan().ContainsAny('\r', '\n'))
+                throw new CliException(ExitCode.Usage, "--line-at-layer needs one line of G-code: N=LINE.");
             toolpath = AtLayer(toolpath, layer, new RawEvent(line));
         }
         if (!arguments.GetValue(_remove)) return toolpath;
@@ -77,9 +84,14 @@ internal sealed class ToolpathEditOptions
     }
 
     /// <summary>Other start and end code.</summary>
-    public EditOptions Code(ParseResult arguments) => new() { Start = Lines(arguments.GetValue(_start)), End = Lines(arguments.GetValue(_end)) };
+    public EditOptions Code(ParseResult arguments)
+        => new() { Start = Lines(arguments.GetValue(_start), "--start-code"), End = Lines(arguments.GetValue(_end), "--end-code") };
 
-    private static string[]? Lines(string? file) => file is null ? null : File.ReadAllLines(file);
+    private static string[]? Lines(string? file, string option)
+    {
+        if (file is null) return null;
+        return file.Trim().Length > 0 ? File.ReadAllLines(file) : throw new CliException(ExitCode.Usage, $"{option} needs the name of a file.");
+    }
 
     private static Toolpath AtLayer(Toolpath toolpath, int layer, PrinterEvent what)
     {

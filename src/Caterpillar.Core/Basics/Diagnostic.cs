@@ -25,7 +25,7 @@ public sealed record SourceLocation(
         var text = new StringBuilder(File);
         if (Line is { } line) text.Append(text.Length > 0 ? ":" : "line ").Append(NumberFormatter.Format(line));
         if (Column is { } column) text.Append(':').Append(NumberFormatter.Format(column));
-        if (Key is not null) text.Append(text.Length > 0 ? ": " : "").Append(Key);
+        if (Key is not null) text.Append(text.Length > 0 ? ": " : "").Append(LongWords.Shorten(Key));
         if (Step is { } step) text.Append(text.Length > 0 ? ", " : "").Append("step ").Append(NumberFormatter.Format(step));
         if (Move is { } move) text.Append(text.Length > 0 ? ", " : "").Append("move ").Append(NumberFormatter.Format(move));
         return text.ToString();
@@ -40,6 +40,9 @@ public sealed record SourceLocation(
 /// <param name="Count">How often it was found.</param>
 public sealed record Diagnostic(Severity Severity, string Code, string Message, SourceLocation? Source = null, int Count = 1)
 {
+    /// <summary>A sentence for the user, with units. What it quotes is shortened where it is longer than a line.</summary>
+    public string Message { get; init; } = LongWords.Shorten(Message);
+
     /// <summary>For example <c>part.stl: warning mesh.open_edges: 12 open edges. (3 times)</c>.</summary>
     public override string ToString()
     {

@@ -20,6 +20,12 @@ public delegate double ValueMap(double value, Vec3 position);
 /// </summary>
 public sealed class Deformation
 {
+    // mm; no printer reaches farther, and numbers of G-code keep their decimals.
+    private const double Farthest = 1e6;
+
+    // mm² and mm/s.
+    private const double Largest = 1e6;
+
     private readonly Stage[] _stages;
 
     private Deformation(Stage[] stages) => _stages = stages;
@@ -99,13 +105,16 @@ public sealed class Deformation
                 var middle = (before[i] + before[i + 1]) * 0.5;
                 areas[i] = stage.Area?.Invoke(areas[i], middle) ?? areas[i];
                 speeds[i] = stage.Speed?.Invoke(speeds[i], middle) ?? speeds[i];
-                if (!(areas[i] >= 0) || double.IsInfinity(areas[i]) || !(speeds[i] >= 0) || double.IsInfinity(speeds[i]))
-                    return new Diagnostic(Severity.Error, "shape.value", "The area or speed map gives a value that is negative or not finite.");
+                if (!(areas[i] is >= 0 and <= Largest) || !(speeds[i] is >= 0 and <= Largest))
+                    return new Diagnostic(Severity.Error, "shape.value",
+                        "The area or speed map gives a value that is negative, not finite or above a million.");
             }
             points = Array.ConvertAll(before, stage.Map);
             foreach (var point in points)
             {
                 if (!point.IsFinite) return new Diagnostic(Severity.Error, "shape.position", "The position map gives a point that is not finite.");
+                if (Math.Abs(point.X) > Farthest || Math.Abs(point.Y) > Farthest || Math.Abs(point.Z) > Farthest)
+                    return new Diagnostic(Severity.Error, "shape.position", "The position map gives a point more than a kilometer from the origin.");
             }
         }
         return null;

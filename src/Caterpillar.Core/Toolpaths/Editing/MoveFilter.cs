@@ -50,6 +50,13 @@ public sealed record MoveFilter
         return FirstLayer is null && toolpath.Layers.Count > 0 ? this with { FirstLayer = int.MinValue } : this;
     }
 
+    /// <summary>Whether moves of this toolpath are chosen, as a question for each.</summary>
+    public Func<Move, bool> MatchesIn(Toolpath toolpath)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        return move => Matches(toolpath, move);
+    }
+
     /// <summary>True when a layer is chosen whole.</summary>
     internal bool MatchesWhole(Layer layer)
         => Roles is null && Kinds is null && Tool is null && Region is null && Matches(default, layer);
