@@ -14,7 +14,7 @@ public static class DialectManual
         var text = new StringBuilder();
         text.Append("# Dialects of G-code\n\n");
         text.Append("What each word means to each firmware, as the decoder, the writer and `convert` take it. This page is made from the table of dialects "
-            + "(`Machines/DialectTable.cs`), which was compared\n");
+            + "(`src/Caterpillar.Core/Dialects/Firmware`), which was compared\n");
         text.Append("with the source of each firmware ([Sources](#sources)).\n\n");
         text.Append("`caterpillar decode --dialect NAME`, `caterpillar convert --dialect NAME` and the key `dialect` of a printer choose one. Without a "
             + "choice the file decides: comments of its slicer, commands that only\n");

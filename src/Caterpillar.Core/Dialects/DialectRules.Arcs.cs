@@ -1,3 +1,4 @@
+using System;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Dialects;
@@ -61,4 +62,53 @@ public sealed partial record DialectRules
 
     /// <summary>The number behind P for an arc of so many turns (the last may be a part), or 0 where P cannot say it.</summary>
     public int TurnsWord(int turns) => turns <= 1 ? 0 : ArcTurns switch { ArcTurnsRule.Count => turns, ArcTurnsRule.Added => turns - 1, _ => 0 };
+}
+
+/// <summary>What P of an arc means.</summary>
+public enum ArcTurnsRule
+{
+    /// <summary>Nothing.</summary>
+    Ignored,
+
+    /// <summary>The turns in all: P1 is the arc itself.</summary>
+    Count,
+
+    /// <summary>Full circles more, which share rise and extrusion with the arc.</summary>
+    Added,
+
+    /// <summary>Full circles in the plane and without extrusion first, then the arc.</summary>
+    CirclesFirst,
+
+    /// <summary>Only P1, and only of a full circle; other arcs with P are refused.</summary>
+    OneCircle,
+
+    /// <summary>Arcs with P are refused.</summary>
+    Refused,
+}
+
+/// <summary>What an arc with both R and I J K is.</summary>
+public enum RadiusAndCenterRule
+{
+    /// <summary>R is ignored.</summary>
+    CenterWins,
+
+    /// <summary>I, J and K are ignored.</summary>
+    RadiusWins,
+
+    /// <summary>The arc is refused.</summary>
+    Refused,
+}
+
+/// <summary>
+/// When an arc is refused because its end is not on the circle about its center: where the radii of start and end differ by more than
+/// <see cref="Largest"/> (mm), or by more than <see cref="Smallest"/> (mm) and by more than <see cref="Relative"/> of the radius.
+/// </summary>
+public sealed record ArcTolerance(double Smallest, double Largest, double Relative)
+{
+    /// <summary>True when these radii (mm) are too different.</summary>
+    public bool Refuses(double startRadius, double endRadius)
+    {
+        var difference = Math.Abs(startRadius - endRadius);
+        return difference > Largest || (difference > Smallest && difference > Relative * Math.Max(startRadius, endRadius));
+    }
 }

@@ -12,17 +12,6 @@ internal static class DialectDetector
     private const int Tail = 96 * 1024;
     private const int MostHead = 8 * 1024 * 1024;
 
-    // Flavours as slicers name them in their comments.
-    private static readonly (string Key, string Name)[] Flavours =
-    [
-        ("reprap (marlin/sprinter)", "marlin2"), ("reprap (reprap)", "marlin1"), ("reprapfirmware", "reprapfirmware"), ("reprapsprinter", "marlin1"),
-            ("repetier", "repetier"),
-        ("teacup", "marlin1"), ("makerware", "sailfish"), ("sailfish", "sailfish"), ("marlin2", "marlin2"), ("marlin", "marlin1"), ("klipper", "klipper"),
-            ("mach3", "cnc"),
-        ("machinekit", "cnc"), ("smoothie", "smoothie"), ("reprap", "marlin1"), ("ultigcode", "ultigcode"), ("griffin", "marlin1"), ("bfb", "bfb"),
-            ("rrf", "reprapfirmware"),
-    ];
-
     // Commands and words, as they begin a line, that tell a firmware.
     private static readonly (string Start, string Name, string Why)[] Commands =
     [
@@ -54,7 +43,7 @@ internal static class DialectDetector
             evidence.Add("The header names BambuStudio.");
             name = "bambu";
         }
-        name ??= Declared(text, evidence) ?? ByCommand(text, evidence) ?? ByFlavour(text, evidence);
+        name ??= Declared(text, evidence) ?? ByCommand(text, evidence) ?? ByFlavor(text, evidence);
         if (name is null && axis == ExtrusionAxis.Switched)
         {
             evidence.Add("M101 and M103 switch the extruder, and no word has amounts.");
@@ -91,18 +80,11 @@ internal static class DialectDetector
         return name;
     }
 
-    /// <summary>The dialect that a slicer's word for a flavour means, or null.</summary>
-    public static string? OfFlavour(string flavour)
-    {
-        var plain = flavour.Trim().ToLowerInvariant();
-        foreach (var (known, name) in Flavours)
-        {
-            if (plain == known) return name;
-        }
-        return DialectTable.Find(plain)?.Name;
-    }
+    /// <summary>The dialect that a slicer's name of a flavor means, or null. PrusaSlicer's "marlin" is Marlin 1.</summary>
+    public static string? OfFlavor(string flavor)
+        => flavor.Trim().Equals("marlin", StringComparison.OrdinalIgnoreCase) ? DialectTable.Marlin1.Name : DialectTable.Find(flavor)?.Name;
 
-    private static string? ByFlavour(string text, List<string> evidence)
+    private static string? ByFlavor(string text, List<string> evidence)
     {
         foreach (var key in new[] { ";FLAVOR:", "; gcode_flavor = ", "gcode_flavor = ", "machine_gcode_flavor = " })
         {
@@ -110,11 +92,11 @@ internal static class DialectDetector
             if (at < 0) continue;
             var end = at + key.Length;
             while (end < text.Length && text[end] != '\n' && text[end] != '\r') end++;
-            var flavour = text.Substring(at + key.Length, end - at - key.Length).Trim();
-            var plain = flavour.ToLowerInvariant();
+            var flavor = text.Substring(at + key.Length, end - at - key.Length).Trim();
+            var plain = flavor.ToLowerInvariant();
             // Cura calls Marlin 1 and 2 alike.
             if (plain == "marlin" && key[1] == 'F') plain = "marlin2";
-            if (OfFlavour(plain) is not { } found) continue;
+            if (OfFlavor(plain) is not { } found) continue;
             evidence.Add("A comment says: " + text.Substring(at, end - at).Trim());
             return found;
         }

@@ -148,9 +148,9 @@ public static class GCodeDecoder
         core.ReportIgnored();
         if (detected is { } found && found.IsDefault)
             core.Diagnostics.Add(Severity.Remark, "gcode.dialect_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
-        if (detected is { IsDefault: true } && core.Settings.TryGetValue("gcode_flavor", out var flavour) && DialectDetector.OfFlavour(flavour) is { } meant
+        if (detected is { IsDefault: true } && core.Settings.TryGetValue("gcode_flavor", out var flavor) && DialectDetector.OfFlavor(flavor) is { } meant
             && meant != rules.Name)
-            core.Diagnostics.Add(Severity.Warning, "gcode.dialect_late", "The settings at the end of the file name the flavour \"" + flavour
+            core.Diagnostics.Add(Severity.Warning, "gcode.dialect_late", "The settings at the end of the file name the flavor \"" + flavor
                 + "\"; it was read as " + rules.Title + ". State the dialect.");
         var settings = core.Settings.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
         var toolpath = core.Finish(FilamentFactors.Of(settings, options.FilamentDiameter));
