@@ -10,6 +10,9 @@ namespace Caterpillar.Drawings;
 /// <summary>User-defined toolpaths (Caterpillar 2019, section 3.3): any 3D curves, printed exactly along and in the order given.</summary>
 public static class CurvePaths
 {
+    // Points of all curves together; each takes some hundred bytes until it is written.
+    private const int MaxPoints = 20_000_000;
+
     /// <summary>
     /// The steps that print curves in their order. Curves without length are left out with a warning. Errors (codes <c>curves.*</c>) are strands with negative
     /// or endless settings; parts below the bed are a warning.
@@ -44,7 +47,8 @@ public static class CurvePaths
         options ??= new CurveOptions();
         var diagnostics = new DiagnosticList();
         var paths = new List<PrintPath>(curves.Count);
-        var maker = new PathMaker(options, diagnostics);
+        var points = 0L;
+        var maker = new PathMaker(options, diagnostics, cancel);
         for (var i = 0; i < curves.Count; i++)
         {
             if ((i & 0xFF) == 0)
@@ -55,6 +59,13 @@ public static class CurvePaths
             var curve = curves[i] ?? throw new ArgumentException("A curve is null.", nameof(curves));
             var path = maker.Make(curve, curve.Source ?? new SourceLocation(Step: i));
             if (path is null) continue;
+            points += path.RawPoints.Length;
+            if (points > MaxPoints)
+            {
+                diagnostics.Add(Severity.Error, "curves.too_fine",
+                    $"The division asks for more than {NumberFormatter.Format(MaxPoints)} points in all: use a larger distance, tolerance or angle.");
+                break;
+            }
             paths.Add(options.FitArcs > 0 ? PathArcs.Fit(path, new ArcFitOptions { Tolerance = options.FitArcs }) : path);
         }
         if (diagnostics.HasErrors) return new Result<IReadOnlyList<PrintPath>>(null, diagnostics.ToList());

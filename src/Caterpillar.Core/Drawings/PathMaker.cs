@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -7,12 +8,26 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Drawings;
 
 /// <summary>Makes the path of one user curve.</summary>
-internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics)
+internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics, CancellationToken cancel)
 {
     // Segments that stand for one ramp, at most.
     private const int MaxRampParts = 256;
 
+    /// <summary>The path, or null where there is none; the reason is a diagnostic.</summary>
     public PrintPath? Make(UserCurve curve, SourceLocation source)
+    {
+        try
+        {
+            return MakePath(curve, source);
+        }
+        catch (SubdivisionLimitException tooFine)
+        {
+            diagnostics.Add(Severity.Error, "curves.too_fine", tooFine.Message, source);
+            return null;
+        }
+    }
+
+    private PrintPath? MakePath(UserCurve curve, SourceLocation source)
     {
         if (!(options.RampStep > 0)) throw new ArgumentException("The step of a ramp must be positive.");
         var whole = BeadOf(curve.Area, curve.Width, curve.Height, curve.Speed, curve, source);
@@ -30,7 +45,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
 
     private PrintPath? Uniform(Curve curve, Bead bead)
     {
-        var divided = CurveSubdivider.Subdivide(curve, options.Subdivision);
+        var divided = CurveSubdivider.Subdivide(curve, options.Subdivision, cancel);
         var points = divided.Raw;
         if (points.Length == 2 && points[0] == points[1]) return null;
         if (divided.RawArcs is not { } arcs) return PrintPath.Own(points, [bead], divided.IsClosed);
@@ -86,7 +101,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
             }
             return (points, places, curve.IsClosed);
         }
-        var divided = CurveSubdivider.Subdivide(curve, options.Subdivision with { KeepArcs = false });
+        var divided = CurveSubdivider.Subdivide(curve, options.Subdivision with { KeepArcs = false }, cancel);
         points.AddRange(divided.Points);
         if (divided.IsClosed) points.Add(points[0]);
         var lengths = new double[points.Count];

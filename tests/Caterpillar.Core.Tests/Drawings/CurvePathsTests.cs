@@ -153,4 +153,13 @@ public class CurvePathsTests
     }
 
     private static Vec3 Point(Random random) => new(random.NextDouble() * 100, random.NextDouble() * 100, random.NextDouble());
+
+    [Test]
+    public void A_division_that_is_too_fine_names_its_curve()
+    {
+        var circle = new UserCurve(new ArcCurve(Frame.World, 10)) { Source = new SourceLocation("c.svg", 7) };
+        var made = CurvePaths.ToPaths([circle], new CurveOptions { Subdivision = SubdivisionOptions.ByDistance(1e-9) });
+        Assert.That(made.Value, Is.Null);
+        Assert.That(made.Diagnostics.Select(d => (d.Code, d.Source!.Line)), Does.Contain(("curves.too_fine", (int?)7)));
+    }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 
 namespace Caterpillar.Geometry;
 
@@ -11,7 +12,9 @@ public static class CurveSubdivider
 {
     /// <summary>Divides a curve.</summary>
     /// <exception cref="ArgumentException">The options are out of range, or ask for nothing.</exception>
-    public static Subdivision Subdivide(Curve curve, SubdivisionOptions options)
+    /// <exception cref="SubdivisionLimitException">They ask for millions of points.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
+    public static Subdivision Subdivide(Curve curve, SubdivisionOptions options, CancellationToken cancel = default)
     {
         if (curve is null) throw new ArgumentNullException(nameof(curve));
         if (options is null) throw new ArgumentNullException(nameof(options));
@@ -19,7 +22,7 @@ public static class CurveSubdivider
         // Straight enough never means farther off than the chords may be.
         if (options.ChordTolerance > 0
             && options.LinearTolerance > 0.5 * options.ChordTolerance) options = options with { LinearTolerance = 0.5 * options.ChordTolerance };
-        var work = new Work(options);
+        var work = new Work(options, cancel);
         if (curve is PolylineCurve polyline) return work.Polyline(polyline);
         var spans = curve.Spans();
         if (spans.Count == 0) return new Subdivision([curve.Start, curve.End], false, [true], null);
@@ -47,7 +50,7 @@ public static class CurveSubdivider
         return work.Finish(curve.IsClosed);
     }
 
-    private sealed class Work(SubdivisionOptions options)
+    private sealed class Work(SubdivisionOptions options, CancellationToken cancel)
     {
         private readonly List<Vec3> _points = [];
         private readonly List<bool> _linear = [];
@@ -120,7 +123,7 @@ public static class CurveSubdivider
 
         public void Curved(List<CurveSpan> spans)
         {
-            var run = new CurvedRun(spans, options);
+            var run = new CurvedRun(spans, options, SubdivisionLimitException.MaxPoints - _points.Count, cancel);
             foreach (var point in run.Divide()) Add(point, false);
         }
 

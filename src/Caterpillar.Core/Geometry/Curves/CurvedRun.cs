@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 
 namespace Caterpillar.Geometry;
 
@@ -13,7 +14,6 @@ internal sealed class CurvedRun
     private const double Planned = 0.93;
     private const double Measured = 0.97;
     private const double LargestDensity = 1e4;
-    private const int MaxPoints = 10_000_000;
 
     private readonly SubdivisionOptions _options;
     private readonly ArcLength _length;
@@ -21,9 +21,19 @@ internal sealed class CurvedRun
     private readonly List<(double S, double Amount)> _table = [];
     private readonly List<Vec3> _points = [];
 
-    public CurvedRun(List<CurveSpan> spans, SubdivisionOptions options)
+    private readonly int _mostPoints;
+    private readonly CancellationToken _cancel;
+    private int _pulse;
+
+    /// <param name="spans">The spans, one after the other.</param>
+    /// <param name="options">How they are divided.</param>
+    /// <param name="mostPoints">More points end in a <see cref="SubdivisionLimitException"/>.</param>
+    /// <param name="cancel">Cancels.</param>
+    public CurvedRun(List<CurveSpan> spans, SubdivisionOptions options, int mostPoints, CancellationToken cancel)
     {
         _options = options;
+        _mostPoints = mostPoints;
+        _cancel = cancel;
         _length = ArcLength.Of(spans);
         _longest = options.Distance;
         if (options.MaxLength > 0 && (_longest == 0 || options.MaxLength < _longest)) _longest = options.MaxLength;
@@ -31,7 +41,7 @@ internal sealed class CurvedRun
 
     private bool Adapts => _options.ChordTolerance > 0 || _options.Angle > 0;
 
-    /// <summary>The points behind the start of the run, with its end.</summary>
+    /// <summary>The points after the start of the run, with its end.</summary>
     public List<Vec3> Divide()
     {
         var stations = Adapts ? ByDensity() : ByLength();
@@ -55,7 +65,7 @@ internal sealed class CurvedRun
         var step = Math.Max(_longest, _options.MinLength);
         if (!_options.EqualDivision)
         {
-            var whole = (int)Math.Min(Math.Ceiling(total / step - 1e-9) - 1, MaxPoints);
+            var whole = Count(total / step) - 1;
             // A stub below the minimum is left to the segment before it.
             if (whole > 0 && total - whole * step < _options.MinLength * (1 - 1e-9)) whole--;
             return Stations(Math.Max(whole, 0), k => k * step);
@@ -72,7 +82,7 @@ internal sealed class CurvedRun
         var total = _table[_table.Count - 1].Amount;
         if (!_options.EqualDivision)
         {
-            var whole = (int)Math.Min(Math.Ceiling(total - 1e-9) - 1, MaxPoints);
+            var whole = Count(total) - 1;
             return Stations(Math.Max(whole, 0), k => LengthOf(k));
         }
         var count = Count(total);
@@ -89,14 +99,19 @@ internal sealed class CurvedRun
         return spans[0].Start.DistanceTo(spans[spans.Count - 1].End) <= Curve.JoinTolerance ? Math.Max(count, 3) : count;
     }
 
-    private static int Count(double amount) => (int)Math.Min(Math.Max(Math.Ceiling(amount - 1e-9), 1), MaxPoints);
+    private int Count(double amount)
+        => amount <= _mostPoints ? (int)Math.Max(Math.Ceiling(amount - 1e-9), 1) : throw new SubdivisionLimitException();
 
-    private static int AtLeast(double amount) => (int)Math.Min(Math.Max(Math.Floor(amount + 1e-9), 1), MaxPoints);
+    private int AtLeast(double amount) => (int)Math.Min(Math.Max(Math.Floor(amount + 1e-9), 1), _mostPoints);
 
-    private static double[] Stations(int count, Func<int, double> at)
+    private double[] Stations(int count, Func<int, double> at)
     {
         var stations = new double[count];
-        for (var i = 0; i < count; i++) stations[i] = at(i + 1);
+        for (var i = 0; i < count; i++)
+        {
+            Pulse();
+            stations[i] = at(i + 1);
+        }
         return stations;
     }
 
@@ -134,8 +149,15 @@ internal sealed class CurvedRun
         }
     }
 
+    // Long work hears a wish to stop.
+    private void Pulse()
+    {
+        if ((++_pulse & 0xFFF) == 0) _cancel.ThrowIfCancellationRequested();
+    }
+
     private void Integrate(CurveSpan span, double a, double b, double densityA, double densityB, double speedA, double speedB, int depth)
     {
+        Pulse();
         var middle = 0.5 * (a + b);
         var density = Density(span, middle);
         var speed = SpeedAt(span, middle);
@@ -174,7 +196,9 @@ internal sealed class CurvedRun
 
     private void Add(Station from, Station to, int depth)
     {
-        if (depth < 24 && _points.Count < MaxPoints && (to.S - from.S) * 0.5 >= Math.Max(_options.MinLength, 1e-6) && Fails(from, to))
+        Pulse();
+        if (_points.Count > _mostPoints) throw new SubdivisionLimitException();
+        if (depth < 24 && (to.S - from.S) * 0.5 >= Math.Max(_options.MinLength, 1e-6) && Fails(from, to))
         {
             var s = 0.5 * (from.S + to.S);
             var (leaf, u) = _length.Locate(s);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using Caterpillar.Geometry;
 using NUnit.Framework;
 
@@ -263,5 +264,35 @@ public class SubdivisionTests
         var d = b - a;
         var t = Vec3.Dot(p - a, d) / d.LengthSquared;
         return p.DistanceTo(a + d * Math.Min(Math.Max(t, 0), 1));
+    }
+
+    [TestCase(1e-9, 0, 0)]
+    [TestCase(0, 1e-300, 0)]
+    [TestCase(0, 0, 1e-9)]
+    public void A_division_without_end_is_refused_in_a_sentence(double distance, double tolerance, double angle)
+    {
+        var options = new SubdivisionOptions { Distance = distance, ChordTolerance = tolerance, Angle = angle };
+        foreach (var equal in new[] { true, false })
+        {
+            Assert.That(
+                () => CurveSubdivider.Subdivide(CurveMaker.LineArcLineNurbsLine(), options with { EqualDivision = equal }),
+                Throws.TypeOf<SubdivisionLimitException>().With.Message.Contains("more than 5000000 points"));
+        }
+    }
+
+    [Test]
+    public void A_curve_as_long_as_a_continent_is_refused_at_once()
+    {
+        var far = new NurbsCurve(2, [new(0, 0), new(1e9, 1e9), new(2e9, 0)], [0, 0, 0, 1, 1, 1]);
+        Assert.That(() => CurveSubdivider.Subdivide(far, SubdivisionOptions.ByDistance(0.01)), Throws.TypeOf<SubdivisionLimitException>());
+    }
+
+    [Test]
+    public void A_long_division_hears_a_cancel()
+    {
+        var arc = new NurbsCurve(2, [new(0, 0), new(1e4, 1e4), new(2e4, 0)], [0, 0, 0, 1, 1, 1]);
+        using var stop = new CancellationTokenSource();
+        stop.Cancel();
+        Assert.That(() => CurveSubdivider.Subdivide(arc, SubdivisionOptions.ByDistance(0.01), stop.Token), Throws.InstanceOf<OperationCanceledException>());
     }
 }

@@ -1,0 +1,16 @@
+using System;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>A division asks for more points than can be meant: the distance, tolerance or angle is too small for the curve.</summary>
+public sealed class SubdivisionLimitException : Exception
+{
+    /// <summary>The most points of one curve.</summary>
+    public const int MaxPoints = 5_000_000;
+
+    public SubdivisionLimitException()
+        : base($"The division asks for more than {NumberFormatter.Format(MaxPoints)} points on one curve: use a larger distance, tolerance or angle.")
+    {
+    }
+}
