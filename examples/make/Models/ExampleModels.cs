@@ -4,7 +4,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Examples;
 
-/// <summary>The models in examples/models. All stand on Z = 0, are centerd on X = Y = 0 and are watertight; mm.</summary>
+/// <summary>The models in examples/models. All stand on Z = 0, are centered on X = Y = 0 and are watertight; mm.</summary>
 internal static class ExampleModels
 {
     /// <summary>File names, and how each model is made.</summary>

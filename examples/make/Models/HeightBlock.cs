@@ -7,7 +7,7 @@ namespace Caterpillar.Examples;
 /// <summary>A block on Z = 0 with a rectangle as plan and a height field on top.</summary>
 internal static class HeightBlock
 {
-    /// <summary>Width and depth in mm, centerd; the height in mm is asked at the corners of square cells of a grid.</summary>
+    /// <summary>Width and depth in mm, centered; the height in mm is asked at the corners of square cells of a grid.</summary>
     public static TriMesh Make(double width, double depth, int columns, int rows, Func<int, int, double> height)
     {
         var points = new List<Vec3>();
