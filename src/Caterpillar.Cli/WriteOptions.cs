@@ -60,22 +60,19 @@ internal sealed class WriteOptions
         double mostBytes = double.PositiveInfinity)
     {
         WrittenGCode? written = null;
-        session.Write(file, stream =>
+        session.Write(file, stream => BinaryGCode.WriteAs(file, stream, text =>
         {
             var reason = arguments.GetValue(_reason);
-            using var text = BinaryGCode.IsName(file) ? new MemoryStream() : null;
-            var target = text ?? stream;
             // A bar and the G-code would mix on a terminal.
             var result = file == "-"
-                ? SafeWriter.Write(toolpath, setup, target, reason, null, session.Cancel)
-                : session.Long("Writing", progress => SafeWriter.Write(toolpath, setup, target, reason, progress, session.Cancel));
+                ? SafeWriter.Write(toolpath, setup, text, reason, null, session.Cancel)
+                : session.Long("Writing", progress => SafeWriter.Write(toolpath, setup, text, reason, progress, session.Cancel));
             session.Print(result.Diagnostics);
             written = result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
             if (written.Bytes > mostBytes)
                 throw new CliException(ExitCode.Refused,
                     $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than allowed; nothing was written.");
-            if (text is not null) BinaryGCode.Write(GCodeDocument.FromBytes(text.ToArray()), stream, null, session.Cancel);
-        });
+        }, session.Cancel));
         if (file != "-") session.Messages.WriteLine($"{file}: {Count(written!.Lines)} lines, {Count(written.Bytes)} bytes");
         return written!;
     }

@@ -46,7 +46,7 @@ internal sealed class CheckVerb : Verb
             var name = Session.NameOf(file);
             var toolpath = Decoded(file, name, options, session);
             var findings = session.Long("Checking " + name,
-                progress => LimitCheck.Run(toolpath, SafeEditor.ForFile(setup, toolpath), progress, session.Cancel));
+                progress => LimitCheck.Run(toolpath, LimitCheck.SetupForFile(setup, toolpath), progress, session.Cancel));
             all.AddRange(findings.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }));
         }
         session.WriteText("-", text =>

@@ -65,18 +65,7 @@ internal sealed class ConvertVerb : Verb
         var output = Output(file, arguments);
         var target = Target(arguments);
         var from = CommonOptions.DialectOf(arguments.GetValue(_from));
-        GCodeDocument document;
-        try
-        {
-            using var stream = session.OpenRead(file);
-            document = GCodeDocument.Read(stream, Session.NameOf(file), session.Cancel);
-        }
-        catch (InvalidDataException broken)
-        {
-            session.Print([new Diagnostic(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message,
-                new SourceLocation(Session.NameOf(file)))]);
-            return ExitCode.BadInput;
-        }
+        var document = Read(file, session);
         var decoding = session.Need(session.Long("Reading",
             p => GCodeDecoder.Decode(document,
                 new DecodeOptions { Dialect = from, FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, p,
@@ -112,6 +101,12 @@ internal sealed class ConvertVerb : Verb
             : throw new CliException(ExitCode.Usage, $"--in-place: {file} is packed, and G-code is written unpacked; use --output.");
     }
 
+    private static GCodeDocument Read(string file, Session session)
+    {
+        using var stream = session.OpenRead(file);
+        return session.Need(GCodeDocument.Read(stream, Session.NameOf(file), session.Cancel));
+    }
+
     private DecodedGCode Again(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
         => GCodeDecoder.Decode(text, new DecodeOptions { Dialect = dialect,
             FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, null, session.Cancel).Value!;
@@ -125,7 +120,7 @@ internal sealed class ConvertVerb : Verb
         var setup = _setup.Resolve(arguments, session);
         var decoding = Again(text, dialect, arguments, session);
         return session.Need(session.Long("Checking",
-            p => SafeEditor.ToDocument(decoding, decoding.Toolpath, setup, arguments.GetValue(_reason), null, p, session.Cancel)), ExitCode.Refused);
+            p => SafeWriter.ToDocument(decoding, decoding.Toolpath, setup, arguments.GetValue(_reason), null, p, session.Cancel)), ExitCode.Refused);
     }
 
     // Null where nothing is to be converted.

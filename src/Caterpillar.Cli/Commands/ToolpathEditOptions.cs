@@ -96,7 +96,7 @@ internal sealed class ToolpathEditOptions
     private static Toolpath AtLayer(Toolpath toolpath, int layer, PrinterEvent what)
     {
         var changed = toolpath.InsertAtLayer(layer, what);
-        return !ReferenceEquals(changed, toolpath) ? changed : throw new CliException(ExitCode.Usage, $"There is no layer {NumberFormatter.Format(layer)}.");
+        return changed.Value ?? throw new CliException(ExitCode.Usage, changed.Diagnostics[0].Message);
     }
 
     // Null where nothing is moved.

@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>What checks find along a toolpath: of each kind the first place and a count. Messages are made for the first finding only.</summary>
+/// <summary>What checks find along a toolpath: for each kind the first place and a count. Messages are made for the first finding only.</summary>
 internal sealed class Findings(Toolpath toolpath)
 {
     private readonly DiagnosticList _list = new();
@@ -20,7 +20,7 @@ internal sealed class Findings(Toolpath toolpath)
 
     private SourceLocation? Place(int move)
     {
-        // Before the first move and after the last one there is none to name.
+        // Before the first move and after the last there is none to name.
         if (move < 0 || move >= toolpath.Count) return null;
         var source = toolpath[move].Source;
         return toolpath.Source == MoveSource.Lines

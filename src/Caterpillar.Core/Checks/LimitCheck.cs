@@ -22,7 +22,7 @@ public static class LimitCheck
     /// Errors <c>bed.outside</c>, <c>bed.below</c>, <c>limit.flow</c>, <c>limit.cold_extrusion</c>, <c>limit.tool</c>,
     /// <c>limit.nozzle_temperature</c>, <c>limit.bed_temperature</c>, <c>limit.stationary</c>; warnings (remarks for travels)
     /// <c>limit.speed</c>; the
-    /// source of each is the first such move and its step or line.
+    /// source of each is the first such move with its step or line.
     /// </returns>
     public static IReadOnlyList<Diagnostic> Run(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -42,7 +42,7 @@ public static class LimitCheck
             for (var i = 0; i < columns.Count; i++)
             {
                 var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
-                CheckPlace(columns, i, first + i, start, end, setup.Printer, findings);
+                CheckPosition(columns, i, first + i, start, end, setup.Printer, findings);
                 CheckStationary(toolpath, columns, i, first + i, known ? start : end, end, setup.Printer, findings);
                 if (known) CheckRates(toolpath, columns, i, first + i, start, end, setup, findings);
                 if (columns.E[i] > 0 && nozzles?.At(first + i, columns.Tool[i]) is { } celsius && celsius < needed)
@@ -56,16 +56,31 @@ public static class LimitCheck
         return findings.ToList();
     }
 
-    private static void CheckPlace(ToolpathColumns columns, int i, int move, Vec3 start, Vec3 end, Printer printer, Findings findings)
+    /// <summary>
+    /// The setup to check a decoded file against, which may heat by itself: one that does begins cold; one that leaves the heating to a macro of the firmware
+    /// is taken as hot.
+    /// </summary>
+    public static PrintSetup SetupForFile(PrintSetup setup, Toolpath toolpath)
+    {
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        foreach (var entry in toolpath.Events)
+        {
+            if (entry.Event is NozzleTemperatureEvent) return setup with { Material = setup.Material with { NozzleTemperature = 0 } };
+        }
+        return setup;
+    }
+
+    private static void CheckPosition(ToolpathColumns columns, int i, int move, Vec3 start, Vec3 end, Printer printer, Findings findings)
     {
         var reachable = printer.CanReach(end, Tolerance);
         if (reachable && columns.TryGetArc(i, out var arc))
             reachable = printer.BedShape == BedShape.Round ? ReachesAlong(arc, start, end, printer)
                 : printer.BuildBounds.Contains(arc.Bounds(start, end), Tolerance);
-        if (!reachable) ReportPlace(move, end, printer, findings);
+        if (!reachable) ReportPosition(move, end, printer, findings);
     }
 
-    private static void ReportPlace(int move, Vec3 end, Printer printer, Findings findings)
+    private static void ReportPosition(int move, Vec3 end, Printer printer, Findings findings)
     {
         if (end.Z < -Tolerance && printer.CanReach(end.WithZ(0), Tolerance))
             findings.Add(Severity.Error, "bed.below", move, () => $"A move goes to Z {NumberFormatter.Format(end.Z, 3)} mm, below the bed.");
@@ -89,11 +104,11 @@ public static class LimitCheck
         var printer = setup.Printer;
         if (columns.Tool[i] >= printer.ToolCount) ReportTool(columns.Tool[i], move, printer, findings);
         var speed = columns.Speed[i];
-        var way = end - start;
-        var length = columns.TryGetArc(i, out var arc) ? arc.Length(start, end) : way.Length;
+        var path = end - start;
+        var length = columns.TryGetArc(i, out var arc) ? arc.Length(start, end) : path.Length;
         if (length <= 0 || speed <= 0) return;
-        var most = MostSpeed(way, length, printer.MaxSpeed);
-        // Travels are slowed down without harm; a slow strand is not the one that was asked for.
+        var most = MaxSpeed(path, length, printer.MaxSpeed);
+        // Travels are slowed down without harm; a strand printed more slowly is not the one that was asked for.
         if (speed > most * (1 + 1e-9)) ReportSpeed(columns.Kind[i] == MoveKind.Print ? Severity.Warning
             : Severity.Remark, speed, most, move, printer, findings);
         var limit = setup.MaxFlow;
@@ -126,12 +141,12 @@ public static class LimitCheck
             () => $"A move asks for {NumberFormatter.Format(flow, 2)} mm³/s of material; the limit is {NumberFormatter.Format(limit, 2)} mm³/s.");
 
     // What the axes allow in a direction; an arc is taken by its chord in Z and by the slower of X and Y.
-    private static double MostSpeed(Vec3 way, double length, AxisValues axes)
+    private static double MaxSpeed(Vec3 path, double length, AxisValues axes)
     {
         var most = double.MaxValue;
-        if (way.X != 0) most = Math.Min(most, axes.X * length / Math.Abs(way.X));
-        if (way.Y != 0) most = Math.Min(most, axes.Y * length / Math.Abs(way.Y));
-        if (way.Z != 0) most = Math.Min(most, axes.Z * length / Math.Abs(way.Z));
+        if (path.X != 0) most = Math.Min(most, axes.X * length / Math.Abs(path.X));
+        if (path.Y != 0) most = Math.Min(most, axes.Y * length / Math.Abs(path.Y));
+        if (path.Z != 0) most = Math.Min(most, axes.Z * length / Math.Abs(path.Z));
         return most == double.MaxValue ? Math.Min(axes.X, axes.Y) : most;
     }
 

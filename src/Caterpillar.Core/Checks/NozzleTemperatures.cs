@@ -4,8 +4,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// Temperatures of the nozzles along a toolpath, °C. A command that names no tool is for the tool at work; where the file names none at all, its tools share a
-/// nozzle or are heated alike.
+/// Temperatures of the nozzles along a toolpath, °C. A command that names no tool is for the current tool; where the file names none at all, its tools share a
+/// nozzle or are heated to the same temperature.
 /// </summary>
 internal sealed class NozzleTemperatures(Toolpath toolpath, double initial)
 {
@@ -15,7 +15,7 @@ internal sealed class NozzleTemperatures(Toolpath toolpath, double initial)
     private int _tool;
     private int _next;
 
-    /// <summary>Goes on to a move; moves are asked for in their order.</summary>
+    /// <summary>The temperature of a tool at a move; moves are asked for in order.</summary>
     public double At(int move, int tool)
     {
         for (; _next < toolpath.Events.Count && toolpath.Events[_next].Move <= move; _next++)

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Threading;
@@ -12,7 +11,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// The guard in front of the G-code writer: what would hurt the machine is not written. An override is a reason in words, which stays in the file as a comment.
+/// The guard of all G-code that is written, new or edited: what would hurt the machine is not written. An override is a reason in words, which stays in the
+/// file as a comment.
 /// </summary>
 public static class SafeWriter
 {
@@ -25,35 +25,49 @@ public static class SafeWriter
     /// <param name="path">The file, binary where its name ends in .bgcode; an older one is replaced.</param>
     /// <param name="reason">Why findings of the checks are to be ignored; null where they are not.</param>
     /// <param name="progress">0 to 1.</param>
-    /// <param name="cancel">Cancels; nothing is left behind.</param>
+    /// <param name="cancel">Cancels; no part of the file is left.</param>
     /// <returns>What was written, or none with the findings and <see cref="Refused"/>.</returns>
     /// <exception cref="IOException">The disk failed.</exception>
     public static Result<WrittenGCode> WriteFile(
         Toolpath toolpath, PrintSetup setup, string path, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        if (Prepare(toolpath, setup, reason, progress.Part(0, 0.2), cancel, out var problems,
-            out var overridden) is not { } format) return new Result<WrittenGCode>(null, problems.ToList());
         using var file = new AtomicFile(path);
-        using var text = BinaryGCode.IsName(path) ? new MemoryStream() : null;
-        var written = Write(toolpath, format, text ?? file.Stream, overridden, progress.Part(0.2, 1), cancel);
-        if (text is not null) BinaryGCode.Write(GCodeDocument.FromBytes(text.ToArray()), file.Stream, null, cancel);
-        file.Commit();
-        return new Result<WrittenGCode>(written, problems.ToList());
+        Result<WrittenGCode>? written = null;
+        BinaryGCode.WriteAs(path, file.Stream, text => written = Write(toolpath, setup, text, reason, progress, cancel), cancel);
+        if (written!.Value is not null) file.Commit();
+        return written;
     }
 
-    /// <summary>Checks a toolpath and writes it to a stream; nothing is written where it is refused.</summary>
-    /// <inheritdoc cref="WriteFile" path="/param"/>
+    /// <summary>Checks an edited toolpath and writes the file that it was decoded from again, whole or not at all.</summary>
+    /// <inheritdoc cref="ToDocument(DecodedGCode, Toolpath, PrintSetup, string?, EditOptions?, IProgress{double}?, CancellationToken)" path="/param"/>
+    /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/returns"/>
+    /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/exception"/>
+    public static Result<WrittenGCode> WriteFile(
+        DecodedGCode decoding, Toolpath edited, PrintSetup setup, string path, string? reason = null, EditOptions? code = null,
+        IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        var (document, overridden) = Edited(decoding, edited, setup, reason, code, progress, cancel);
+        document.Value?.WriteFile(path, null, cancel);
+        var written = document.Value is { } text ? new WrittenGCode(text.Length, text.LineCount, overridden) : null;
+        return new Result<WrittenGCode>(written, document.Diagnostics);
+    }
+
+    /// <summary>Checks a toolpath and writes it to a stream, as text; nothing is written where it is refused.</summary>
+    /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     public static Result<WrittenGCode> Write(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
-        if (Prepare(toolpath, setup, reason, progress.Part(0, 0.2), cancel, out var problems,
-            out var overridden) is not { } format) return new Result<WrittenGCode>(null, problems.ToList());
-        return new Result<WrittenGCode>(Write(toolpath, format, stream, overridden, progress.Part(0.2, 1), cancel), problems.ToList());
+        var guard = WriteGuard.Check(toolpath, setup, reason, progress.Part(0, 0.2), cancel);
+        var format = SetupFormat.Of(setup, toolpath);
+        if (guard.Refuses || format.Value is null) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
+        var writer = new GCodeWriter(toolpath, format.Value with { Header = [.. format.Value.Header, .. guard.Comments()] });
+        writer.WriteAll(stream, progress.Part(0.2, 1), cancel);
+        return new Result<WrittenGCode>(new WrittenGCode(writer.Bytes, writer.Lines, guard.Overridden), guard.Remarks(format.Diagnostics));
     }
 
     /// <summary>Checks a toolpath and writes it as a document in memory.</summary>
-    /// <inheritdoc cref="WriteFile" path="/param"/>
+    /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     public static Result<GCodeDocument> ToDocument(
         Toolpath toolpath, PrintSetup setup, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -62,53 +76,38 @@ public static class SafeWriter
         return new Result<GCodeDocument>(written.Value is null ? null : GCodeDocument.FromBytes(memory.ToArray()), written.Diagnostics);
     }
 
-    private static WrittenGCode Write(Toolpath toolpath, GCodeFormat format, Stream stream, int overridden, IProgress<double>? progress,
-        CancellationToken cancel)
+    /// <summary>Checks an edited toolpath and writes the file that it was decoded from again: untouched lines byte for byte.</summary>
+    /// <param name="decoding">The decoded file.</param>
+    /// <param name="edited">Its toolpath after the edits.</param>
+    /// <param name="setup">The printer, material and settings that it is checked against.</param>
+    /// <param name="reason">Why findings of the checks are to be ignored, in words that stay in the file as a comment; null where they are not.</param>
+    /// <param name="code">Other start and end code; what is checked is then what is written, and messages name its lines.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <returns>The file, or none with the findings and <see cref="Refused"/>.</returns>
+    /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
+    public static Result<GCodeDocument> ToDocument(
+        DecodedGCode decoding, Toolpath edited, PrintSetup setup, string? reason = null, EditOptions? code = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+        => Edited(decoding, edited, setup, reason, code, progress, cancel).Document;
+
+    private static (Result<GCodeDocument> Document, int Overridden) Edited(
+        DecodedGCode decoding, Toolpath edited, PrintSetup setup, string? reason, EditOptions? code, IProgress<double>? progress, CancellationToken cancel)
     {
-        var writer = new GCodeWriter(toolpath, format);
-        writer.WriteStart(stream);
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        if (decoding is null) throw new ArgumentNullException(nameof(decoding));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        if (code is { Start: not null } or { End: not null })
         {
-            cancel.ThrowIfCancellationRequested();
-            progress?.Report((double)block / toolpath.Blocks.Count);
-            writer.WriteBlock(stream, block);
+            var replaced = GCodeEditor.ToDocument(decoding, edited, code, null, cancel);
+            if (replaced.Value is null) return (replaced, 0);
+            var options = new DecodeOptions { Dialect = decoding.Dialect, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
+            decoding = GCodeDecoder.Decode(replaced.Value, options, null, cancel).Value!;
+            edited = decoding.Toolpath;
         }
-        writer.WriteEnd(stream);
-        progress?.Report(1);
-        return new WrittenGCode(writer.Bytes, writer.Lines, overridden);
-    }
-
-    private static GCodeFormat? Prepare(
-        Toolpath toolpath, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel, out DiagnosticList problems,
-            out int overridden)
-    {
-        problems = new DiagnosticList();
-        overridden = 0;
-        var findings = LimitCheck.Run(toolpath, setup, progress, cancel);
-        var errors = findings.Where(d => d.Severity == Severity.Error).ToArray();
-        var format = SetupFormat.Of(setup, toolpath);
-        if (format.Value is null || (errors.Length > 0 && !IsReason(reason)))
-        {
-            problems.AddRange(findings);
-            problems.AddRange(format.Diagnostics);
-            var why = reason is not null && !IsReason(reason) ? "An override needs a reason in words." : "Nothing was written.";
-            problems.Add(Severity.Error, Refused, why);
-            return null;
-        }
-        problems.AddRange(findings.Select(d => d.Severity == Severity.Error ? d with { Severity = Severity.Warning } : d));
-        problems.AddRange(format.Diagnostics);
-        if (errors.Length == 0) return format.Value;
-        overridden = errors.Sum(e => e.Count);
-        return format.Value with { Header = [.. format.Value.Header, .. Comments(errors, reason!)] };
-    }
-
-    // A word has a letter; "1" or "!!!" say nothing to the one who reads the file later.
-    internal static bool IsReason(string? reason) => reason is not null && reason.Any(char.IsLetter);
-
-    internal static IEnumerable<string> Comments(IReadOnlyList<Diagnostic> errors, string reason)
-    {
-        yield return "Written in spite of these findings. Reason: "
-            + string.Join(" ", reason.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries));
-        foreach (var error in errors) yield return error.ToString();
+        var guard = WriteGuard.Check(edited, LimitCheck.SetupForFile(setup, edited), reason, progress.Part(0, 0.2), cancel);
+        if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), 0);
+        foreach (var comment in guard.Comments().Reverse()) edited = edited.Insert(0, new CommentEvent(comment));
+        var written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0.2, 1), cancel);
+        return (new Result<GCodeDocument>(written.Value, guard.Remarks(written.Diagnostics)), guard.Overridden);
     }
 }

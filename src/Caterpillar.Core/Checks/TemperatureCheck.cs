@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Temperatures, of the material and of the events along a toolpath, against what hot end and bed stand.</summary>
+/// <summary>Temperatures, of the material and of the events along a toolpath, against the highest that hot end and bed allow.</summary>
 internal static class TemperatureCheck
 {
     /// <summary>Adds errors <c>limit.nozzle_temperature</c> and <c>limit.bed_temperature</c>.</summary>
@@ -37,7 +37,7 @@ internal static class TemperatureCheck
     private static string Sentence(string part, double celsius, double most, Printer printer)
         => most == 0
             ? $"The {part} is to be heated to {Number(celsius)} °C; {printer.Title} cannot heat it."
-            : $"The {part} is to be heated to {Number(celsius)} °C; {printer.Title} stands {Number(most)} °C.";
+            : $"The {part} is to be heated to {Number(celsius)} °C; {printer.Title} allows {Number(most)} °C at most.";
 
     private static string Number(double celsius) => NumberFormatter.Format(celsius, 1);
 }

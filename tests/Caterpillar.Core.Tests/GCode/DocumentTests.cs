@@ -44,7 +44,7 @@ public class DocumentTests
         for (; text.Length < 1_500_000; lines++) text.Append(lines).Append(random.Next(2000) == 0 ? new string('x', 300_000) : "").Append(ends[random.Next(3)])
             .Append(random.Next(50) == 0 ? " " : "#");
         var bytes = Encoding.ASCII.GetBytes(text.ToString());
-        foreach (var document in new[] { GCodeDocument.FromBytes(bytes), GCodeDocument.Read(new MemoryStream(bytes)),
+        foreach (var document in new[] { GCodeDocument.FromBytes(bytes), GCodeDocument.Read(new MemoryStream(bytes)).Value!,
             GCodeDocument.FromBytes(Gzip.Packed(bytes)) })
         {
             Assert.That(document.ToBytes(), Is.EqualTo(bytes));

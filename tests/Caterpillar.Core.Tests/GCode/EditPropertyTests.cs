@@ -19,7 +19,7 @@ public class EditPropertyTests
 
     [Test]
     public void Random_programs_come_back()
-        => ForAll(1, (decoding, random) => RoundTrips.Anew(decoding) ?? RoundTrips.Written(decoding, random.Next(2) == 0));
+        => ForAll(1, (decoding, random) => RoundTrips.RewriteAll(decoding) ?? RoundTrips.Written(decoding, random.Next(2) == 0));
 
     [Test]
     public void What_is_left_after_random_cuts_is_the_kept_moves()
@@ -82,7 +82,7 @@ public class EditPropertyTests
             var back = RoundTrips.Decode(result.Value!, decoding.Dialect);
             var prints = decoding.Toolpath.Moves().Where(m => m.Kind == MoveKind.Print && m.Layer >= 0).Select(m => m.Source).ToArray();
             if (prints.Length == 0) return null;
-            var kept = decoding.Toolpath.Moves().Where(m => m.Source >= decoding.FirstMarkLine && m.Source <= prints[prints.Length - 1]).ToArray();
+            var kept = decoding.Toolpath.Moves().Where(m => m.Source >= decoding.FirstLayerLine && m.Source <= prints[prints.Length - 1]).ToArray();
             var all = back.Toolpath.Moves().ToArray();
             if (all.Length < kept.Length) return "moves are lost";
             return SameMoves.Difference(Part(decoding.Toolpath, kept), Part(back.Toolpath, all.Skip(all.Length - kept.Length).ToArray()),

@@ -62,7 +62,7 @@ public class EditTests
     [Test]
     public void A_pause_is_put_before_its_layer()
     {
-        var edited = Edit(Small, t => t.InsertAtLayer(2, new PauseEvent("magnets")));
+        var edited = Edit(Small, t => t.InsertAtLayer(2, new PauseEvent("magnets")).Value!);
         Assert.That(edited, Is.EqualTo(Small.Replace("G0 X0 Y0 Z0.6\n", "; magnets\nM0\nG0 X0 Y0 Z0.6\n")));
     }
 

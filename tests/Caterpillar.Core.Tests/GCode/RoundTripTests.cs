@@ -16,7 +16,7 @@ public class RoundTripTests
     public void Every_move_marked_as_changed_is_written_anew(string file)
     {
         var decoding = RoundTrips.Decode(GCodeFiles.Document(file), null);
-        Assert.That(RoundTrips.Anew(decoding), Is.Null);
+        Assert.That(RoundTrips.RewriteAll(decoding), Is.Null);
         Assert.That(RoundTrips.Shifted(decoding), Is.Null);
     }
 
@@ -91,7 +91,7 @@ public class RoundTripTests
 
     private static IEnumerable<(string Name, Func<DecodedGCode, string?> Trip)> Trips()
     {
-        yield return ("anew", RoundTrips.Anew);
+        yield return ("anew", RoundTrips.RewriteAll);
         yield return ("shifted", RoundTrips.Shifted);
         yield return ("written relative", d => RoundTrips.Written(d, true));
         yield return ("written absolute", d => RoundTrips.Written(d, false));

@@ -18,8 +18,8 @@ internal static class RoundTrips
     private static readonly Vec3 Shift = new(3, -2, 1);
 
     /// <summary>Every move marked as changed and written in its line.</summary>
-    public static string? Anew(DecodedGCode decoding)
-        => Edited(decoding, decoding.Toolpath, new MoveTolerance { Xyz = 1e-6, E = EDecimal(decoding), Speed = 1e-6 }, new EditOptions { Anew = true });
+    public static string? RewriteAll(DecodedGCode decoding)
+        => Edited(decoding, decoding.Toolpath, new MoveTolerance { Xyz = 1e-6, E = EDecimal(decoding), Speed = 1e-6 }, new EditOptions { RewriteAll = true });
 
     /// <summary>Every move shifted and faster.</summary>
     public static string? Shifted(DecodedGCode decoding)

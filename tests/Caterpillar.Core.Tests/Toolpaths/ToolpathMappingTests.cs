@@ -148,11 +148,11 @@ public class ToolpathMappingTests
     public void A_tool_that_is_put_in_makes_the_moves_up_to_the_next_tool()
     {
         var before = Decode(TwoLayers + ";LAYER:2\nT1\nG0 X0 Y0 Z0.6\nG1 X10 E1\n");
-        var after = before.InsertAtLayer(1, new ToolEvent(2));
+        var after = before.InsertAtLayer(1, new ToolEvent(2)).Value!;
         Assert.That(after.Moves().Select(m => m.Tool), Is.EqualTo(before.Moves().Select(m => m.Layer == 1 ? 2 : m.Layer == 2 ? 1 : 0)));
         Assert.That(after.Tools, Has.Count.EqualTo(3));
         var decoding = DecodeAll(TwoLayers);
-        var edited = decoding.Toolpath.InsertAtLayer(1, new ToolEvent(1));
+        var edited = decoding.Toolpath.InsertAtLayer(1, new ToolEvent(1)).Value!;
         var text = System.Text.Encoding.ASCII.GetString(GCodeEditor.ToDocument(decoding, edited).Value!.ToBytes());
         Assert.That(text, Is.EqualTo(TwoLayers.Replace("G0 X0 Y0 Z0.4 F6000", "T1\nG0 X0 Y0 Z0.4 F6000")));
     }

@@ -184,7 +184,7 @@ public sealed class ToolpathEditTests
             Assert.That(canvas.All("Path"), Is.EqualTo(new object?[] { null }), "Other G-code is not in the file yet.");
             Assert.That(Directory.GetFiles(folder), Has.Length.EqualTo(1));
             canvas.Feed("File", "out.bgcode").Feed("Save", true).Solve();
-            Assert.That(GCodeDocument.ReadFile(Path.Combine(folder, "out.bgcode")).ToBytes(), Is.EqualTo(Encoding.ASCII.GetBytes("\nG28\n")),
+            Assert.That(GCodeDocument.ReadFile(Path.Combine(folder, "out.bgcode")).Value!.ToBytes(), Is.EqualTo(Encoding.ASCII.GetBytes("\nG28\n")),
                 "The name asks for binary code.");
         }
         finally

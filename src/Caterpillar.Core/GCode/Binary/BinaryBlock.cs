@@ -39,11 +39,11 @@ internal sealed class BinaryBlock
     public long Size { get; private init; }
 
     /// <summary>Reads the next block, or null at the end of the file.</summary>
-    /// <param name="file">Stands at the beginning of the block.</param>
+    /// <param name="file">At the beginning of the block.</param>
     /// <param name="summed">Blocks end with a CRC-32.</param>
-    /// <param name="room">Bytes that the block may at most unpack to, for its packed size.</param>
+    /// <param name="limit">The most bytes that the block may unpack to, by its packed size.</param>
     /// <exception cref="InvalidDataException">The block is broken or of an unknown kind.</exception>
-    public static BinaryBlock? Read(Stream file, bool summed, Func<long, long> room)
+    public static BinaryBlock? Read(Stream file, bool summed, Func<long, long> limit)
     {
         var head = new byte[18];
         var have = ReadStream.Fill(file, head, 0, 8);
@@ -67,7 +67,7 @@ internal sealed class BinaryBlock
             if (Crc32.Of(data, 0, data.Length, Crc32.Of(head, 0, header)) != UInt32(sum,
                 0)) throw new InvalidDataException("The checksum of a block is wrong.");
         }
-        if (compression != 0 && plain > room(size)) throw new InvalidDataException("A block claims to unpack to more than it can hold.");
+        if (compression != 0 && plain > limit(size)) throw new InvalidDataException("A block claims to unpack to more than it can hold.");
         var at = header - parameters;
         return new BinaryBlock
         {
@@ -90,7 +90,7 @@ internal sealed class BinaryBlock
 
     public static uint UInt32(byte[] bytes, int at) => (uint)UInt16(bytes, at) | (uint)UInt16(bytes, at + 2) << 16;
 
-    // Grows with what is there: a size that is made up costs nothing.
+    // Grows with what is there: a false size costs nothing.
     private static byte[] Take(Stream file, int size)
     {
         var data = new byte[Math.Min(size, 1 << 20)];
@@ -125,7 +125,7 @@ internal sealed class BinaryBlock
         }
         catch (IOException)
         {
-            // Mono's word for damaged data.
+            // Mono throws this for damaged data.
             throw new InvalidDataException("The deflate data of a block is damaged.");
         }
         var end = packed.Length - 4;

@@ -5,7 +5,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Blocks of binary G-code that are no G-code, as the comments that PrusaSlicer writes for them into text.</summary>
+/// <summary>Blocks of binary G-code other than G-code, as the comments that PrusaSlicer writes for them into text.</summary>
 internal sealed class BinaryComments
 {
     private const int RowLength = 78;

@@ -54,6 +54,21 @@ public static class BinaryGCode
         else document.WriteTo(stream);
     }
 
+    /// <summary>Writes text in the form that the name of its file asks for: binary, or as it is; nothing where there is none.</summary>
+    /// <inheritdoc cref="Write" path="/exception"/>
+    public static void WriteAs(string file, Stream stream, Action<Stream> writeText, CancellationToken cancel = default)
+    {
+        if (writeText is null) throw new ArgumentNullException(nameof(writeText));
+        if (!IsName(file))
+        {
+            writeText(stream);
+            return;
+        }
+        using var text = new MemoryStream();
+        writeText(text);
+        if (text.Length > 0) Write(GCodeDocument.FromBytes(text.ToArray()), stream, null, cancel);
+    }
+
     private static void Code(GCodeDocument document, Stream stream, BinaryTables tables, IProgress<double>? progress, CancellationToken cancel)
     {
         var packed = new MeatPackWriter();

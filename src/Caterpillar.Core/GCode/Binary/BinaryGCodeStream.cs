@@ -15,7 +15,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
     private const int FileHeader = 10;
 
     // All of a file's settings and pictures are in memory; real ones have some 100 KB.
-    private const long MostComments = 256L << 20;
+    private const long MaxComments = 256L << 20;
     private readonly BinaryComments _before = new();
     private readonly BinaryComments _print = new();
     private readonly BinaryComments _settings = new();
@@ -31,7 +31,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
     /// <summary>Bytes of the file that were read.</summary>
     public long Taken => _packed;
 
-    /// <summary>What stands behind the G-code, as far as it is known: files of Prusa tell it before the G-code.</summary>
+    /// <summary>The comments after the G-code, as far as they are known: Prusa's files have them before the G-code.</summary>
     public byte[] Tail => BinaryComments.Join(_print, _settings);
 
     /// <summary>True for the first bytes of a binary file.</summary>
@@ -47,7 +47,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
             _text = Next();
             _at = 0;
             _plain += _text.Length;
-            if (_plain > Room(0)) throw new InvalidDataException(GzipReader.TooLarge);
+            if (_plain > Limit(0)) throw new InvalidDataException(GzipReader.TooLarge);
         }
         var part = Math.Min(count, _text.Length - _at);
         Buffer.BlockCopy(_text, _at, buffer, offset, part);
@@ -62,7 +62,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
     }
 
     // As much as gzip may unpack to.
-    private long Room(long more) => GzipReader.Limit(_packed + more);
+    private long Limit(long more) => GzipReader.Limit(_packed + more);
 
     private void Begin()
     {
@@ -75,11 +75,11 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
         _summed = checksum == 1;
     }
 
-    // The text of the next block of G-code, with what stands before it, or of the end.
+    // The text of the next block of G-code, with the comments before it, or of the end.
     private byte[] Next()
     {
         if (!_begun) Begin();
-        while (BinaryBlock.Read(file, _summed, Room) is { } block)
+        while (BinaryBlock.Read(file, _summed, Limit) is { } block)
         {
             _packed += block.Size;
             switch (block.Kind)
@@ -96,7 +96,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
                     _before.Line("");
                     return BinaryComments.Join(_before, code);
                 case BinaryBlockKind.Thumbnail:
-                    // Behind the G-code it can only stand at the end.
+                    // After the G-code it can only come at the end.
                     (_code ? _print : _before).Picture(block);
                     break;
                 case BinaryBlockKind.File:
@@ -114,7 +114,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
                     if (block.Data.Length > 0) _settings.Settings(block);
                     break;
             }
-            if (_before.Length + _print.Length + _settings.Length > MostComments) throw new InvalidDataException("Its settings and pictures are too large.");
+            if (_before.Length + _print.Length + _settings.Length > MaxComments) throw new InvalidDataException("Its settings and pictures are too large.");
         }
         if (!_code) throw new InvalidDataException("There is no G-code in it; it is cut off.");
         _ended = true;

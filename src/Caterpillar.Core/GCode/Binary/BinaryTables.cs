@@ -7,7 +7,7 @@ using System.Threading;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// The comments of a document that have places of their own in binary G-code: who made it, tables for the printer, pictures, settings. Their lines are left out
+/// The comments of a document that have blocks of their own in binary G-code: who made it, tables for the printer, pictures, settings. Their lines are left out
 /// of the code.
 /// </summary>
 internal sealed class BinaryTables
@@ -130,7 +130,7 @@ internal sealed class BinaryTables
         _empty = -1;
         if (text.Length == 0)
         {
-            // The empty comments in front of a picture and behind it.
+            // The empty comments before and after a picture.
             if (after) _held[line] = true;
             else _empty = line;
         }
@@ -200,7 +200,7 @@ internal sealed class BinaryTables
             _lines.Add(text);
             return;
         }
-        // What cannot be taken in stays a comment.
+        // What fits into no table stays a comment.
         if (Close())
         {
             foreach (var taken in _pending) _held[taken] = true;

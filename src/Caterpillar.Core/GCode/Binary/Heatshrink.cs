@@ -46,7 +46,7 @@ internal static class Heatshrink
         return data;
     }
 
-    /// <summary>Packs bytes; of the places where they stood before the nearest thirty-two of the same three bytes are tried.</summary>
+    /// <summary>Packs bytes; of earlier positions with the same three bytes the nearest thirty-two are tried.</summary>
     public static byte[] Pack(byte[] data, int window, int lookahead)
     {
         const int Tries = 32, Shortest = 3;

@@ -35,7 +35,7 @@ internal sealed class MeatPack
             }
             else
             {
-                // One alone is no signal.
+                // A single one is not a signal.
                 if (signals == 1) reader.Data(Signal);
                 signals = 0;
                 reader.Data(c);
@@ -90,7 +90,7 @@ internal sealed class MeatPack
             return;
         }
         Put(Character(first));
-        // Behind a line end the second half only fills the byte.
+        // After a line end the second half only fills the byte.
         if (first == 12) return;
         if (second == 15) _whole = 1;
         else Put(Character(second));
@@ -98,7 +98,7 @@ internal sealed class MeatPack
 
     private byte Character(int code) => _noSpaces && code == 11 ? (byte)'E' : (byte)Characters[code];
 
-    // Without blanks the words of a packed G line get theirs back.
+    // The words of a packed G line without spaces get theirs back.
     private void Put(byte c)
     {
         if (_count + 2 > _out.Length) Array.Resize(ref _out, _out.Length * 2);

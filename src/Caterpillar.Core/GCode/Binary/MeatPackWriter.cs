@@ -3,7 +3,7 @@ using System;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Packs lines with MeatPack (Scott Mudge), blanks of G lines left out, so that every reader gives back the same line: what would not come back as it was is
+/// Packs lines with MeatPack (Scott Mudge), the spaces of G lines left out, so that every reader gives back the same line: what would not come back as it was is
 /// not packed.
 /// </summary>
 internal sealed class MeatPackWriter
@@ -22,7 +22,7 @@ internal sealed class MeatPackWriter
         // Prusa's own reader loses a character where a block grows to more than twice its size; commands that change nothing keep it below.
         while (2 * _count <= _grown + 64)
         {
-            Room(0);
+            EnsureSpace(0);
             Command(251);
         }
         var bytes = new byte[_count];
@@ -34,11 +34,11 @@ internal sealed class MeatPackWriter
     /// <summary>Adds a line, without its end.</summary>
     public void Line(byte[] text, int start, int end)
     {
-        Room(end - start);
+        EnsureSpace(end - start);
         var plain = end > start && text[start] == 'G';
         var good = end > start && text[start] != ';' && (!plain || Comes(text, start, end));
         if (good != _packed) Switch(good);
-        // They also part what stands in a G line that is not packed.
+        // They also separate the words of a G line that is not packed.
         _grown += (plain && !good ? 2 : 1) * (end - start + 1);
         if (!good)
         {
@@ -63,7 +63,7 @@ internal sealed class MeatPackWriter
         if (first >= 0) Pair((byte)first, (byte)'\n');
     }
 
-    // A G line whose words are apart by one blank each, which readers put back.
+    // A G line whose words are separated by single spaces, which readers put back.
     private static bool Comes(byte[] text, int start, int end)
     {
         for (var at = start + 1; at < end; at++)
@@ -76,7 +76,7 @@ internal sealed class MeatPackWriter
         return true;
     }
 
-    // Letters before which readers put the blanks of G lines back.
+    // Letters before which readers put the spaces of G lines back.
     private static bool IsWord(byte c)
         => c is (byte)'A' or (byte)'C' or >= (byte)'E' and <= (byte)'J' or (byte)'P' or (byte)'R' or (byte)'S' or >= (byte)'W' and <= (byte)'Z';
 
@@ -89,7 +89,7 @@ internal sealed class MeatPackWriter
         if (b == 15) _out[_count++] = second;
     }
 
-    private void Room(int bytes)
+    private void EnsureSpace(int bytes)
     {
         if (_count + 3 * bytes + 16 > _out.Length) Array.Resize(ref _out, Math.Max(_out.Length * 2, _count + 3 * bytes + 16));
     }

@@ -6,7 +6,7 @@ using System.Threading.Tasks;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Parses chunks on several threads and hands them over in their order, so that the state of the machine is followed by one thread while others read ahead.
+/// Parses chunks on several threads and hands them over in their order, so that one thread follows the state of the machine while others read ahead.
 /// With one thread nothing is started.
 /// </summary>
 internal static class ChunkPipeline

@@ -27,7 +27,7 @@ internal enum CommentKind : byte
     Setting,
 }
 
-/// <summary>What a comment says about the moves behind it.</summary>
+/// <summary>What a comment says about the moves after it.</summary>
 internal struct CommentMeaning
 {
     public CommentKind Kind;
@@ -97,7 +97,7 @@ internal static class CommentReader
         }
     }
 
-    /// <summary>The role that a whole comment names (Simplify3D, and Slic3r behind its moves).</summary>
+    /// <summary>The role that a whole comment names (Simplify3D, and Slic3r after its moves).</summary>
     public static Role? WholeRole(byte[] text, int start, int end)
     {
         var at = start + 1;

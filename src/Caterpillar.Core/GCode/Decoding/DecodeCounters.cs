@@ -32,9 +32,9 @@ internal sealed class DecodeCounters
     public double EMarlin2;
     public int ZChanges;
 
-    public readonly Box PrintEnds = new();
-    public readonly Box PrintStarts = new();
-    public readonly Box TravelEnds = new();
+    public readonly GrowingBox PrintEnds = new();
+    public readonly GrowingBox PrintStarts = new();
+    public readonly GrowingBox TravelEnds = new();
 
     private readonly HashSet<long> _heights = [];
     private readonly HashSet<long> _flatHeights = [];
@@ -57,34 +57,4 @@ internal sealed class DecodeCounters
     public void FlatAt(double z) => _flatHeights.Add(Micrometers(z));
 
     private static long Micrometers(double z) => z is > -1e15 and < 1e15 ? (long)Math.Floor(z * 1000 + 0.5) : z > 0 ? long.MaxValue : long.MinValue + 1;
-}
-
-/// <summary>A box that grows in place.</summary>
-internal sealed class Box
-{
-    public double MinX = double.PositiveInfinity;
-    public double MinY = double.PositiveInfinity;
-    public double MinZ = double.PositiveInfinity;
-    public double MaxX = double.NegativeInfinity;
-    public double MaxY = double.NegativeInfinity;
-    public double MaxZ = double.NegativeInfinity;
-
-    public bool IsEmpty => MinX > MaxX;
-
-    public void Include(double x, double y, double z)
-    {
-        if (x < MinX) MinX = x;
-        if (x > MaxX) MaxX = x;
-        if (y < MinY) MinY = y;
-        if (y > MaxY) MaxY = y;
-        if (z < MinZ) MinZ = z;
-        if (z > MaxZ) MaxZ = z;
-    }
-
-    public void Include(Box other)
-    {
-        if (other.IsEmpty) return;
-        Include(other.MinX, other.MinY, other.MinZ);
-        Include(other.MaxX, other.MaxY, other.MaxZ);
-    }
 }

@@ -7,14 +7,14 @@ namespace Caterpillar.GCode;
 /// <summary>When E counts as printing.</summary>
 public enum ExtrusionRule
 {
-    /// <summary>Only where it exceeds what was retracted, for each tool apart.</summary>
+    /// <summary>Only where it exceeds what was retracted, for each tool by itself.</summary>
     Balance,
 
     /// <summary>Whenever E rises in a motion (the rule of the Caterpillar paper, and of the test data).</summary>
     Rising,
 }
 
-/// <summary>How a file is decoded.</summary>
+/// <summary>Options of decoding.</summary>
 public sealed record DecodeOptions
 {
     /// <summary>The dialect, or null to detect it from the file.</summary>

@@ -7,8 +7,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// What a file does, in numbers. Lengths in mm, E in mm of filament (mm³ in volumetric files); positions as written in the file. Start and end code are not
-/// left out.
+/// What a file does, in numbers. Lengths in mm, E in mm of filament (mm³ in volumetric files); positions as written in the file. Start and end code are
+/// included.
 /// </summary>
 public sealed record DecodeReport
 {
@@ -74,7 +74,7 @@ public sealed record DecodeReport
 
     public double ENet { get; init; }
 
-    /// <summary>Highest value of the running sum, for each tool apart and added up: what slicers call filament used.</summary>
+    /// <summary>Highest value of the running sum, for each tool by itself, added up: what slicers call filament used.</summary>
     public double EUsed { get; init; }
 
     public IReadOnlyList<KeyValuePair<int, double>> EUsedByTool { get; init; } = [];
@@ -95,13 +95,16 @@ public sealed record DecodeReport
 
     public Vec3 EndPosition { get; init; }
 
-    /// <summary>Numbers of lines with the things that make a dialect.</summary>
+    /// <summary>Number of lines with each notation by which dialects differ.</summary>
     public IReadOnlyList<KeyValuePair<string, int>> Features { get; init; } = [];
 
     public bool ByteOrderMark { get; init; }
 
     /// <summary>The pictures of the print in its comments, in their order.</summary>
     public IReadOnlyList<Thumbnail> Thumbnails { get; init; } = [];
+
+    /// <summary>The numbers of the report by their names in JSON; amounts are null where the file has none.</summary>
+    public IReadOnlyList<KeyValuePair<string, double?>> ToValues() => [.. Moves(), .. LayerHeights()];
 
     /// <summary>The report as a JSON object; amounts are null where the file has none.</summary>
     public string ToJson(string indent = "")
@@ -111,35 +114,10 @@ public sealed record DecodeReport
         if (Sha256.Length > 0) json.Text("sha256_unpacked", Sha256);
         json.Number("bytes_unpacked", Bytes);
         json.Text("extrusion_axis", ExtrusionAxis);
-        json.Number("print_segments", PrintSegments);
-        json.Number("travel_segments", TravelSegments);
-        json.Number("travel_with_retract", TravelsWithRetract);
-        json.Number("print_arcs", PrintArcs);
-        json.Number("travel_arcs", TravelArcs);
-        json.Number("print_g0", PrintsByG0);
-        json.Number("travel_g1", TravelsByG1);
-        json.Number("rapid_moves_g0", RapidMoves);
-        json.Number("feed_moves_g123", FeedMoves);
-        json.Number("retracts", Retracts);
-        json.Number("unretracts", Unretracts);
-        json.Number("fw_retracts", FirmwareRetracts);
-        json.Number("fw_unretracts", FirmwareUnretracts);
-        json.Number("noops", NoOps);
-        json.Number("tool_changes", ToolChanges);
-        json.Number("layer_marks", LayerMarks);
-        json.Raw("print_length", JsonLines.Number(PrintLength));
-        json.Raw("print_length_xy", JsonLines.Number(PrintLengthXY));
-        json.Raw("travel_length", JsonLines.Number(TravelLength));
-        json.Raw("e_positive", Amount(EPositive));
-        json.Raw("e_negative", Amount(ENegative));
-        json.Raw("e_print", Amount(EPrint));
-        json.Raw("e_net", Amount(ENet));
-        json.Raw("e_used", Amount(EUsed));
+        json.Numbers(Moves());
         if (HasAmounts && EUsedByTool.Count > 1) json.Raw("e_used_by_tool", ByTool());
-        if (HasAmounts && EByMarlin2Rule is { } other) json.Raw("e_total_marlin2_rule", Amount(other));
-        json.Number("layers_z", Heights);
-        json.Number("layers_flat", FlatHeights);
-        json.Number("z_changes_of_print", HeightChanges);
+        if (HasAmounts && EByMarlin2Rule is { } other) json.Raw("e_total_marlin2_rule", JsonLines.Number(other));
+        json.Numbers(LayerHeights());
         json.Raw("print_box", JsonLines.Box(PrintBounds));
         json.Raw("all_moves_box", JsonLines.Box(AllBounds));
         json.Raw("end_position", JsonLines.Point(EndPosition));
@@ -148,7 +126,42 @@ public sealed record DecodeReport
         return json.ToString();
     }
 
-    private string Amount(double value) => HasAmounts ? JsonLines.Number(value) : "null";
+    private KeyValuePair<string, double?>[] Moves() =>
+    [
+        new("print_segments", PrintSegments),
+        new("travel_segments", TravelSegments),
+        new("travel_with_retract", TravelsWithRetract),
+        new("print_arcs", PrintArcs),
+        new("travel_arcs", TravelArcs),
+        new("print_g0", PrintsByG0),
+        new("travel_g1", TravelsByG1),
+        new("rapid_moves_g0", RapidMoves),
+        new("feed_moves_g123", FeedMoves),
+        new("retracts", Retracts),
+        new("unretracts", Unretracts),
+        new("fw_retracts", FirmwareRetracts),
+        new("fw_unretracts", FirmwareUnretracts),
+        new("noops", NoOps),
+        new("tool_changes", ToolChanges),
+        new("layer_marks", LayerMarks),
+        new("print_length", PrintLength),
+        new("print_length_xy", PrintLengthXY),
+        new("travel_length", TravelLength),
+        new("e_positive", Amount(EPositive)),
+        new("e_negative", Amount(ENegative)),
+        new("e_print", Amount(EPrint)),
+        new("e_net", Amount(ENet)),
+        new("e_used", Amount(EUsed)),
+    ];
+
+    private KeyValuePair<string, double?>[] LayerHeights() =>
+    [
+        new("layers_z", Heights),
+        new("layers_flat", FlatHeights),
+        new("z_changes_of_print", HeightChanges),
+    ];
+
+    private double? Amount(double value) => HasAmounts ? value : null;
 
     private string ByTool()
     {

@@ -34,7 +34,7 @@ public sealed class DecodedGCode
     /// <summary>The dialect by which it was read.</summary>
     public DialectRules Dialect { get; }
 
-    /// <summary>Why this dialect, in sentences; empty where it was given.</summary>
+    /// <summary>Why it was read in this dialect, in sentences; empty where the dialect was given.</summary>
     public IReadOnlyList<string> Evidence { get; }
 
     /// <summary>Settings that the slicer left in comments.</summary>
@@ -50,7 +50,7 @@ public sealed class DecodedGCode
 
     internal ExtrusionAxis Axis { get; init; } = ExtrusionAxis.None;
 
-    /// <summary>The last line that changes how E is read.</summary>
+    /// <summary>The last line that changes a mode.</summary>
     internal int LastModeLine { get; init; }
 
     /// <summary>True when words turn rotary axes.</summary>
@@ -67,7 +67,7 @@ public sealed class DecodedGCode
     }
 
     /// <summary>The line where the first layer begins, or 0.</summary>
-    internal int FirstMarkLine { get; init; }
+    internal int FirstLayerLine { get; init; }
 
     /// <summary>For a panel: moves, layers and dialect.</summary>
     public override string ToString()

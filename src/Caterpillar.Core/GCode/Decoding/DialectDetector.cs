@@ -10,9 +10,9 @@ internal static class DialectDetector
 {
     private const int Head = 96 * 1024;
     private const int Tail = 96 * 1024;
-    private const int MostHead = 8 * 1024 * 1024;
+    private const int MaxHead = 8 * 1024 * 1024;
 
-    // Commands and words, as they begin a line, that tell a firmware.
+    // Commands, as they begin a line, that only one firmware has.
     private static readonly (string Start, string Name, string Why)[] Commands =
     [
         ("SET_VELOCITY_LIMIT", "klipper", "the extended command SET_VELOCITY_LIMIT"),
@@ -46,7 +46,7 @@ internal static class DialectDetector
         name ??= Declared(text, evidence) ?? ByCommand(text, evidence) ?? ByFlavor(text, evidence);
         if (name is null && axis == ExtrusionAxis.Switched)
         {
-            evidence.Add("M101 and M103 switch the extruder, and no word has amounts.");
+            evidence.Add("M101 and M103 switch the extruder, and there are no amounts of E.");
             name = "bfb";
         }
         if (name is null && (axis == ExtrusionAxis.A || axis == ExtrusionAxis.Both || axis == ExtrusionAxis.B))
@@ -59,7 +59,7 @@ internal static class DialectDetector
         if (name is null && axis == ExtrusionAxis.None
             && (text.IndexOf("\nM3 ", StringComparison.Ordinal) >= 0 || text.IndexOf("\nM5", StringComparison.Ordinal) >= 0))
         {
-            evidence.Add("Nothing extrudes, and M3 or M5 switch a spindle.");
+            evidence.Add("Nothing extrudes, and M3 or M5 switches a spindle.");
             name = "grbl";
         }
         if (name is null) return new Detection(DialectTable.Marlin2, ["Nothing in the file says which firmware it is for."], true);
@@ -94,7 +94,7 @@ internal static class DialectDetector
             while (end < text.Length && text[end] != '\n' && text[end] != '\r') end++;
             var flavor = text.Substring(at + key.Length, end - at - key.Length).Trim();
             var plain = flavor.ToLowerInvariant();
-            // Cura calls Marlin 1 and 2 alike.
+            // Cura has one name for Marlin 1 and 2.
             if (plain == "marlin" && key[1] == 'F') plain = "marlin2";
             if (OfFlavor(plain) is not { } found) continue;
             evidence.Add("A comment says: " + text.Substring(at, end - at).Trim());
@@ -134,10 +134,10 @@ internal static class DialectDetector
         return text.Replace('\r', '\n').ToString();
     }
 
-    // Adds the beginning without its pictures, which may be larger than all that is looked at; where it ends.
+    // Adds the beginning without its thumbnails, which may be larger than all that is searched; returns where it ends.
     private static (int Chunk, int End) Beginning(IReadOnlyList<GCodeChunk> chunks, System.Text.StringBuilder text)
     {
-        var picture = false;
+        var inThumbnail = false;
         var seen = 0;
         for (var i = 0; ; i++)
         {
@@ -146,18 +146,18 @@ internal static class DialectDetector
             while (at < chunk.End && text.Length < Head)
             {
                 var end = Math.Min(LineEnds.Next(chunk.Text, at, chunk.End), at + Head);
-                var edge = chunk.Text[at] == ';' ? PictureEdge(TextEncoding.Decode(chunk.Text, at, Math.Min(end, at + 60))) : 0;
-                if (edge != 0) picture = edge > 0;
-                else if (!picture) text.Append(TextEncoding.Decode(chunk.Text, at, end));
+                var edge = chunk.Text[at] == ';' ? ThumbnailEdge(TextEncoding.Decode(chunk.Text, at, Math.Min(end, at + 60))) : 0;
+                if (edge != 0) inThumbnail = edge > 0;
+                else if (!inThumbnail) text.Append(TextEncoding.Decode(chunk.Text, at, end));
                 at = end;
             }
             seen += chunk.Length;
-            if (text.Length >= Head || seen > MostHead || i + 1 == chunks.Count) return (i, at);
+            if (text.Length >= Head || seen > MaxHead || i + 1 == chunks.Count) return (i, at);
         }
     }
 
-    // 1 at the beginning of a picture, -1 at its end.
-    private static int PictureEdge(string line)
+    // 1 at the beginning of a thumbnail, -1 at its end.
+    private static int ThumbnailEdge(string line)
     {
         if (!line.StartsWith("; thumbnail", StringComparison.Ordinal)) return 0;
         if (line.IndexOf(" begin ", StringComparison.Ordinal) > 0) return 1;
@@ -165,5 +165,5 @@ internal static class DialectDetector
     }
 }
 
-/// <summary>The dialect of a file, why, and whether it is a mere default.</summary>
+/// <summary>The dialect of a file, why, and whether it is only the default.</summary>
 internal readonly record struct Detection(DialectRules Dialect, IReadOnlyList<string> Evidence, bool IsDefault);

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Caterpillar.GCode;
 
-/// <summary>How often the things occur that make a dialect: numbers of lines.</summary>
+/// <summary>How many lines have each notation by which dialects differ.</summary>
 internal sealed class Features
 {
     public int Lines;

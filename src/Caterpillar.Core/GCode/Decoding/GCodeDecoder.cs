@@ -11,7 +11,7 @@ using Caterpillar.Machines;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Reads G-code into a Toolpath. Any bytes decode to something: what a line means to no firmware is counted and reported, never fatal. The rules of each
+/// Reads G-code into a Toolpath. Any bytes decode to something: what no firmware understands is counted and reported, never fatal. The rules of each
 /// firmware are data (<see cref="DialectRules"/>); with the dialect <c>slicer</c> and <see cref="ExtrusionRule.Rising"/> they are those of slicers' own
 /// viewers.
 /// </summary>
@@ -103,29 +103,28 @@ public static class GCodeDecoder
             while (chunks.MoveNext()) yield return chunks.Current;
         }
         var axis = ExtrusionAxis.Detect(Head());
-        var told = new List<GCodeChunk>(head);
-        // Binary G-code tells its end once it was begun.
-        if ((tail ?? source.Tail()) is { } end) told.Add(end);
-        return Run(null, All(), axis, source.Done, name, options, progress, cancel, told, source.Notes, () => source.PackedTail(cancel));
+        var searched = new List<GCodeChunk>(head);
+        // The end of binary G-code is known once reading has begun.
+        if ((tail ?? source.Tail()) is { } end) searched.Add(end);
+        return Run(null, All(), axis, source.Done, name, options, progress, cancel, searched, source.Notes, () => source.PackedTail(cancel));
     }
 
-    private static Result<DecodedGCode> Broken(InvalidDataException broken, string name)
-        => new(null, [new Diagnostic(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message, name.Length > 0 ? new SourceLocation(name)
-            : null)]);
+    private static Result<DecodedGCode> Broken(InvalidDataException broken, string name) => new(null, [GCodeDocument.Broken(broken, name)]);
 
     private static Result<DecodedGCode> Run(
         GCodeDocument? document, IEnumerable<GCodeChunk> chunks, ExtrusionAxis axis, Func<long, double> share, string name, DecodeOptions options,
             IProgress<double>? progress, CancellationToken cancel,
-        IReadOnlyList<GCodeChunk> told, Func<IReadOnlyList<Diagnostic>> notes, Func<GCodeChunk?>? late = null)
+        IReadOnlyList<GCodeChunk> searched, Func<IReadOnlyList<Diagnostic>> notes, Func<GCodeChunk?>? late = null)
     {
-        Detection? detected = options.Dialect is null ? DialectDetector.Detect(told, axis) : null;
-        if (detected is { IsDefault: true } && late?.Invoke() is { } end) detected = DialectDetector.Detect([.. told, end], axis);
+        Detection? detected = options.Dialect is null ? DialectDetector.Detect(searched, axis) : null;
+        if (detected is { IsDefault: true } && late?.Invoke() is { } end) detected = DialectDetector.Detect([.. searched, end], axis);
         var rules = options.Dialect ?? detected!.Value.Dialect;
         var given = axis;
         axis = axis.In(rules);
-        var core = new DecoderCore(rules, options.Rule, axis);
-        if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched)) core.Diagnostics.Add(Severity.Warning, "gcode.no_extruder",
-            rules.Title + " knows no extruder by " + given.Name + ": what the file says of extrusion is left out.");
+        var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
+        var problems = interpreter.Machine.Diagnostics.List;
+        if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched)) problems.Add(Severity.Warning, "gcode.no_extruder",
+            rules.Title + " has no extruder on " + given.Name + ": extrusion is left out.");
         var lines = 0;
         var mark = false;
         var checkpoints = document is null ? null : new List<Checkpoint>(document.Chunks.Count);
@@ -137,34 +136,34 @@ public static class GCodeDecoder
             (parser, done) =>
             {
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
-                checkpoints?.Add(new Checkpoint(lines, core.Save(), core.LastEvents.Count));
-                core.Run(parser, lines);
+                checkpoints?.Add(new Checkpoint(lines, interpreter.Save(), interpreter.LastEvents.Count));
+                interpreter.Run(parser, lines);
                 lines = GCodeDocument.AddLines(lines, parser.Lines);
                 bytes = done;
                 if (progress is not null && share(done) is >= 0 and var part) progress.Report(part);
             },
             cancel);
-        core.Diagnostics.AddRange(notes());
-        core.ReportIgnored();
+        problems.AddRange(notes());
+        interpreter.Machine.Ignored.Report();
         if (detected is { } found && found.IsDefault)
-            core.Diagnostics.Add(Severity.Remark, "gcode.dialect_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
-        if (detected is { IsDefault: true } && core.Settings.TryGetValue("gcode_flavor", out var flavor) && DialectDetector.OfFlavor(flavor) is { } meant
-            && meant != rules.Name)
-            core.Diagnostics.Add(Severity.Warning, "gcode.dialect_late", "The settings at the end of the file name the flavor \"" + flavor
+            problems.Add(Severity.Remark, "gcode.dialect_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
+        if (detected is { IsDefault: true } && interpreter.Comments.Settings.TryGetValue("gcode_flavor", out var flavor)
+            && DialectDetector.OfFlavor(flavor) is { } meant && meant != rules.Name)
+            problems.Add(Severity.Warning, "gcode.dialect_late", "The settings at the end of the file name the G-code flavor \"" + flavor
                 + "\"; it was read as " + rules.Title + ". State the dialect.");
-        var settings = core.Settings.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
-        var toolpath = core.Finish(FilamentFactors.Of(settings, options.FilamentDiameter));
-        var report = Reports.Of(core, axis, name, bytes, mark);
-        var diagnostics = core.Diagnostics.ToList();
+        var settings = interpreter.Comments.Settings.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
+        var toolpath = interpreter.ToToolpath(FilamentFactors.Of(settings, options.FilamentDiameter));
+        var report = Reports.Of(interpreter, axis, name, bytes, mark);
+        var diagnostics = problems.ToList();
         if (name.Length > 0) diagnostics = diagnostics.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }).ToList();
         return new Result<DecodedGCode>(
             new DecodedGCode(document, toolpath, report, rules, detected?.Evidence
-                ?? [], settings, core.IgnoredCommands.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal), options.Rule)
+                ?? [], settings, interpreter.Machine.Ignored.Counts.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal), options.Rule)
             {
                 Checkpoints = checkpoints?.ToArray() ?? [],
                 Axis = axis,
-                LastModeLine = core.LastModeLine,
-                FirstMarkLine = core.FirstMarkLine,
+                LastModeLine = interpreter.Machine.LastModeLine,
+                FirstLayerLine = interpreter.Comments.FirstLayerLine,
             },
             diagnostics);
     }

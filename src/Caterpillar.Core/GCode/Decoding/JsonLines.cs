@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Text;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -21,6 +22,12 @@ internal sealed class JsonLines
         => _text.Append(_text.Length > 1 ? ",\n" : "\n").Append(_indent).Append("  \"").Append(key).Append("\": ").Append(value);
 
     public void Number(string key, long value) => Raw(key, NumberFormatter.Format(value));
+
+    /// <summary>Numbers with their keys; null is null.</summary>
+    public void Numbers(IEnumerable<KeyValuePair<string, double?>> numbers)
+    {
+        foreach (var pair in numbers) Raw(pair.Key, pair.Value is { } value ? Number(value) : "null");
+    }
 
     public void Text(string key, string value) => Raw(key, Quoted(value));
 

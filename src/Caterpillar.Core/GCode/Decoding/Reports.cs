@@ -1,67 +1,64 @@
 using System;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Makes the report from the sums.</summary>
+/// <summary>Makes the report of a decoded file from its counters.</summary>
 internal static class Reports
 {
-    public static DecodeReport Of(DecoderCore core, ExtrusionAxis axis, string name, long bytes, bool mark)
+    public static DecodeReport Of(GCodeInterpreter interpreter, ExtrusionAxis axis, string name, long bytes, bool mark)
     {
-        var tally = core.DecodeCounters;
-        var used = core.UsedByTool();
+        var machine = interpreter.Machine;
+        var counters = machine.Counters;
+        var used = machine.Extruders.UsedByTool();
         var sum = 0.0;
         foreach (var tool in used) sum += tool.Value;
-        var prints = new Box();
-        prints.Include(tally.PrintStarts);
-        prints.Include(tally.PrintEnds);
-        var all = new Box();
-        all.Include(tally.PrintEnds);
-        all.Include(tally.TravelEnds);
+        var prints = new GrowingBox();
+        prints.Include(counters.PrintStarts);
+        prints.Include(counters.PrintEnds);
+        var all = new GrowingBox();
+        all.Include(counters.PrintEnds);
+        all.Include(counters.TravelEnds);
         return new DecodeReport
         {
             File = name,
             Bytes = bytes,
             ExtrusionAxis = axis.Name,
             HasAmounts = axis.HasAmounts || axis == ExtrusionAxis.None,
-            PrintSegments = tally.Prints,
-            TravelSegments = tally.Travels,
-            TravelsWithRetract = tally.TravelsWithRetract,
-            PrintArcs = tally.PrintArcs,
-            TravelArcs = tally.TravelArcs,
-            PrintsByG0 = tally.PrintsG0,
-            TravelsByG1 = tally.TravelsG1,
-            RapidMoves = tally.Rapids,
-            FeedMoves = tally.Feeds,
-            Retracts = tally.Retracts,
-            Unretracts = tally.Unretracts,
-            FirmwareRetracts = tally.FirmwareRetracts,
-            FirmwareUnretracts = tally.FirmwareUnretracts,
-            NoOps = tally.NoOps,
-            ToolChanges = tally.ToolChanges,
-            LayerMarks = tally.LayerMarks,
-            PrintLength = tally.PrintLength,
-            PrintLengthXY = tally.PrintLengthXY,
-            TravelLength = tally.TravelLength,
-            EPositive = tally.EPositive,
-            ENegative = tally.ENegative,
-            EPrint = tally.EPrint,
-            ENet = tally.ENet,
+            PrintSegments = counters.Prints,
+            TravelSegments = counters.Travels,
+            TravelsWithRetract = counters.TravelsWithRetract,
+            PrintArcs = counters.PrintArcs,
+            TravelArcs = counters.TravelArcs,
+            PrintsByG0 = counters.PrintsG0,
+            TravelsByG1 = counters.TravelsG1,
+            RapidMoves = counters.Rapids,
+            FeedMoves = counters.Feeds,
+            Retracts = counters.Retracts,
+            Unretracts = counters.Unretracts,
+            FirmwareRetracts = counters.FirmwareRetracts,
+            FirmwareUnretracts = counters.FirmwareUnretracts,
+            NoOps = counters.NoOps,
+            ToolChanges = counters.ToolChanges,
+            LayerMarks = counters.LayerMarks,
+            PrintLength = counters.PrintLength,
+            PrintLengthXY = counters.PrintLengthXY,
+            TravelLength = counters.TravelLength,
+            EPositive = counters.EPositive,
+            ENegative = counters.ENegative,
+            EPrint = counters.EPrint,
+            ENet = counters.ENet,
             EUsed = sum,
             EUsedByTool = used,
-            EByMarlin2Rule = core.EByMarlin2Rule is { } other && Math.Abs(other - tally.ENet) > 1e-3 ? other : null,
-            Heights = tally.Heights,
-            FlatHeights = tally.FlatHeights,
-            HeightChanges = tally.ZChanges,
-            PrintBounds = ToBounds(prints),
-            AllBounds = ToBounds(all),
-            EndPosition = core.Position,
-            Features = core.Features.ToList(),
+            EByMarlin2Rule = machine.State.Extrusion.HasMarlin2E && Math.Abs(counters.EMarlin2 - counters.ENet) > 1e-3 ? counters.EMarlin2 : null,
+            Heights = counters.Heights,
+            FlatHeights = counters.FlatHeights,
+            HeightChanges = counters.ZChanges,
+            PrintBounds = prints.ToBounds(),
+            AllBounds = all.ToBounds(),
+            EndPosition = machine.State.Head.Written,
+            Features = machine.Features.ToList(),
             ByteOrderMark = mark,
-            Thumbnails = core.Thumbnails,
+            Thumbnails = interpreter.Comments.Thumbnails,
         };
     }
-
-    private static Bounds ToBounds(Box box)
-        => box.IsEmpty ? Bounds.Empty : new Bounds(new Vec3(box.MinX, box.MinY, box.MinZ), new Vec3(box.MaxX, box.MaxY, box.MaxZ));
 }

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>What slicers call the roles of strands in their comments.</summary>
+/// <summary>Names of roles in the comments of slicers.</summary>
 internal static class RoleNames
 {
     private static readonly Dictionary<string, Role> Names = Table();
@@ -12,7 +12,7 @@ internal static class RoleNames
     /// <summary>The role with this name (case does not matter), or null.</summary>
     public static Role? Find(string name) => Names.TryGetValue(name.Trim().ToLowerInvariant(), out var role) ? role : null;
 
-    /// <summary>The name the writer uses, which PrusaSlicer's viewer knows too.</summary>
+    /// <summary>The name that the writer uses; PrusaSlicer's viewer reads it too.</summary>
     public static string Of(Role role) => role switch
     {
         Role.OuterWall => "External perimeter",

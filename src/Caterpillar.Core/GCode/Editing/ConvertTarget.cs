@@ -6,7 +6,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
 
-/// <summary>The target of a conversion, worked out.</summary>
+/// <summary>The resolved target of a conversion.</summary>
 internal sealed record ConvertTarget
 {
     public DialectRules Dialect { get; private init; } = DialectTable.Slicer;
@@ -35,7 +35,7 @@ internal sealed record ConvertTarget
 
     public bool LimitsDecimals => DecimalsXyz is not null || DecimalsE is not null || DecimalsF is not null;
 
-    /// <summary>E becomes mm³ of mm, or the other way round.</summary>
+    /// <summary>E changes from mm to mm³, or back.</summary>
     public bool ChangesUnit { get; private init; }
 
     public bool IsVolumetric { get; private init; }
@@ -78,14 +78,14 @@ internal sealed record ConvertTarget
         if (axis == ExtrusionAxis.Switched)
         {
             if (dialect.SwitchedExtruder) return axis;
-            problems.Add(Severity.Error, "gcode.no_amounts", "The file switches its extruder by M101 and M103 and says no amounts of E; " + dialect.Title
-                + " needs them, and they cannot be made up.");
+            problems.Add(Severity.Error, "gcode.no_amounts", "The file switches its extruder by M101 and M103 and has no amounts of E; " + dialect.Title
+                + " needs them, and they cannot be guessed.");
             return null;
         }
         var letters = dialect.ExtruderLetters;
         if (letters.Length > 0)
         {
-            // Words that turn axes here would extrude there.
+            // Words that turn rotary axes here would extrude there.
             var turns = letters[0] != 'E' && decoding.HasTurns && letters.IndexOf("E", StringComparison.Ordinal) >= 0;
             return ExtrusionAxis.Of(turns ? 'E' : letters[0]);
         }
@@ -97,7 +97,7 @@ internal sealed record ConvertTarget
         }
         problems.Add(
             Severity.Warning, "gcode.no_extruder",
-            dialect.Title + " has no word for extrusion: E, retractions and primes are lost. What printed is G1 to G3, what traveled is G0.");
+            dialect.Title + " has no command for extrusion: E, retractions and primes are lost. Prints become G1 to G3, travels G0.");
         return ExtrusionAxis.None;
     }
 
@@ -107,19 +107,19 @@ internal sealed record ConvertTarget
         var tools = decoding.Toolpath.Tools;
         var stated = decoding.Report.Features.Any(f => f.Key == "m200");
         var isVolumetric = tools[0].VolumePerE == 1;
-        // What the firmware takes for granted, and what it cannot be told, decides where nothing is asked for.
-        var wanted = options.Volumetric
+        // Where nothing is asked for, it depends on what the firmware assumes and on what can be stated to it.
+        var volumetric = options.Volumetric
             ?? (dialect.Name == decoding.Dialect.Name ? isVolumetric
                 : dialect.StartsVolumetric || (isVolumetric && !decoding.Dialect.StartsVolumetric && !(stated && !dialect.Volumetric)));
-        if (wanted == isVolumetric) return target;
-        if (!wanted && dialect.StartsVolumetric)
+        if (volumetric == isVolumetric) return target;
+        if (!volumetric && dialect.StartsVolumetric)
         {
-            problems.Add(Severity.Error, "gcode.volumes_only", dialect.Title + " takes E as a volume; lengths would be misread.");
+            problems.Add(Severity.Error, "gcode.volumes_only", dialect.Title + " reads E as a volume; lengths would be misread.");
             return null;
         }
-        if (wanted && !dialect.Volumetric && !dialect.StartsVolumetric)
+        if (volumetric && !dialect.Volumetric && !dialect.StartsVolumetric)
             problems.Add(Severity.Warning, "gcode.volumes_unsaid", dialect.Title
-                + " cannot be told that E is a volume (M200): the machine has to be set up for it.");
+                + " has no command for volumetric E (M200): the machine has to be set up for it.");
         var areas = FilamentFactors.Areas(decoding.Settings, null);
         var factors = new double[tools.Count];
         for (var i = 0; i < factors.Length; i++)
@@ -129,18 +129,18 @@ internal sealed record ConvertTarget
                 : areas.Length == 0 ? null : areas[Math.Min(i, areas.Length - 1)];
             if (!(area > 0))
             {
-                problems.Add(Severity.Error, "gcode.diameter_unknown", "E in " + (wanted ? dialect.Title + " is a volume" : "the file is a volume")
-                    + ": its conversion needs the diameter of the filament, which the file does not say.");
+                problems.Add(Severity.Error, "gcode.diameter_unknown", "E in " + (volumetric ? dialect.Title + " is a volume" : "the file is a volume")
+                    + ": converting it needs the filament diameter, which the file does not state.");
                 return null;
             }
-            factors[i] = wanted ? area.Value : 1 / area.Value;
+            factors[i] = volumetric ? area.Value : 1 / area.Value;
         }
         return target with
         {
             ChangesUnit = true,
-            IsVolumetric = wanted,
+            IsVolumetric = volumetric,
             Factors = factors,
-            StatedDiameter = wanted && dialect.Volumetric && !dialect.StartsVolumetric ? 2 * Math.Sqrt(factors[0] / Math.PI) : null,
+            StatedDiameter = volumetric && dialect.Volumetric && !dialect.StartsVolumetric ? 2 * Math.Sqrt(factors[0] / Math.PI) : null,
         };
     }
 }

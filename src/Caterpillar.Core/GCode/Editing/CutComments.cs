@@ -4,19 +4,19 @@ using System.Linq;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Comments in front of moves that are cut out, as far as the moves behind the cut need them: where a layer begins, what strands are for, of which object. A
-/// later comment of the same kind takes their place.
+/// Comments before moves that are cut out, as far as the moves after the cut need them: where a layer begins, the role of strands, their object. A later
+/// comment of the same kind takes their place.
 /// </summary>
 internal sealed class CutComments
 {
-    private readonly List<CommentLine> _layer = [];
-    private CommentLine? _role;
-    private CommentLine? _object;
+    private readonly List<FileLine> _layer = [];
+    private FileLine? _role;
+    private FileLine? _object;
 
     public bool IsEmpty => _role is null && _object is null && _layer.Count == 0;
 
     /// <summary>A comment that goes.</summary>
-    public void Cut(CommentLine line)
+    public void Cut(FileLine line)
     {
         switch (Kind(line))
         {
@@ -40,7 +40,7 @@ internal sealed class CutComments
     }
 
     /// <summary>A comment that stays.</summary>
-    public void Keep(CommentLine line)
+    public void Keep(FileLine line)
     {
         switch (Kind(line))
         {
@@ -58,8 +58,8 @@ internal sealed class CutComments
         }
     }
 
-    /// <summary>What has to stand in front of a move that stays; forgotten afterwards.</summary>
-    public IReadOnlyList<CommentLine> Take()
+    /// <summary>What has to come before a move that stays; forgotten afterwards.</summary>
+    public IReadOnlyList<FileLine> Take()
     {
         var lines = _layer.ToList();
         if (_object is { } of) lines.Add(of);
@@ -69,13 +69,10 @@ internal sealed class CutComments
         return lines;
     }
 
-    private static CommentKind Kind(CommentLine line)
+    private static CommentKind Kind(FileLine line)
     {
         var at = line.Start;
         while (at < line.End && line.Text[at] <= ' ') at++;
         return at < line.End && line.Text[at] == ';' ? CommentReader.Read(line.Text, at, line.End).Kind : CommentKind.None;
     }
 }
-
-/// <summary>A line of the file that is nothing but a comment or blank.</summary>
-internal readonly record struct CommentLine(byte[] Text, int Start, int End, int Next);

@@ -13,7 +13,7 @@ public sealed record ConvertOptions
 {
     public DialectRules? Dialect { get; init; }
 
-    /// <summary>E as increments (true) or as sums (false).</summary>
+    /// <summary>Relative E (true) or absolute E (false).</summary>
     public bool? RelativeE { get; init; }
 
     /// <summary>E in mm³ (true) or in mm of filament (false); needs the diameter of the filament.</summary>
@@ -36,7 +36,7 @@ public sealed record ConvertOptions
 
     public double RetractionSpeed { get; init; } = 35;
 
-    /// <summary>The most decimals of X, Y and Z, of E and of F; null keeps those of the file. What rounding of E leaves is carried on.</summary>
+    /// <summary>The most decimals of X, Y and Z, of E and of F; null keeps those of the file. What rounding leaves of E is carried over to the next line.</summary>
     public int? DecimalsXyz { get; init; }
 
     public int? DecimalsE { get; init; }
@@ -63,8 +63,8 @@ public static class GCodeConverter
         var problems = new DiagnosticList();
         var target = ConvertTarget.Of(decoding, options, problems);
         if (target is null) return problems.ToList();
-        var splicer = new Splicer(decoding, target, stream);
-        splicer.Run(decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), progress, cancel);
+        var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target);
+        splicer.Run(progress, cancel);
         problems.AddRange(splicer.Diagnostics.ToList());
         return problems.ToList();
     }

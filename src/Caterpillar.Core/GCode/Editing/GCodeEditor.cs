@@ -11,16 +11,16 @@ namespace Caterpillar.GCode;
 public sealed record EditOptions
 {
     /// <summary>
-    /// Lines in place of everything before the first layer (its first comment, or the first strand where there are none); null keeps it. Behind them the modes,
-    /// E, feed and place are stated that the rest of the file expects.
+    /// Lines in place of everything before the first layer (its first comment, or the first strand where there are none); null keeps it. After them the modes,
+    /// E, feed rate and position that the rest of the file expects are stated.
     /// </summary>
     public IReadOnlyList<string>? Start { get; init; }
 
-    /// <summary>Lines in place of everything behind the last strand of the last layer; null keeps it.</summary>
+    /// <summary>Lines in place of everything after the last strand of the last layer; null keeps it.</summary>
     public IReadOnlyList<string>? End { get; init; }
 
-    /// <summary>Every number of every motion is written anew, also of those that did not change.</summary>
-    internal bool Anew { get; init; }
+    /// <summary>Every number of every motion is written again, also of those that did not change.</summary>
+    internal bool RewriteAll { get; init; }
 }
 
 /// <summary>
@@ -52,10 +52,8 @@ public static class GCodeEditor
         if (!plan.InOrder || edited.Source != MoveSource.Lines)
             return [new Diagnostic(Severity.Error, "gcode.reordered",
                 "The moves are not in the order of the file's lines; write the toolpath as new G-code instead.")];
-        var splicer = new Splicer(decoding, null, stream) { Anew = options.Anew };
-        splicer.Replace(options, plan);
-        if (options.Anew) plan.Touch(1, int.MaxValue);
-        splicer.Run(edited, plan, progress, cancel);
+        var splicer = new Splicer(decoding, edited, plan, stream, options: options);
+        splicer.Run(progress, cancel);
         return splicer.Diagnostics.ToList();
     }
 

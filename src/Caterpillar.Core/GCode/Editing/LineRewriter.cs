@@ -7,13 +7,15 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Changes words of a line in place, in the style of its file, so that it does what is wanted from a given state.</summary>
-internal sealed class LineRewriter(LineStyle style, DialectRules rules, ExtrusionAxis axis, ExtrusionAxis source)
+/// <summary>
+/// Changes words of a line in place, in the style of its file, so that it makes a move from a given state. With <paramref name="rewriteAll"/> also numbers
+/// that are right are written again.
+/// </summary>
+internal sealed class LineRewriter(LineStyle style, DialectRules rules, ExtrusionAxis axis, ExtrusionAxis source, bool rewriteAll)
 {
-    private const double NoChange = 1e-9;
+    private const double NoChange = MachineState.NoChange;
     private readonly byte _extruder = axis.FirstLetter;
     private readonly List<Edit> _edits = [];
-    private bool _anew;
     private ParsedLine _line = new();
     private byte[] _out = new byte[256];
 
@@ -22,26 +24,26 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
     public int Count { get; private set; }
 
     /// <summary>
-    /// Makes <paramref name="wanted"/> of the scanned line between <paramref name="start"/> and <paramref name="end"/>; <paramref name="code"/> is the G of a
-    /// straight move, or −1 for that of the line,
-    /// <paramref name="owed"/> what rounding of E has left; with <paramref name="anew"/> also numbers that are right are written again.
+    /// Makes a move of a scanned line; <paramref name="command"/> is the G of a straight move, or −1 for that of the line, <paramref name="carried"/> what
+    /// rounding of E has left.
     /// </summary>
-    public void Rewrite(ParsedLine line, byte[] text, int start, int end, Wanted wanted, MachineSnapshot state, int code, bool relativeE, double owed,
-        bool anew)
+    public void Rewrite(ParsedLine line, FileLine bytes, TargetMove move, MachineState state, int command, double carried)
     {
         _line = line;
         _edits.Clear();
-        _anew = anew;
-        Motion(wanted, state, code);
-        var unit = state.Inches ? 25.4 : 1;
-        Axis(text, 'X', wanted.X - state.ShiftX, state.X, unit, state.Relative);
-        Axis(text, 'Y', wanted.Y - state.ShiftY, state.Y, unit, state.Relative);
-        Axis(text, 'Z', wanted.Z - state.ShiftZ, state.Z, unit, state.Relative);
-        Turn(text, wanted.Turns, state);
-        Centers(wanted, state, unit);
-        Extruder(text, wanted, state, relativeE, owed);
-        Feed(text, wanted, state, unit);
-        Apply(text, start, end);
+        var text = bytes.Text;
+        var head = state.Head;
+        var relative = state.Modes.Relative;
+        var unit = state.Modes.Unit;
+        Motion(move, state, command);
+        Axis(text, 'X', move.X - head.ShiftX, head.X, unit, relative);
+        Axis(text, 'Y', move.Y - head.ShiftY, head.Y, unit, relative);
+        Axis(text, 'Z', move.Z - head.ShiftZ, head.Z, unit, relative);
+        Turn(text, move.Turns, state);
+        Centers(move, state, unit);
+        Extruder(text, move, state, carried);
+        Feed(text, move, state, unit);
+        Apply(bytes);
     }
 
     private static int Rank(byte letter) => letter switch
@@ -59,7 +61,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         _ => 10,
     };
 
-    /// <summary>True where a number has more decimals than are wanted.</summary>
+    /// <summary>True where a number has more decimals than are move.</summary>
     public bool IsTooFine(ParsedLine line, byte[] text)
     {
         for (var i = 0; i < line.Count; i++)
@@ -80,12 +82,12 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
 
     private static int Own(byte[] text, ParsedLine line, int word) => LineStyle.Decimals(text, line.NumberAt[word], line.NumberEnd[word], out _, out _);
 
-    private bool MayStay(byte[] text, int word) => !_anew && Own(text, _line, word) <= Limit(_line.Letters[word]);
+    private bool MayStay(byte[] text, int word) => !rewriteAll && Own(text, _line, word) <= Limit(_line.Letters[word]);
 
-    private void Motion(Wanted wanted, MachineSnapshot state, int straight)
+    private void Motion(TargetMove move, MachineState state, int straight)
     {
-        if (rules.Commands is CommandsRule.First or CommandsRule.Last) SoleCommand();
-        var code = wanted.Arc is { } arc ? rules.ArcCode(arc.Plane, arc.Sweep < 0) : straight;
+        if (rules.Commands is CommandsRule.First or CommandsRule.Last) KeepMotionOnly();
+        var code = move.Arc is { } arc ? rules.ArcCode(arc.Plane, arc.Sweep < 0) : straight;
         for (var i = 0; i < _line.Count; i++)
         {
             if (_line.Letters[i] != 'G' || !_line.HasValue[i] || !(_line.Values[i] is 0 or 1 or 2 or 3)) continue;
@@ -94,12 +96,12 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
             return;
         }
         // A line that repeats the last motion.
-        if (code < 0) code = state.Motion is 0 or 1 ? state.Motion : 1;
-        if (rules.ModalMotion == ModalMotionRule.Never || state.Motion != code) Insert((byte)'G', code, 0);
+        if (code < 0) code = state.Modes.Motion is 0 or 1 ? state.Modes.Motion : 1;
+        if (rules.ModalMotion == ModalMotionRule.Never || state.Modes.Motion != code) Insert((byte)'G', code, 0);
     }
 
-    // Modes in the line have been stated in front of it; firmware that takes one command of a line gets the motion.
-    private void SoleCommand()
+    // Modes of the line have been stated before it; firmware that takes one command of a line gets the motion.
+    private void KeepMotionOnly()
     {
         for (var i = 0; i < _line.Count; i++)
         {
@@ -126,33 +128,35 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
     }
 
     // Rotary axes; where A, B and C extrude there are none.
-    private void Turn(byte[] text, Turns wanted, MachineSnapshot state)
+    private void Turn(byte[] text, Turns target, MachineState state)
     {
-        var (now, shift) = (state.Turns, state.TurnShift);
-        if (wanted == default && now == default && shift == default) return;
-        Axis(text, 'A', wanted.A - shift.A, now.A, 1, state.Relative);
-        Axis(text, 'B', wanted.B - shift.B, now.B, 1, state.Relative);
-        Axis(text, 'C', wanted.C - shift.C, now.C, 1, state.Relative);
+        var (now, shift) = (state.Rotary.Written, state.Rotary.Shift);
+        if (target == default && now == default && shift == default) return;
+        Axis(text, 'A', target.A - shift.A, now.A, 1, state.Modes.Relative);
+        Axis(text, 'B', target.B - shift.B, now.B, 1, state.Modes.Relative);
+        Axis(text, 'C', target.C - shift.C, now.C, 1, state.Modes.Relative);
     }
 
-    private void Centers(Wanted wanted, MachineSnapshot state, double unit)
+    private void Centers(TargetMove move, MachineState state, double unit)
     {
-        if (wanted.Arc is not { } arc)
+        if (move.Arc is not { } arc)
         {
             foreach (var letter in "IJKRP") Delete(letter);
             return;
         }
-        var center = arc.Center - new Vec3(state.ShiftX, state.ShiftY, state.ShiftZ);
-        var from = state.AbsoluteCenters ? Vec3.Zero : new Vec3(state.X, state.Y, state.Z);
+        var center = arc.Center - state.Head.Shift;
+        var from = state.Modes.AbsoluteCenters ? Vec3.Zero : state.Head.Written;
         Center('I', (center.X - from.X) / unit, arc.Plane != ArcPlane.YZ, unit);
         Center('J', (center.Y - from.Y) / unit, arc.Plane != ArcPlane.ZX, unit);
         Center('K', (center.Z - from.Z) / unit, arc.Plane != ArcPlane.XY, unit);
         Delete('R');
         Turns(rules.TurnsWord(arc.Turns));
-        // A full circle says its end, so that the other words cannot be mistaken.
-        if ((_line.Find('R') >= 0 || (rules.ArcNamesEnd && _line.Find('Y') < 0)) && _line.Find('X') < 0
-            && arc.Plane != ArcPlane.YZ) Insert((byte)'X', (state.Relative ? wanted.X - state.ShiftX - state.X : wanted.X - state.ShiftX) / unit,
-            style.DecimalsXyz);
+        // A full circle names its end, so that the other words cannot be misread.
+        if ((_line.Find('R') >= 0 || (rules.ArcNamesEnd && _line.Find('Y') < 0)) && _line.Find('X') < 0 && arc.Plane != ArcPlane.YZ)
+        {
+            var x = move.X - state.Head.ShiftX;
+            Insert((byte)'X', (state.Modes.Relative ? x - state.Head.X : x) / unit, style.DecimalsXyz);
+        }
     }
 
     private void Turns(int number)
@@ -181,27 +185,28 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         }
     }
 
-    private void Extruder(byte[] text, Wanted wanted, MachineSnapshot state, bool relativeE, double owed)
+    private void Extruder(byte[] text, TargetMove move, MachineState state, double carried)
     {
-        var unit = state.UnitOfE;
+        var unit = state.Modes.UnitOfE(rules);
         // An extruder of another letter goes.
         if (source != axis && source.FirstLetter is not 0 and var old && old != _extruder) Delete((char)old);
         if (source == ExtrusionAxis.Both) Delete('B');
         if (_extruder == 0) return;
         var word = _line.Find((char)_extruder);
-        if (word < 0 && Math.Abs(wanted.E) < NoChange) return;
-        // What is owed is not paid where nothing is to be pushed: a travel stays one.
-        var value = ((relativeE ? 0 : axis == ExtrusionAxis.Both ? state.A : state.E) + wanted.E + (wanted.E != 0 ? owed : 0)) / unit;
+        if (word < 0 && Math.Abs(move.E) < NoChange) return;
+        var from = state.Modes.RelativeE ? 0 : axis == ExtrusionAxis.Both ? state.Extrusion.A : state.Extrusion.E;
+        // A travel does not take what rounding has left: it stays one.
+        var value = (from + move.E + (move.E != 0 ? carried : 0)) / unit;
         if (word < 0) Insert(_extruder, value, Decimals(style.DecimalsE, unit));
         else if (Math.Abs(_line.Values[word] - value) > NoChange || !MayStay(text, word)) Replace(word, value, Decimals(style.DecimalsE, unit));
     }
 
-    private void Feed(byte[] text, Wanted wanted, MachineSnapshot state, double unit)
+    private void Feed(byte[] text, TargetMove move, MachineState state, double unit)
     {
-        if (!(wanted.Speed > 0)) return;
+        if (!(move.Speed > 0)) return;
         var word = _line.Find('F');
-        var feed = wanted.Speed * 60 / state.FeedFactor;
-        var says = word >= 0 ? _line.Values[word] * unit : state.Feed;
+        var feed = move.Speed * 60 / state.Feed.Factor;
+        var says = word >= 0 ? _line.Values[word] * unit : state.Feed.Rate;
         if (Math.Abs(says - feed) <= 1e-9 * feed && (word < 0 || MayStay(text, word))) return;
         if (word < 0 && Math.Abs(says - feed) <= style.FeedTolerance) return;
         var decimals = Decimals(style.LimitF ?? Math.Max(style.DecimalsF, word >= 0 ? Math.Min(Own(text, _line, word), 9) : 0), unit);
@@ -224,7 +229,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         _edits.Add(new Edit(from, _line.NumberEnd[word], 255, 0, 0));
     }
 
-    // Behind the last word that comes before it in the usual order.
+    // After the last word that comes before it in the usual order.
     private void Insert(byte letter, double value, int decimals)
     {
         var at = _line.CodeStart;
@@ -235,8 +240,9 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         _edits.Add(new Edit(at, at, letter, value, decimals));
     }
 
-    private void Apply(byte[] text, int start, int end)
+    private void Apply(FileLine line)
     {
+        var (text, start, end) = (line.Text, line.Start, line.End);
         _edits.Sort(static (a, b) => a.Start != b.Start ? a.Start.CompareTo(b.Start) : Order(a).CompareTo(Order(b)));
         if (_out.Length < end - start + 512) _out = new byte[(end - start + 512) * 2];
         Count = 0;
@@ -257,7 +263,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
             }
             Count = style.Write(_out, Count, edit.Value, edit.Decimals);
             at = Math.Max(edit.End, at);
-            // A word that is put in front of others needs a blank behind it.
+            // A word that is put in front of others needs a space after it.
             if (edit.Letter != 0 && !style.NoSpace && at < stop && text[at] > ' ' && text[at] != ';') _out[Count++] = (byte)' ';
         }
         Copy(text, at, stop);
@@ -280,6 +286,6 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         Count += to - from;
     }
 
-    // Letter 0 replaces a number, 255 deletes, others are put in.
+    // Letter 0 replaces a number, 255 deletes, others are inserted.
     private readonly record struct Edit(int Start, int End, byte Letter, double Value, int Decimals);
 }

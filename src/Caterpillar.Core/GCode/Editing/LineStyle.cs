@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <summary>How a file writes: decimals, blanks, case, line ends. New and changed lines follow it.</summary>
+/// <summary>The style of a file: decimals, spaces, case, line ends. New and changed lines follow it.</summary>
 internal sealed class LineStyle
 {
     private const int Sample = 20000;
@@ -28,7 +28,7 @@ internal sealed class LineStyle
 
     public bool NoSpace { get; private set; }
 
-    /// <summary>Numbers below 1 have no 0 in front of the point.</summary>
+    /// <summary>Numbers below 1 have no 0 before the point.</summary>
     public bool NoLeadingZero { get; private set; }
 
     /// <summary>Numbers keep their trailing zeros.</summary>
@@ -104,7 +104,7 @@ internal sealed class LineStyle
         return style;
     }
 
-    /// <summary>Writes a number in this style and returns the index behind it.</summary>
+    /// <summary>Writes a number in this style and returns the index after it.</summary>
     public int Write(byte[] buffer, int at, double value, int decimals)
     {
         // A double has no more than 15 digits.

@@ -9,7 +9,7 @@ internal sealed class SplicePlan
 {
     private readonly Checkpoint[] _checkpoints;
     private readonly bool[] _dirty;
-    private readonly Dictionary<PrinterEvent, int> _places = new(ReferenceComparer.Instance);
+    private readonly Dictionary<PrinterEvent, int> _indices = new(ReferenceComparer.Instance);
 
     private SplicePlan(Checkpoint[] checkpoints)
     {
@@ -25,12 +25,12 @@ internal sealed class SplicePlan
 
     public bool[] IsNew { get; private set; } = [];
 
-    /// <summary>Where an event of the file stands among <see cref="Events"/>; −1 where it is gone.</summary>
-    public int PlaceOf(PrinterEvent what) => _places.TryGetValue(what, out var place) ? place : -1;
+    /// <summary>Index of an event of the file in <see cref="Events"/>; −1 where it is gone.</summary>
+    public int IndexOf(PrinterEvent what) => _indices.TryGetValue(what, out var index) ? index : -1;
 
     public bool IsDirty(int chunk) => _dirty[chunk];
 
-    /// <summary>The chunks with these lines are gone through line by line.</summary>
+    /// <summary>The chunks with these lines are spliced line by line.</summary>
     public void Touch(int firstLine, int lastLine)
     {
         for (var i = 0; i < _dirty.Length; i++)
@@ -52,7 +52,7 @@ internal sealed class SplicePlan
             var now = edited.Events[i];
             plan.IsNew[i] = !known.Contains(now.Event);
             if (plan.IsNew[i]) plan.MarkMove(edited, now.Move);
-            else plan._places[now.Event] = i;
+            else plan._indices[now.Event] = i;
         }
         if (!ReferenceEquals(decoding.Toolpath, edited)) plan.Compare(decoding.Toolpath, edited);
         return plan;
@@ -99,7 +99,7 @@ internal sealed class SplicePlan
             }
         }
         if (inserted) Mark(last == int.MinValue ? 1 : last);
-        // The first move behind a shared block may follow an insertion at its end.
+        // The first move after a shared block may follow an insertion at its end.
         InOrder &= IsAscending(after);
     }
 
@@ -149,87 +149,5 @@ internal sealed class SplicePlan
         public bool Equals(PrinterEvent? x, PrinterEvent? y) => ReferenceEquals(x, y);
 
         public int GetHashCode(PrinterEvent obj) => System.Runtime.CompilerServices.RuntimeHelpers.GetHashCode(obj);
-    }
-}
-
-/// <summary>Goes through the moves of a toolpath, optionally leaving out some blocks.</summary>
-internal sealed class MoveCursor
-{
-    private readonly Toolpath _toolpath;
-    private readonly HashSet<ToolpathBlock>? _skip;
-    private int _block = -1;
-
-    public MoveCursor(Toolpath toolpath, HashSet<ToolpathBlock>? skip = null)
-    {
-        _toolpath = toolpath;
-        _skip = skip;
-        NextBlock();
-    }
-
-    public MoveCursor Clone() => (MoveCursor)MemberwiseClone();
-
-    public ToolpathColumns Columns { get; private set; } = null!;
-
-    public int Index { get; private set; }
-
-    public bool Valid => _block < _toolpath.Blocks.Count;
-
-    public int Source => Columns.Source[Index];
-
-    /// <summary>Number of the move in its toolpath.</summary>
-    public int Number => Valid ? _toolpath.FirstOf(_block) + Index : _toolpath.Count;
-
-    public void Next()
-    {
-        if (++Index >= Columns.Count) NextBlock();
-    }
-
-    /// <summary>Goes on to the first move whose line is not before this one.</summary>
-    public void SkipTo(int line)
-    {
-        while (Valid)
-        {
-            var last = Columns.Source[Columns.Count - 1];
-            if (last >= 0 && last < line) NextBlock();
-            else if (Source < line && LeadsTo() < line) Next();
-            else return;
-        }
-    }
-
-    /// <summary>The line of the next move that has one, or the largest number.</summary>
-    public int LeadsTo()
-    {
-        if (!Valid || Source >= 0) return Valid ? Source : int.MaxValue;
-        var ahead = Clone();
-        while (ahead.Valid && ahead.Source < 0) ahead.Next();
-        return ahead.Valid ? ahead.Source : int.MaxValue;
-    }
-
-    public Wanted Wanted() => new(Columns, Index);
-
-    public static bool Same(MoveCursor a, MoveCursor b)
-    {
-        var x = a.Wanted();
-        var y = b.Wanted();
-        return x == y;
-    }
-
-    private void NextBlock()
-    {
-        Index = 0;
-        do _block++;
-        while (_block < _toolpath.Blocks.Count && _skip is not null && _skip.Contains(_toolpath.Blocks[_block]));
-        if (Valid) Columns = _toolpath.Blocks[_block].Columns;
-    }
-}
-
-/// <summary>What a line has to do.</summary>
-internal readonly record struct Wanted(double X, double Y, double Z, double E, double Speed, MoveKind Kind, int Tool, Geometry.Arc? Arc, Turns Turns)
-{
-    public Wanted(ToolpathColumns c, int i)
-        : this(
-            c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i], c.Kind[i], c.Tool[i], c.TryGetArc(i, out var arc) ? arc : null,
-            c.A is null ? default : new Turns(c.A[i], c.B![i], c.C![i]))
-    {
     }
 }

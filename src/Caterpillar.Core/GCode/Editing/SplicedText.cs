@@ -4,7 +4,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Collects the bytes of a spliced file. Where lines are numbered, those behind an inserted or dropped line get new numbers and checksums.</summary>
+/// <summary>Collects the bytes of a spliced file. Where lines are numbered, those after an inserted or dropped line get new numbers and checksums.</summary>
 internal sealed class SplicedText(Stream stream, LineStyle style)
 {
     private readonly byte[] _buffer = new byte[1 << 16];
@@ -34,27 +34,18 @@ internal sealed class SplicedText(Stream stream, LineStyle style)
         _count += end - start;
     }
 
-    /// <summary>A line of the file with its own line end.</summary>
-    public void Line(byte[] text, int start, int end, int next)
+    /// <summary>A line of the file as it is.</summary>
+    public void Add(FileLine line)
     {
-        if (!style.Numbered)
-        {
-            Copy(text, start, next);
-            return;
-        }
-        Line(text, start, end, text, end, next);
+        if (style.Numbered) Add(line.Text, line.Start, line.End, line);
+        else Copy(line.Text, line.Start, line.Next);
     }
 
-    /// <summary>A changed line with the line end of the file's.</summary>
-    public void Line(byte[] text, int start, int end, byte[] file, int lineEnd, int next)
-    {
-        if (style.Numbered) Numbered(text, start, end);
-        else Copy(text, start, end);
-        Copy(file, lineEnd, next);
-    }
+    /// <summary>A changed line, with the line end that it had.</summary>
+    public void Add(byte[] text, int count, FileLine line) => Add(text, 0, count, line);
 
-    /// <summary>A line that is put in.</summary>
-    public void Own(byte[] text, int count)
+    /// <summary>A line that is not the file's own.</summary>
+    public void AddOwn(byte[] text, int count)
     {
         CloseLine();
         if (style.Numbered && count > 0 && text[0] != ';')
@@ -75,8 +66,8 @@ internal sealed class SplicedText(Stream stream, LineStyle style)
         Copy(style.LineEnd, 0, style.LineEnd.Length);
     }
 
-    /// <summary>A line of the file that is left out.</summary>
-    public void Dropped(ParsedLine line)
+    /// <summary>A line of the file is left out.</summary>
+    public void Drop(ParsedLine line)
     {
         if (line.NumberWordAt >= 0) _shift--;
     }
@@ -93,7 +84,14 @@ internal sealed class SplicedText(Stream stream, LineStyle style)
         _count = 0;
     }
 
-    private void Numbered(byte[] text, int start, int end)
+    private void Add(byte[] text, int start, int end, FileLine line)
+    {
+        if (style.Numbered) AddNumbered(text, start, end);
+        else Copy(text, start, end);
+        Copy(line.Text, line.End, line.Next);
+    }
+
+    private void AddNumbered(byte[] text, int start, int end)
     {
         _line.Scan(text, start, end);
         if (_line.NumberWordAt < 0)

@@ -1,168 +1,180 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
-using Caterpillar.Machines;
+using Caterpillar.Files;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes a decoded file again. Two machines read along: one the file as it was, one what is written; a line stays as it is when it makes the wanted move from
-/// the state that the written lines have led to, otherwise its words are changed or a line that states the missing mode is put in front. Chunks that nothing
+/// Writes a decoded file again. Two machines read along: one the file as it was, one what is written; a line stays as it is when it makes the right move from
+/// the state that the written lines have led to, otherwise its words are changed or a line that states the missing mode is put before it. Chunks that nothing
 /// touches are copied whole.
 /// </summary>
-internal sealed partial class Splicer
+internal sealed class Splicer
 {
-    private const double NoChange = 1e-9;
+    private readonly SpliceContext _context;
+    private readonly SplicePlan _plan;
+    private readonly SpliceTasks _tasks;
+    private readonly CodeReplacement _code;
+    private readonly CommentBuffer _comments;
+    private readonly MoveWriter _moves;
+    private readonly OtherLines _others;
 
-    private readonly DecodedGCode _decoding;
-    private readonly GCodeDocument _document;
-    private readonly LineStyle _style;
-    private readonly DecoderCore _in;
-    private readonly DecoderCore _now;
-    private readonly DialectRules _rules;
-    private readonly ExtrusionAxis _axis;
-    private readonly byte _extruder;
-    private readonly LineRewriter _rewriter;
-
-    // The line of the file that is gone through, and one that is made.
-    private readonly ParsedLine _line = new();
-    private readonly ParsedLine _made = new();
-
-    private readonly SplicedText _text;
-    private readonly double _tolerance;
-    private readonly double _toleranceE;
-    private int _number;
-
-    public Splicer(DecodedGCode decoding, ConvertTarget? target, Stream stream)
+    /// <summary>To write a decoded file with the moves of an edited toolpath, or for a target.</summary>
+    public Splicer(DecodedGCode decoding, Toolpath edited, SplicePlan plan, Stream stream, ConvertTarget? target = null, EditOptions? options = null)
     {
-        _decoding = decoding;
-        _document = decoding.Document!;
-        _style = LineStyle.Of(_document).With(target?.DecimalsXyz, target?.DecimalsE, target?.DecimalsF);
-        _target = target;
-        _rules = target?.Dialect ?? decoding.Dialect;
-        _axis = target?.Axis ?? decoding.Axis;
-        _extruder = _axis.FirstLetter;
-        _in = new DecoderCore(decoding.Dialect, decoding.Rule, decoding.Axis);
-        _now = new DecoderCore(_rules, decoding.Rule, _axis);
-        _rewriter = new LineRewriter(_style, _rules, _axis, decoding.Axis);
-        _text = new SplicedText(stream, _style);
-        _tolerance = 0.5001 * NumberFormatter.FromUnits(1, _style.DecimalsXyz);
-        _toleranceE = target is null ? NoChange : 0.5001 * NumberFormatter.FromUnits(1, _style.DecimalsE);
+        options ??= new EditOptions();
+        _context = new SpliceContext(decoding, target, stream);
+        _plan = plan;
+        _tasks = new SpliceTasks(_context, plan, new MoveCursor(edited));
+        _code = new CodeReplacement(_context, options, plan);
+        _comments = new CommentBuffer(_context);
+        var conversion = new MoveConversion(_context);
+        _moves = new MoveWriter(_context, conversion, options.RewriteAll);
+        _others = new OtherLines(_context, conversion);
+        if (options.RewriteAll) plan.Touch(1, int.MaxValue);
     }
 
-    /// <summary>Lines of motion are written anew, also where they could stay.</summary>
-    public bool Anew { get; init; }
+    public DiagnosticList Diagnostics => _context.Diagnostics;
 
-    public DiagnosticList Diagnostics { get; } = new();
-
-    /// <summary>Writes the file with the moves of an edited toolpath.</summary>
-    public void Run(Toolpath edited, SplicePlan plan, IProgress<double>? progress, CancellationToken cancel)
+    public void Run(IProgress<double>? progress, CancellationToken cancel)
     {
-        _cursor = new MoveCursor(edited);
-        _plan = plan;
+        var chunks = _context.Decoding.Document!.Chunks;
+        var checkpoints = _context.Decoding.Checkpoints;
+        var edits = _context.Target is null;
         var synced = true;
-        for (var chunk = 0; chunk < _document.Chunks.Count; chunk++)
+        for (var i = 0; i < chunks.Count; i++)
         {
             cancel.ThrowIfCancellationRequested();
-            var piece = _document.Chunks[chunk];
-            var lines = _decoding.Checkpoints[chunk].Line;
-            if (synced && _target is null && !plan.IsDirty(chunk) && _text.IsPlain)
+            var chunk = chunks[i];
+            if (synced && edits && !_plan.IsDirty(i) && _context.Text.IsPlain)
             {
-                FlushComments(true);
-                _text.Copy(piece.Text, piece.Start, piece.End);
+                _comments.Keep();
+                _context.Text.Copy(chunk.Text, chunk.Start, chunk.End);
             }
             else
             {
-                var next = chunk + 1 < _document.Chunks.Count ? _decoding.Checkpoints[chunk + 1].Line : int.MaxValue;
-                _cursor.SkipTo(lines + 1);
-                _read = _decoding.Checkpoints[chunk].Events;
+                var before = checkpoints[i];
+                _tasks.SkipTo(before.Line + 1);
+                _tasks.StartAt(before.Events);
                 if (synced)
                 {
-                    _in.Restore(_decoding.Checkpoints[chunk].State);
-                    if (_target is null || chunk == 0) _now.Restore(_decoding.Checkpoints[chunk].State);
+                    _context.Read.Restore(before.State);
+                    if (edits || i == 0) _context.Written.Restore(before.State);
                 }
-                Lines(piece, lines, chunk == 0);
-                synced = _target is null && next != int.MaxValue && InStep(next);
+                WriteLines(chunk, before.Line, i == 0);
+                synced = edits && i + 1 < chunks.Count && IsInStep(checkpoints[i + 1].Line);
             }
-            progress?.Report((chunk + 1.0) / _document.Chunks.Count);
+            progress?.Report((i + 1.0) / chunks.Count);
         }
-        FlushComments(true);
-        End();
-        foreach (var line in _end) Command(line);
-        _text.Flush();
+        WriteEnd();
     }
 
-    private bool InStep(int line)
+    // From this line on, what is written is read as the file is.
+    private bool IsInStep(int line)
     {
-        var matters = !(_in.IsRelativeE && _now.IsRelativeE && line > _decoding.LastModeLine);
-        return _in.Save().ReadsAlike(_now.Save(), matters);
+        var read = _context.Read.State;
+        var written = _context.Written.State;
+        var positionOfEMatters = !(read.Modes.RelativeE && written.Modes.RelativeE && line > _context.Decoding.LastModeLine);
+        return read.ReadsLike(written, positionOfEMatters);
     }
 
-    private void Lines(GCodeChunk chunk, int before, bool first)
+    private void WriteLines(GCodeChunk chunk, int before, bool first)
     {
         var text = chunk.Text;
         var at = chunk.Start;
         if (first)
         {
             var mark = TextEncoding.MarkLength(chunk);
-            _text.Copy(text, at, at + mark);
+            _context.Text.Copy(text, at, at + mark);
             at += mark;
         }
-        for (_number = before + 1; at < chunk.End; _number++)
+        for (_context.Number = before + 1; at < chunk.End; _context.Number++)
         {
             var end = LineEnds.Find(text, at, chunk.End);
-            var next = LineEnds.Skip(text, end, chunk.End);
-            Line(text, at, end, next);
-            at = next;
+            var line = new FileLine(text, at, end, LineEnds.Skip(text, end, chunk.End));
+            WriteLine(line);
+            at = line.Next;
         }
     }
 
-    private void Line(byte[] text, int start, int end, int next)
+    private void WriteLine(FileLine line)
     {
-        if (_number == _firstKept) Begin();
-        _line.Scan(text, start, end);
-        var moves = _in.ReadLine(_line, text, end, out var commands);
-        var events = _in.LastEvents.Count;
-        if (_number < _firstKept || _number > _lastKept)
+        var number = _context.Number;
+        if (number == _code.FirstKept) _code.WriteStart();
+        _context.Line.Scan(line.Text, line.Start, line.End);
+        var moves = _context.Read.ReadLine(_context.Line, line.Text, line.End, out var commands);
+        var events = _context.Read.LastEvents.Count;
+        if (!_code.Keeps(number)) _tasks.SkipTo(number + 1);
+        else if (moves > 0 || commands > 0) WriteMotion(line, moves, commands, events);
+        else if (_context.Line.Shape == LineShape.Blank) _comments.Add(line);
+        else WriteOther(line, events);
+        _tasks.SkipEvents(events);
+    }
+
+    private void WriteOther(FileLine line, int events)
+    {
+        _comments.Keep();
+        if (events > 0) InsertBeforeEvents(events);
+        _others.Write(line);
+    }
+
+    private void WriteMotion(FileLine line, int moves, int commands, int events)
+    {
+        _tasks.Take(moves);
+        var own = _tasks.OwnMoves;
+        if (moves > 0 && own == 0 && !_context.LineHomes)
         {
-            _cursor.SkipTo(_number + 1);
-            _read += events;
+            _comments.Cut();
+            Remove();
             return;
         }
-        if (moves == 0 && commands == 0)
+        _comments.RestoreCut();
+        _comments.Keep();
+        if (own == 0 && events > 0) InsertBeforeEvents(events);
+        var single = own == 1;
+        var tasks = _tasks.Tasks;
+        Insert(single ? tasks.Count - 1 : tasks.Count);
+        if (commands == 0) _others.Write(line);
+        else if (single) _moves.WriteMove(line, tasks[tasks.Count - 1].Move);
+        else if (own == 0) _moves.WriteWithoutMove(line);
+        else _context.Text.Drop(_context.Line);
+    }
+
+    // Modes in a line whose move is cut out stay.
+    private void Remove()
+    {
+        _context.Text.Drop(_context.Line);
+        if (_context.Line.Shape == LineShape.Code) _context.WriteModes();
+    }
+
+    private void InsertBeforeEvents(int events)
+    {
+        _tasks.TakeBeforeEvents(events);
+        Insert(_tasks.Tasks.Count);
+        _tasks.Clear();
+    }
+
+    // The first tasks, as lines of their own.
+    private void Insert(int count)
+    {
+        for (var i = 0; i < count; i++)
         {
-            if (_line.Shape == LineShape.Blank)
-            {
-                _comments.Add(new CommentLine(text, start, end, next));
-                return;
-            }
-            FlushComments(true);
-            if (events > 0) TakeBeforeEvents(events);
-            _read += events;
-            Other(text, start, end, next);
-            return;
+            var task = _tasks.Tasks[i];
+            if (task.Event is { } what) _context.Event(what);
+            else _moves.InsertMove(task.Move);
         }
-        Take(moves);
-        if (moves > 0 && _own == 0 && !IsHome())
-        {
-            _read += events;
-            FlushComments(false);
-            Removed();
-            return;
-        }
-        RestoreComments();
-        FlushComments(true);
-        if (_own == 0 && events > 0) TakeBeforeEvents(events);
-        _read += events;
-        // One move of its own is always the last task.
-        var single = _own == 1;
-        Put(single ? _tasks.Count - 1 : _tasks.Count);
-        if (commands == 0) Other(text, start, end, next);
-        else if (single) One(text, start, end, next, _tasks[_tasks.Count - 1].Wanted);
-        else if (_own == 0) NoMove(text, start, end, next);
+    }
+
+    private void WriteEnd()
+    {
+        _comments.Keep();
+        _tasks.TakeRest();
+        if (_tasks.Tasks.Count > 0) _context.Text.CloseLine();
+        Insert(_tasks.Tasks.Count);
+        _code.WriteEnd();
+        _context.Text.Flush();
     }
 }

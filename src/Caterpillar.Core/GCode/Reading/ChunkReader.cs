@@ -7,7 +7,7 @@ using Caterpillar.Files;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Reads a stream of text into chunks that end behind line ends.</summary>
+/// <summary>Reads a stream of text into chunks that end after line ends.</summary>
 internal static class ChunkReader
 {
     // What is packed may be small; a plain file says its size.
@@ -22,7 +22,7 @@ internal static class ChunkReader
     {
         var buffer = new byte[Math.Min(bufferSize, stream.CanSeek ? stream.Length - stream.Position + 1 : FirstBuffer)];
         var count = 0;
-        // One more tells whether the line ends there.
+        // One more byte shows whether the line ends there.
         var largest = longestLine + 1L;
         var chunks = new List<GCodeChunk>();
         while (true)
@@ -48,7 +48,7 @@ internal static class ChunkReader
         }
     }
 
-    // Index behind the last line end; a CR at the very end may be half of a CRLF and is left for the next buffer.
+    // Index after the last line end; a CR at the very end may be half of a CRLF and is left for the next buffer.
     private static int LastLineEnd(byte[] buffer, int count)
     {
         var at = count - 1;

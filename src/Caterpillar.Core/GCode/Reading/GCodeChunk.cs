@@ -3,7 +3,7 @@ using System.Threading;
 
 namespace Caterpillar.GCode;
 
-/// <summary>A stretch of a document that ends behind a line end (or with the file). The buffer is shared and never changed.</summary>
+/// <summary>A part of a document that ends after a line end (or with the file). The buffer is shared and never changed.</summary>
 internal sealed class GCodeChunk(byte[] text, int start, int end)
 {
     /// <summary>Bytes of a chunk; lines that are longer make it longer.</summary>
@@ -19,7 +19,7 @@ internal sealed class GCodeChunk(byte[] text, int start, int end)
 
     public int Length => End - Start;
 
-    /// <summary>Where the lines begin, and behind them the end of the chunk.</summary>
+    /// <summary>Where the lines begin, and at last the end of the chunk.</summary>
     public int[] LineStarts()
     {
         var known = Volatile.Read(ref _lineStarts);
@@ -63,7 +63,7 @@ internal static class LineEnds
 #endif
     }
 
-    /// <summary>Index behind the line end that stands at <paramref name="at"/>.</summary>
+    /// <summary>Index after the line end at <paramref name="at"/>.</summary>
     public static int Skip(byte[] text, int at, int end)
     {
         if (at >= end) return end;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 
 namespace Caterpillar.GCode;
 
@@ -56,7 +57,7 @@ public sealed class GCodeDocument
     public static GCodeDocument FromBytes(byte[] bytes, string name = "")
     {
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
-        if (GCodeSource.IsPacked(bytes, bytes.Length)) return Read(new MemoryStream(bytes, false), name);
+        if (GCodeSource.IsPacked(bytes, bytes.Length)) return Unpack(new MemoryStream(bytes, false), name, default);
         var chunks = new List<GCodeChunk>(bytes.Length / GCodeChunk.Target + 1);
         Cut(bytes, bytes.Length, chunks);
         return new GCodeDocument(chunks.ToArray(), name);
@@ -66,23 +67,28 @@ public sealed class GCodeDocument
     public static GCodeDocument FromText(string text, string name = "") => FromBytes(TextEncoding.Encode(text), name);
 
     /// <summary>Reads a file: plain, packed with gzip, or binary G-code (.bgcode).</summary>
+    /// <returns>The document, or none with the error <c>gcode.packed</c> where gzip or binary G-code is broken. Decoding says what else was noticed.</returns>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="InvalidDataException">The file is a broken gzip or binary G-code file.</exception>
-    public static GCodeDocument ReadFile(string path, CancellationToken cancel = default)
+    public static Result<GCodeDocument> ReadFile(string path, CancellationToken cancel = default)
     {
         using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
         return Read(stream, Path.GetFileName(path), cancel);
     }
 
     /// <summary>Reads a stream to its end: plain, packed with gzip, or binary G-code. The stream stays open.</summary>
+    /// <inheritdoc cref="ReadFile" path="/returns"/>
     /// <exception cref="IOException">The stream cannot be read.</exception>
-    /// <exception cref="InvalidDataException">It is a broken gzip or binary G-code stream.</exception>
-    public static GCodeDocument Read(Stream stream, string name = "", CancellationToken cancel = default)
+    public static Result<GCodeDocument> Read(Stream stream, string name = "", CancellationToken cancel = default)
     {
-        using var source = new GCodeSource(stream ?? throw new ArgumentNullException(nameof(stream)));
-        var chunks = new List<GCodeChunk>();
-        foreach (var chunk in ChunkReader.Read(source.Text, BufferSize, cancel)) chunks.Add(chunk);
-        return new GCodeDocument(chunks.ToArray(), name, source.Notes());
+        if (stream is null) throw new ArgumentNullException(nameof(stream));
+        try
+        {
+            return new Result<GCodeDocument>(Unpack(stream, name, cancel), []);
+        }
+        catch (InvalidDataException broken)
+        {
+            return new Result<GCodeDocument>(null, [Broken(broken, name)]);
+        }
     }
 
     /// <summary>A line by its number, from 1.</summary>
@@ -109,6 +115,16 @@ public sealed class GCodeDocument
     public void WriteTo(Stream stream)
     {
         foreach (var chunk in _chunks) stream.Write(chunk.Text, chunk.Start, chunk.Length);
+    }
+
+    /// <summary>Writes it as a file, whole or not at all; binary where its name ends in .bgcode.</summary>
+    /// <exception cref="IOException">The disk failed.</exception>
+    /// <exception cref="OperationCanceledException">Canceled; no part of the file is left.</exception>
+    public void WriteFile(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        using var file = new AtomicFile(path);
+        BinaryGCode.WriteAs(path, this, file.Stream, progress, cancel);
+        file.Commit();
     }
 
     /// <summary>A copy of its bytes.</summary>
@@ -146,7 +162,7 @@ public sealed class GCodeDocument
     internal static int AddLines(int lines, int more)
         => lines <= int.MaxValue - more ? lines + more : throw new InvalidDataException("There are more than 2147483647 lines.");
 
-    /// <summary>Cuts bytes into chunks behind line ends.</summary>
+    /// <summary>Cuts bytes into chunks after line ends.</summary>
     internal static void Cut(byte[] bytes, int count, List<GCodeChunk> chunks)
     {
         for (var start = 0; start < count;)
@@ -155,6 +171,18 @@ public sealed class GCodeDocument
             chunks.Add(new GCodeChunk(bytes, start, end));
             start = end;
         }
+    }
+
+    /// <summary>The error for packed bytes that cannot be unpacked.</summary>
+    internal static Diagnostic Broken(InvalidDataException broken, string name)
+        => new(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message, name.Length > 0 ? new SourceLocation(name) : null);
+
+    private static GCodeDocument Unpack(Stream stream, string name, CancellationToken cancel)
+    {
+        using var source = new GCodeSource(stream);
+        var chunks = new List<GCodeChunk>();
+        foreach (var chunk in ChunkReader.Read(source.Text, BufferSize, cancel)) chunks.Add(chunk);
+        return new GCodeDocument(chunks.ToArray(), name, source.Notes());
     }
 
     private GCodeLine LineOf(int chunk, int index, int number)

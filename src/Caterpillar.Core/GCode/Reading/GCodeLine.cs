@@ -51,7 +51,7 @@ public sealed class GCodeLine
     /// <summary>What follows a <c>;</c>, without it, or null.</summary>
     public string? Comment => Parsed.CommentStart < 0 ? null : Latin1.GetString(_buffer, Parsed.CommentStart + 1, _end - Parsed.CommentStart - 1);
 
-    /// <summary>True for extended commands and lines that are no G-code: they begin with something else than a letter and a number.</summary>
+    /// <summary>True for extended commands and lines that are not G-code: they begin with something other than a letter and a number.</summary>
     public bool IsMacro => Parsed.Shape == LineShape.Macro;
 
     public override string ToString() => Text;

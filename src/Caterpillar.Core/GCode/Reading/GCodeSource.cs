@@ -8,7 +8,7 @@ using Caterpillar.Files;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// A stream of G-code as plain text: what is packed with gzip is unpacked, binary G-code and UTF-16 become the text they stand for. The stream itself is left
+/// A stream of G-code as plain text: what is packed with gzip is unpacked, binary G-code and UTF-16 become plain text. The stream itself is left
 /// open.
 /// </summary>
 internal sealed class GCodeSource : IDisposable
@@ -97,7 +97,7 @@ internal sealed class GCodeSource : IDisposable
         }
     }
 
-    /// <summary>How much is done after this many bytes of text: 0 to 1, or less than 0 where nobody knows.</summary>
+    /// <summary>The part that is done after this many bytes of text: 0 to 1, or less than 0 where it is not known.</summary>
     public double Done(long bytes)
     {
         if (_length <= 0) return -1;

@@ -5,13 +5,13 @@ namespace Caterpillar.GCode;
 
 internal enum LineShape : byte
 {
-    /// <summary>Nothing but blanks and comments.</summary>
+    /// <summary>Nothing but spaces and comments.</summary>
     Blank,
 
     /// <summary>Words.</summary>
     Code,
 
-    /// <summary>An extended command or something that is no G-code.</summary>
+    /// <summary>An extended command or something that is not G-code.</summary>
     Macro,
 }
 
@@ -32,7 +32,7 @@ internal sealed class ParsedLine
 
     public LineShape Shape { get; private set; }
 
-    /// <summary>Where the words begin (behind blanks, / and the N word) and where the code ends (in front of checksum and comments).</summary>
+    /// <summary>Where the words begin (after spaces, / and the N word) and where the code ends (before the checksum and comments).</summary>
     public int CodeStart { get; private set; }
 
     public int CodeEnd { get; private set; }
@@ -42,7 +42,7 @@ internal sealed class ParsedLine
 
     public int ParenStart { get; private set; }
 
-    /// <summary>Index of the <c>*</c>, or −1, and the number behind it.</summary>
+    /// <summary>Index of the <c>*</c>, or −1, and the number after it.</summary>
     public int ChecksumAt { get; private set; }
 
     public int Checksum { get; private set; }
@@ -91,7 +91,7 @@ internal sealed class ParsedLine
         return false;
     }
 
-    /// <summary>True when a word with one of these letters stands in the line.</summary>
+    /// <summary>True when the line has a word with one of these letters.</summary>
     public bool HasAny(string letters)
     {
         foreach (var letter in letters)
@@ -117,7 +117,7 @@ internal sealed class ParsedLine
         Shape = LineShape.Blank;
         CommentStart = ParenStart = ChecksumAt = NumberWordAt = -1;
         BlockDelete = LowerCase = NoSpace = Exponent = false;
-        var at = SkipBlanks(text, start, end);
+        var at = SkipSpaces(text, start, end);
         CodeStart = CodeEnd = at;
         if (at == end) return;
         if (text[at] is (byte)'%' or (byte)'@' or (byte)'<')
@@ -137,7 +137,7 @@ internal sealed class ParsedLine
     private void Words(byte[] text, int at, int end)
     {
         var wordEnd = -1;
-        while ((at = SkipBlanks(text, at, end)) < end)
+        while ((at = SkipSpaces(text, at, end)) < end)
         {
             var c = text[at];
             if (c == ';')
@@ -200,7 +200,7 @@ internal sealed class ParsedLine
         }
     }
 
-    // Returns the index behind the word, or -1 when the first word of the line is no letter with a number.
+    // Returns the index after the word, or -1 when the first word of the line is not a letter with a number.
     private int Word(byte[] text, int at, int end, byte letter, int previousEnd)
     {
         var numberAt = at + 1;
@@ -236,7 +236,7 @@ internal sealed class ParsedLine
         return numberEnd;
     }
 
-    // An exponent as printf writes it: sign, two digits or more, and a blank or the end behind it.
+    // An exponent as printf writes it: sign, two digits or more, and then a space or the end.
     private static int PrintfExponent(byte[] text, int at, int end)
     {
         var p = at + 1;
@@ -260,7 +260,7 @@ internal sealed class ParsedLine
         }
         Letters[Count] = letter;
         Values[Count] = value;
-        // A number beyond all numbers is none.
+        // An infinite number is none.
         HasValue[Count] = has && !double.IsInfinity(value);
         LetterAt[Count] = at;
         NumberAt[Count] = numberAt;
@@ -277,7 +277,7 @@ internal sealed class ParsedLine
         return close < 0 ? at + 1 : close + 1;
     }
 
-    private static int SkipBlanks(byte[] text, int at, int end)
+    private static int SkipSpaces(byte[] text, int at, int end)
     {
         while (at < end && text[at] <= ' ') at++;
         return at;

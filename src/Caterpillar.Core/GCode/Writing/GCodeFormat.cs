@@ -6,12 +6,12 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>How G-code is written: everything that the moves themselves do not say.</summary>
+/// <summary>The format of G-code: everything that the moves themselves do not say.</summary>
 public sealed record GCodeFormat
 {
     public DialectRules Dialect { get; init; } = DialectTable.Marlin2;
 
-    /// <summary>E as increments (M83) or as sums (M82).</summary>
+    /// <summary>Relative E (M83) or absolute E (M82).</summary>
     public bool RelativeE { get; init; } = true;
 
     /// <summary>Decimals of X, Y and Z; of E; of F (mm/min).</summary>
@@ -42,7 +42,7 @@ public sealed record GCodeFormat
     /// <summary>Comments at the very beginning, without their <c>;</c>.</summary>
     public IReadOnlyList<string> Header { get; init; } = [];
 
-    /// <summary>Lines before the moves (the start code) and behind them.</summary>
+    /// <summary>Lines before the moves (the start code) and after them.</summary>
     public IReadOnlyList<string> Start { get; init; } = [];
 
     public IReadOnlyList<string> End { get; init; } = [];
@@ -50,7 +50,7 @@ public sealed record GCodeFormat
     /// <summary>Lines at the beginning of each layer but the first, by the number of the layer in <c>Toolpath.Layers</c>; null for none.</summary>
     public Func<int, IReadOnlyList<string>>? LayerLines { get; init; }
 
-    /// <summary>Lines for a change of the tool, from one number to another; null or none for the tool's number alone.</summary>
+    /// <summary>Lines for a change of the tool, from one number to another; null or none for the tool command alone.</summary>
     public Func<int, int, IReadOnlyList<string>>? ToolLines { get; init; }
 
     /// <summary>The letter of extrusion, or 0 where nothing is extruded by words.</summary>
@@ -76,6 +76,6 @@ public sealed record GCodeFormat
         return prints;
     }
 
-    /// <summary>True where E is written as increments: by M83, or where there is no such word (an axis like the others) as sums.</summary>
+    /// <summary>True where E is written as relative. Without M83 (E is an axis like the others) it is absolute.</summary>
     internal bool WritesRelative => RelativeE && Dialect.RelativeE != RelativeERule.OnlyG90G91;
 }

@@ -15,7 +15,7 @@ public sealed partial class GCodeWriter
         var start = i > 0 ? new Vec3(c.X[i - 1], c.Y[i - 1], c.Z[i - 1]) : _toolpath.StartOf(block);
         var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
         var allowed = _format.Arcs && _rules.Arcs && (arc.Plane == ArcPlane.XY || _rules.Planes);
-        if (allowed && _placed && Native(start, end, c.E[i], c.Speed[i], arc)) return;
+        if (allowed && _positionKnown && Native(start, end, c.E[i], c.Speed[i], arc)) return;
         Chords(start, end, c.E[i], c.Speed[i], arc, c.Kind[i] == MoveKind.Travel ? 0 : 1);
     }
 
@@ -35,7 +35,7 @@ public sealed partial class GCodeWriter
             _ => uy == _y && uz == _z,
         };
         var rest = Math.Abs(arc.Sweep) - 360 * (turns - 1);
-        // Printed alike, a short arc would become a full circle, and a circle that does not close a short arc.
+        // Rounded to the same point, a short arc would become a full circle, and a circle that does not close a short arc.
         if (closed ? rest < 180 : rest > 359.999) return false;
         var code = _rules.ArcCode(arc.Plane, arc.Sweep < 0);
         if (closed && code == 3 && !_rules.CounterclockwiseCircles) return false;
@@ -64,7 +64,7 @@ public sealed partial class GCodeWriter
         return true;
     }
 
-    // Firmware that knows no turns gets full circles and a rest.
+    // Firmware that has no word for turns gets full circles and a rest.
     private bool SplitTurns(Vec3 start, Vec3 end, double e, double speed, Arc arc, double turns)
     {
         if (turns > 1000) return false;
@@ -74,7 +74,7 @@ public sealed partial class GCodeWriter
         {
             var to = arc.PointAt(start, end, full * (k + 1));
             var part = arc with { Sweep = Math.Sign(arc.Sweep) * 360 };
-            // The circle closes exactly; only its rise goes on.
+            // The circle closes exactly; only its rise continues.
             to = arc.Plane switch { ArcPlane.XY => new Vec3(from.X, from.Y, to.Z), ArcPlane.ZX => new Vec3(from.X, to.Y, from.Z),
                 _ => new Vec3(to.X, from.Y, from.Z) };
             if (!Native(from, to, e * full, speed, part)) Chords(from, to, e * full, speed, part, 1);

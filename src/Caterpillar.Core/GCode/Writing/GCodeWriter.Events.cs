@@ -99,21 +99,21 @@ public sealed partial class GCodeWriter
         }
         _out.EndLine();
         _homed = home;
-        _placed = false;
+        _positionKnown = false;
     }
 
-    // Where G28 goes over a point, that is the stored position itself.
+    // Where G28 goes by way of a point, that point is the stored position itself.
     private void HomeAxis(char letter)
     {
         if (_rules.Homing == HomingRule.HomesToZero) _out.Bare(letter);
         else _out.Word((byte)letter, 0, 0);
     }
 
-    // A line that we did not make may have moved the head or changed the speed: the next move says everything.
+    // A line from elsewhere may have moved the head or changed the speed: the next move states everything.
     private void Raw(string line)
     {
         _out.Line(line);
-        _placed = false;
+        _positionKnown = false;
         _f = long.MinValue;
     }
 
@@ -134,7 +134,7 @@ public sealed partial class GCodeWriter
     {
         if (tool == _tool) return;
         var lines = _format.ToolLines?.Invoke(_tool, tool);
-        KeepRest(tool);
+        CarryRest(tool);
         _tool = tool;
         if (lines is { Count: > 0 }) TemplateLines(lines);
         else StateTool(tool);
@@ -142,19 +142,19 @@ public sealed partial class GCodeWriter
         if (!_sums.TryGetValue(tool, out var sum)) _sums.Add(tool, sum = new ExtruderSum());
         if (_rules.PositionOfE == PositionOfERule.ZeroAtChange)
         {
-            sum.Wanted -= NumberFormatter.FromUnits(sum.Written, _format.DecimalsE);
+            sum.Exact -= NumberFormatter.FromUnits(sum.Written, _format.DecimalsE);
             sum.Written = 0;
         }
         _sum = sum;
     }
 
     // What rounding has left of E belongs to its tool, also where the tools share a position.
-    private void KeepRest(int next)
+    private void CarryRest(int next)
     {
         if (_rules.PositionOfE != PositionOfERule.Shared) return;
         var written = NumberFormatter.FromUnits(_sum.Written, _format.DecimalsE);
-        _rests[_tool] = _sum.Wanted - written;
-        _sum.Wanted = _rests.TryGetValue(next, out var rest) ? written + rest : written;
+        _rests[_tool] = _sum.Exact - written;
+        _sum.Exact = _rests.TryGetValue(next, out var rest) ? written + rest : written;
     }
 
     private void StateTool(int tool)

@@ -20,7 +20,7 @@ public sealed partial class GCodeWriter
 {
     // An absolute E beyond this is set back to 0 where a layer begins: firmwares count with 24 bits.
     private const double LargestSum = 1000;
-    private const double LargestWanted = 1e8;
+    private const double LargestExact = 1e8;
 
     private readonly Toolpath _toolpath;
     private readonly GCodeFormat _format;
@@ -37,7 +37,7 @@ public sealed partial class GCodeWriter
     private long _y;
     private long _z;
     private long _f = long.MinValue;
-    private bool _placed;
+    private bool _positionKnown;
     private int _nextBlock;
     private int _nextEvent;
     private int _tool;
@@ -71,16 +71,19 @@ public sealed partial class GCodeWriter
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static void Write(Toolpath toolpath, GCodeFormat format, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+        => new GCodeWriter(toolpath, format).WriteAll(stream, progress, cancel);
+
+    /// <inheritdoc cref="Write"/>
+    public void WriteAll(Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        var writer = new GCodeWriter(toolpath, format);
-        writer.WriteStart(stream);
-        for (var i = 0; i < toolpath.Blocks.Count; i++)
+        WriteStart(stream);
+        for (var i = 0; i < _toolpath.Blocks.Count; i++)
         {
             cancel.ThrowIfCancellationRequested();
-            writer.WriteBlock(stream, i);
-            progress?.Report((i + 1.0) / toolpath.Blocks.Count);
+            WriteBlock(stream, i);
+            progress?.Report((i + 1.0) / _toolpath.Blocks.Count);
         }
-        writer.WriteEnd(stream);
+        WriteEnd(stream);
     }
 
     /// <summary>All of a toolpath as bytes.</summary>
@@ -132,7 +135,7 @@ public sealed partial class GCodeWriter
         Flush(stream);
     }
 
-    // Purge lines and what else the start and end code do is not part of the print.
+    // Purge lines and whatever else the start and end code do are not part of the print.
     private void Template(IReadOnlyList<string> lines)
     {
         if (lines.Count == 0) return;
@@ -158,7 +161,7 @@ public sealed partial class GCodeWriter
         var home = _homed;
         _homed = null;
         // The home command has made this move already.
-        if (home is not null && kind == MoveKind.Travel && IsWayHome(home, c, block, i)) return;
+        if (home is not null && kind == MoveKind.Travel && IsHomingMove(home, c, block, i)) return;
         switch (kind)
         {
             case MoveKind.Dwell:
@@ -186,7 +189,7 @@ public sealed partial class GCodeWriter
         else Straight(c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i], kind == MoveKind.Travel ? 0 : 1);
     }
 
-    // Firmware without amounts: the extruder runs or stands.
+    // Firmware without amounts: the extruder is on or off.
     private void Switch(bool on)
     {
         if (on == _on) return;
@@ -195,7 +198,7 @@ public sealed partial class GCodeWriter
         _out.EndLine();
     }
 
-    private bool IsWayHome(HomeEvent home, ToolpathColumns c, int block, int i)
+    private bool IsHomingMove(HomeEvent home, ToolpathColumns c, int block, int i)
     {
         var start = i > 0 ? new Vec3(c.X[i - 1], c.Y[i - 1], c.Z[i - 1]) : _toolpath.StartOf(block);
         return c.X[i] == (home.X ? 0 : start.X) && c.Y[i] == (home.Y ? 0 : start.Y) && c.Z[i] == (home.Z ? 0 : start.Z);
@@ -208,7 +211,7 @@ public sealed partial class GCodeWriter
         var uy = NumberFormatter.ToUnits(y, xyz);
         var uz = NumberFormatter.ToUnits(z, xyz);
         var ue = StepE(e, out var changed);
-        bool hasX = !_placed || ux != _x, hasY = !_placed || uy != _y, hasZ = !_placed || uz != _z;
+        bool hasX = !_positionKnown || ux != _x, hasY = !_positionKnown || uy != _y, hasZ = !_positionKnown || uz != _z;
         if (!hasX && !hasY && !hasZ && !changed && !_hasTurns) return;
         _out.Command((byte)'G', code);
         if (hasX) _out.Word((byte)'X', ux, xyz);
@@ -221,7 +224,7 @@ public sealed partial class GCodeWriter
         _x = ux;
         _y = uy;
         _z = uz;
-        _placed = true;
+        _positionKnown = true;
     }
 
     private void StateModes()
@@ -242,9 +245,9 @@ public sealed partial class GCodeWriter
         changed = false;
         if (_e == 0) return 0;
         var sum = _sum;
-        if (Math.Abs(sum.Wanted) > LargestWanted) Rebase();
-        sum.Wanted += e;
-        var units = NumberFormatter.ToUnits(sum.Wanted, _format.DecimalsE);
+        if (Math.Abs(sum.Exact) > LargestExact) Rebase();
+        sum.Exact += e;
+        var units = NumberFormatter.ToUnits(sum.Exact, _format.DecimalsE);
         var step = units - sum.Written;
         changed = step != 0;
         sum.Written = units;
@@ -259,7 +262,7 @@ public sealed partial class GCodeWriter
             ResetE();
             return;
         }
-        _sum.Wanted -= NumberFormatter.FromUnits(_sum.Written, _format.DecimalsE);
+        _sum.Exact -= NumberFormatter.FromUnits(_sum.Written, _format.DecimalsE);
         _sum.Written = 0;
     }
 
@@ -277,14 +280,14 @@ public sealed partial class GCodeWriter
         _out.Command((byte)'G', 92);
         _out.Word(_e, 0, 0);
         _out.EndLine();
-        // What was not printed yet stays to be printed.
-        _sum.Wanted -= NumberFormatter.FromUnits(_sum.Written, _format.DecimalsE);
+        // What was not written yet is still to be written.
+        _sum.Exact -= NumberFormatter.FromUnits(_sum.Written, _format.DecimalsE);
         _sum.Written = 0;
     }
 
     private sealed class ExtruderSum
     {
-        public double Wanted;
+        public double Exact;
         public long Written;
     }
 }

@@ -35,7 +35,7 @@ internal sealed class LineBuffer(bool numbered)
     /// <summary>Begins a command: its letter and number.</summary>
     public void Command(byte letter, int number)
     {
-        Room();
+        EnsureSpace();
         if (numbered) Number();
         _bytes[_count++] = letter;
         _count = NumberFormatter.WriteUnits(_bytes, _count, number, 0);
@@ -44,7 +44,7 @@ internal sealed class LineBuffer(bool numbered)
     /// <summary>Adds a word to the command: <paramref name="units"/> of the last decimal.</summary>
     public void Word(byte letter, long units, int decimals)
     {
-        Room();
+        EnsureSpace();
         _bytes[_count++] = (byte)' ';
         _bytes[_count++] = letter;
         _count = NumberFormatter.WriteUnits(_bytes, _count, units, decimals);
@@ -52,17 +52,17 @@ internal sealed class LineBuffer(bool numbered)
 
     public void Word(char letter, double value, int decimals) => Word((byte)letter, NumberFormatter.ToUnits(value, decimals), decimals);
 
-    /// <summary>Adds a word that is a letter alone.</summary>
+    /// <summary>Adds a word that is only a letter.</summary>
     public void Bare(char letter)
     {
-        Room();
+        EnsureSpace();
         _bytes[_count++] = (byte)' ';
         _bytes[_count++] = (byte)letter;
     }
 
     public void EndLine()
     {
-        Room();
+        EnsureSpace();
         if (numbered && _count > _lineStart && _bytes[_lineStart] == 'N')
         {
             var sum = 0;
@@ -78,12 +78,12 @@ internal sealed class LineBuffer(bool numbered)
     /// <summary>A line as it is; line ends in it begin new lines.</summary>
     public void Line(string text)
     {
-        // CRLF is one line end, CR alone too.
+        // CRLF is one line end, and so is CR alone.
         var lines = text.IndexOfAny(LineFeed) >= 0 ? string.Concat(text.Split('\r')) : text.Replace('\r', '\n');
         foreach (var line in lines.Split('\n'))
         {
             var bytes = TextEncoding.Encode(line);
-            Room(bytes.Length + LongestWord);
+            EnsureSpace(bytes.Length + LongestWord);
             if (numbered && bytes.Length > 0 && bytes[0] != ';') Number();
             Buffer.BlockCopy(bytes, 0, _bytes, _count, bytes.Length);
             _count += bytes.Length;
@@ -91,7 +91,7 @@ internal sealed class LineBuffer(bool numbered)
         }
     }
 
-    /// <summary>A comment; line ends in it become blanks.</summary>
+    /// <summary>A comment; line ends in it become spaces.</summary>
     public void Comment(string text) => Line(";" + text.Replace('\r', ' ').Replace('\n', ' '));
 
     private void Number()
@@ -101,7 +101,7 @@ internal sealed class LineBuffer(bool numbered)
         _bytes[_count++] = (byte)' ';
     }
 
-    private void Room(int bytes = LongestWord)
+    private void EnsureSpace(int bytes = LongestWord)
     {
         if (_count + bytes + LongestWord > _bytes.Length) Array.Resize(ref _bytes, Math.Max(_bytes.Length * 2, _count + bytes + LongestWord));
     }

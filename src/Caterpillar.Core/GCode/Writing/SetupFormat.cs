@@ -6,7 +6,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>The format in which a printer wants its G-code: dialect, mode of E, decimals, and its templates with the values of the print.</summary>
+/// <summary>The format in which a printer wants its G-code: dialect, mode of E, decimals, and its templates filled with the values of the print.</summary>
 public static class SetupFormat
 {
     /// <summary>
@@ -23,7 +23,7 @@ public static class SetupFormat
         var end = Lines(printer, "end_template", printer.EndTemplate, values, problems);
         var layers = Template(printer, "layer_template", printer.LayerTemplate, problems);
         var tools = Template(printer, "tool_change_template", printer.ToolChangeTemplate, problems);
-        // Layer and tool templates are tried once with the values of the first, so that a mistake is known before anything is written.
+        // Layer and tool templates are tried once with the values of the first, so that an error is found before anything is written.
         if (layers is not null && toolpath.Layers.Count > 0) problems.AddRange(layers.Render(OfLayer(values, toolpath, 0)).Diagnostics);
         if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
         if (problems.HasErrors) return new Result<GCodeFormat>(null, problems.ToList());
@@ -45,7 +45,7 @@ public static class SetupFormat
         if (format.LacksAmounts(toolpath))
         {
             problems.Add(Severity.Error, "gcode.no_amounts", "The toolpath prints without any amount of E, and " + printer.Dialect.Title
-                + " needs them; they cannot be made up. Without an extruder say extrusion_unit none.");
+                + " needs them; they cannot be guessed. For a machine without an extruder set extrusion_unit to none.");
             return new Result<GCodeFormat>(null, problems.ToList());
         }
         if (format.Switches)
@@ -54,7 +54,7 @@ public static class SetupFormat
         return new Result<GCodeFormat>(format, problems.ToList());
     }
 
-    // What E means is said as slicers say it, so that the strands can be measured in the file.
+    // The unit of E is stated as slicers state it, so that the strands can be measured in the file.
     private static string[] Header(PrintSetup setup)
     {
         string[] header = ["Made with Caterpillar", "Dialect " + setup.Printer.Dialect.Name,

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
@@ -90,9 +91,10 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Puts an event (a pause, a tool, a temperature) before the first move of a layer by its number in its object; unchanged where there is no such layer.
+    /// Puts an event (a pause, a tool, a temperature) before the first move of a layer by its number in its object.
     /// </summary>
-    public static Toolpath InsertAtLayer(this Toolpath toolpath, int layer, PrinterEvent what)
+    /// <returns>The toolpath, or none with the error <c>toolpath.no_layer</c>.</returns>
+    public static Result<Toolpath> InsertAtLayer(this Toolpath toolpath, int layer, PrinterEvent what)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         for (var block = 0; block < toolpath.Blocks.Count; block++)
@@ -100,10 +102,11 @@ public static class ToolpathEdits
             var columns = toolpath.Blocks[block].Columns;
             for (var i = 0; i < columns.Count; i++)
             {
-                if (columns.Layer[i] >= 0 && toolpath.Layers[columns.Layer[i]].Index == layer) return toolpath.Insert(toolpath.FirstOf(block) + i, what);
+                if (columns.Layer[i] >= 0 && toolpath.Layers[columns.Layer[i]].Index == layer)
+                    return new Result<Toolpath>(toolpath.Insert(toolpath.FirstOf(block) + i, what), []);
             }
         }
-        return toolpath;
+        return new Result<Toolpath>(null, [new Diagnostic(Severity.Error, "toolpath.no_layer", $"There is no layer {NumberFormatter.Format(layer)}.")]);
     }
 
     private static bool IsOf(Toolpath toolpath, Move move, PrinterEvent what)

@@ -71,14 +71,8 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         var file = new FileInfo(run.PathTo(name!));
         if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
         // A changed file has another time or size: then it is read again.
-        try
-        {
-            return run.Cached([file.FullName, file.LastWriteTimeUtc, file.Length],
-                () => run.Work("Reading", (_, cancel) => GCodeDocument.ReadFile(file.FullName, cancel)));
-        }
-        catch (InvalidDataException broken)
-        {
-            throw new InputProblem($"{file.FullName} cannot be read. {broken.Message}");
-        }
+        var read = run.Cached([file.FullName, file.LastWriteTimeUtc, file.Length],
+            () => run.Work("Reading", (_, cancel) => GCodeDocument.ReadFile(file.FullName, cancel)));
+        return read.Value ?? throw new InputProblem($"{file.FullName}: {read.Diagnostics[0].Message}");
     }
 }

@@ -59,7 +59,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         var code = new EditOptions { Start = Lines(start), End = Lines(end) };
         var result = run.Cached([goo.Value, setup, reason, anew, start, end], () => run.Work("Writing", (progress, cancel) => anew
             ? SafeWriter.ToDocument(goo.Value, setup, reason, progress, cancel)
-            : SafeEditor.ToDocument(goo.DecodedGCode!, goo.Value, setup, reason, code, progress, cancel)));
+            : SafeWriter.ToDocument(goo.DecodedGCode!, goo.Value, setup, reason, code, progress, cancel)));
         var document = run.Accept(result, texts);
         run.Set(0, document is null ? null : new GCodeGoo(document));
         run.SetList(1, texts);

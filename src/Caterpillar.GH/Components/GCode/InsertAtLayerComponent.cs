@@ -47,8 +47,8 @@ public sealed class InsertAtLayerComponent() : CaterpillarComponent(
         foreach (var layer in run.List<GH_Integer>(1))
         {
             var changed = edited.InsertAtLayer(layer.Value, what);
-            if (ReferenceEquals(changed, edited)) run.Report(GH_RuntimeMessageLevel.Warning, $"There is no layer {NumberFormatter.Format(layer.Value)}.");
-            edited = changed;
+            if (changed.Value is null) run.Report(GH_RuntimeMessageLevel.Warning, changed.Diagnostics[0].Message);
+            edited = changed.Value ?? edited;
         }
         run.Set(0, goo.With(edited));
     }

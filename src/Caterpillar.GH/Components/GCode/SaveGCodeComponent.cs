@@ -51,9 +51,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
         if (File.Exists(file) && !overwrite) throw new InputProblem($"{file} is there already, and Overwrite is false.");
         run.Work("Saving", (progress, cancel) =>
         {
-            using var whole = new AtomicFile(file);
-            BinaryGCode.WriteAs(file, document, whole.Stream, progress, cancel);
-            whole.Commit();
+            document.WriteFile(file, progress, cancel);
             return file;
         });
         _written[run.Iteration] = (document, file);

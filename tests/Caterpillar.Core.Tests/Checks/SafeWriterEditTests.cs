@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Checks;
 
-public sealed class SafeEditorTests
+public sealed class SafeWriterEditTests
 {
     private const string File = "; mine\nM104 S210\nM109 S210\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200 ; one\nG1 X20 Y20 E0.5\n; end\n";
 
@@ -22,7 +22,7 @@ public sealed class SafeEditorTests
     public void An_unedited_file_stays_as_it_is()
     {
         var decoding = Decoded();
-        Assert.That(Text(SafeEditor.ToDocument(decoding, decoding.Toolpath, new PrintSetup()).Value!), Is.EqualTo(File));
+        Assert.That(Text(SafeWriter.ToDocument(decoding, decoding.Toolpath, new PrintSetup()).Value!), Is.EqualTo(File));
     }
 
     [Test]
@@ -30,7 +30,7 @@ public sealed class SafeEditorTests
     {
         var decoding = Decoded();
         var edited = decoding.Toolpath.ScaleSpeed(MoveFilter.Prints, 0.5);
-        var lines = Text(SafeEditor.ToDocument(decoding, edited, new PrintSetup()).Value!).Split('\n');
+        var lines = Text(SafeWriter.ToDocument(decoding, edited, new PrintSetup()).Value!).Split('\n');
         Assert.That(lines.Take(6), Is.EqualTo(File.Split('\n').Take(6)));
         Assert.That(lines, Has.Member("G1 X20 Y10 E0.5 F600 ; one").And.Member("; end"));
     }
@@ -40,11 +40,11 @@ public sealed class SafeEditorTests
     {
         var decoding = Decoded();
         var edited = decoding.Toolpath.Transformed(Caterpillar.Geometry.Affine.Move(new(500, 0)));
-        var refused = SafeEditor.ToDocument(decoding, edited, new PrintSetup());
+        var refused = SafeWriter.ToDocument(decoding, edited, new PrintSetup());
         Assert.That(refused.Value, Is.Null);
         Assert.That(refused.Diagnostics.Select(d => d.Code), Has.Member("bed.outside").And.Member(SafeWriter.Refused));
-        Assert.That(SafeEditor.ToDocument(decoding, edited, new PrintSetup(), "!!!").Value, Is.Null);
-        var overridden = SafeEditor.ToDocument(decoding, edited, new PrintSetup(), "the table moves");
+        Assert.That(SafeWriter.ToDocument(decoding, edited, new PrintSetup(), "!!!").Value, Is.Null);
+        var overridden = SafeWriter.ToDocument(decoding, edited, new PrintSetup(), "the table moves");
         Assert.That(Text(overridden.Value!), Does.Contain("Reason: the table moves"));
         Assert.That(overridden.HasErrors, Is.False);
     }

@@ -1,0 +1,136 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Dialects;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Extended commands, as <c>SET_GCODE_OFFSET Z=0.2 MOVE=1</c>: a name, and words with an equals sign.</summary>
+internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, EventCommands events, CommentInterpreter comments)
+{
+    private const int LongestName = 60;
+    private const int LongestText = 400;
+    private readonly DialectRules _rules = machine.Rules;
+    private readonly MachineState _state = machine.State;
+
+    public void Take(byte[] text, ParsedLine line)
+    {
+        var start = line.CodeStart;
+        while (start < line.CodeEnd && text[start] <= ' ') start++;
+        var end = start;
+        while (end < line.CodeEnd && text[end] > ' ' && text[end] != '*') end++;
+        var name = TextEncoding.Decode(text, start, Math.Min(end, start + LongestName)).ToUpperInvariant();
+        var words = TextEncoding.Decode(text, end, Math.Min(line.CodeEnd, end + LongestText));
+        if (_rules.ExtendedCommands && TakeState(name, words.ToUpperInvariant())) return;
+        switch (name)
+        {
+            case "EXCLUDE_OBJECT_START":
+                comments.SetObject(Argument(words, "NAME="));
+                return;
+            case "EXCLUDE_OBJECT_END":
+                comments.SetObject("");
+                return;
+            case "ACTIVATE_EXTRUDER":
+                Activate(Argument(words, "EXTRUDER="));
+                return;
+        }
+        if (!events.TakePause(name)) machine.Ignored.Add(name);
+    }
+
+    private bool TakeState(string name, string words)
+    {
+        switch (name)
+        {
+            case "SAVE_GCODE_STATE":
+                _state.Saved.SetNamed(modes.Current(Word(words, "NAME") ?? "DEFAULT"));
+                return true;
+            case "RESTORE_GCODE_STATE":
+                RestoreState(words);
+                return true;
+            case "SET_GCODE_OFFSET":
+                SetOffset(words);
+                return true;
+            default:
+                return false;
+        }
+    }
+
+    private void RestoreState(string words)
+    {
+        if (_state.Saved.Named(Word(words, "NAME") ?? "DEFAULT") is not { } saved)
+        {
+            machine.Diagnostics.Warn("gcode.state", "RESTORE_GCODE_STATE of a state that was not saved is refused.");
+            return;
+        }
+        _state.Extrusion.Flow = saved.Flow;
+        modes.Restore(saved, saved.FeedFactor);
+        _state.Head.SetShift(saved.Shift);
+        _state.Saved.Offset = saved.Offset;
+        _state.Saved.OffsetE = saved.OffsetE;
+        _state.Extrusion.SetE(saved.E);
+        if (Number(words, "MOVE") is { } move && move != 0) MoveTo(saved.Position, words);
+    }
+
+    private void SetOffset(string words)
+    {
+        ref var saved = ref _state.Saved;
+        var before = saved.Offset;
+        saved.Offset = new Vec3(Changed(words, "X", before.X), Changed(words, "Y", before.Y), Changed(words, "Z", before.Z));
+        var e = Changed(words, "E", saved.OffsetE);
+        var change = saved.Offset - before;
+        _state.Head.SetShift(_state.Head.Shift + change);
+        _state.Extrusion.SetE(_state.Extrusion.E - (e - saved.OffsetE));
+        saved.OffsetE = e;
+        if (Number(words, "MOVE") is { } move && move != 0) MoveTo(_state.Head.Machine + change, words);
+    }
+
+    // To a position in machine coordinates.
+    private void MoveTo(Vec3 position, string words)
+    {
+        ref var feed = ref _state.Feed;
+        var speed = feed.Speed;
+        if (Number(words, "MOVE_SPEED") is { } own && own is > 0 and < 1e6) feed.Speed = own;
+        var target = position - _state.Head.Shift;
+        machine.Moves.Line(target.X, target.Y, target.Z, 0, 1);
+        feed.Speed = speed;
+    }
+
+    // extruder, extruder1, extruder2 …
+    private void Activate(string name)
+    {
+        if (!_rules.ExtendedCommands || !name.StartsWith("extruder", StringComparison.Ordinal)) return;
+        var number = 0;
+        if (name.Length == 8 || NumberReader.TryParseInt(name.Substring(8), out number)) machine.ChangeTool(number);
+    }
+
+    private static double Changed(string words, string axis, double before)
+    {
+        var value = Number(words, axis) ?? (Number(words, axis + "_ADJUST") is { } more ? before + more : before);
+        return value is > -MoveRecorder.LargestLength and < MoveRecorder.LargestLength ? value : before;
+    }
+
+    private static string Argument(string text, string key)
+    {
+        var at = text.IndexOf(key, StringComparison.OrdinalIgnoreCase);
+        if (at < 0) return "";
+        at += key.Length;
+        var end = at;
+        while (end < text.Length && text[end] > ' ') end++;
+        return text.Substring(at, end - at).Trim('"', '\'');
+    }
+
+    private static double? Number(string words, string key) => Word(words, key) is { } text && NumberReader.TryParse(text, out var value) ? value : null;
+
+    private static string? Word(string words, string key)
+    {
+        for (var at = 0; (at = words.IndexOf(key + "=", at, StringComparison.Ordinal)) >= 0; at += key.Length)
+        {
+            if (at > 0 && words[at - 1] > ' ') continue;
+            at += key.Length + 1;
+            var end = at;
+            while (end < words.Length && words[end] > ' ') end++;
+            return words.Substring(at, end - at).Trim('"', '\'');
+        }
+        return null;
+    }
+}

@@ -1,0 +1,171 @@
+using System;
+using Caterpillar.Dialects;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Lines of G commands and axis words: which of their commands count, and what each does.</summary>
+internal sealed class GCommands(Machine machine, EventCommands events, ModeCommands modes, PositionCommands positions, MotionCommands motion)
+{
+    private const int NoMotion = -1;
+    private readonly DialectRules _rules = machine.Rules;
+
+    public void Take(ParsedLine line)
+    {
+        if (_rules.Letters.Length > 0 && HasUnknownLetter(line)) return;
+        Execute(line);
+        machine.State.Work.IsMachineLine = false;
+    }
+
+    private void Execute(ParsedLine line)
+    {
+        var action = 0;
+        var explicitMotion = NoMotion;
+        var commands = 0;
+        for (var i = 0; i < line.Count; i++)
+        {
+            if (line.Letters[i] != 'G' || !line.HasValue[i]) continue;
+            commands++;
+            if (_rules.Commands is CommandsRule.First or CommandsRule.Last && !Counts(line, i, commands)) continue;
+            var code = Tenfold(line.Values[i]);
+            if (_rules.Commands == CommandsRule.InOrder && explicitMotion != NoMotion)
+            {
+                if (!IsMotion(code)) continue;
+                machine.Diagnostics.Warn("gcode.dialect_commands", "A line has several motions: only the last is read, with the words of all.");
+            }
+            if (IsMotion(code)) explicitMotion = code / 10;
+            else if (!modes.Take(code)) action = code;
+        }
+        if (commands > 1) machine.Features.MultiG++;
+        if (explicitMotion != NoMotion)
+        {
+            machine.State.Modes.Motion = explicitMotion;
+            motion.Move(line);
+            if (commands > 1 && _rules.Commands == CommandsRule.InOrder) ModesAfterMotion(line);
+        }
+        else if (action != 0)
+        {
+            Act(action, line);
+        }
+        else if (motion.HasAxisWord(line) && (commands == 0 || _rules.ModalMotion == ModalMotionRule.Standard || machine.State.Work.IsMachineLine))
+        {
+            RepeatMotion(line);
+        }
+        else if (commands == 0)
+        {
+            if (_rules.ModalMotion != ModalMotionRule.Never && line.TryGet('F', out var feed)) machine.SetFeed(feed);
+            else if (line.Find('F') < 0) machine.Ignored.Add((char)line.Letters[0], line.HasValue[0] ? line.Values[0] : 0);
+        }
+    }
+
+    private static bool IsMotion(int code) => code is 0 or 10 or 20 or 30;
+
+    private static int Tenfold(double code) => code is >= 0 and < 1000 ? (int)Math.Floor(code * 10 + 0.5) : -1;
+
+    private void RepeatMotion(ParsedLine line)
+    {
+        machine.Features.ModalLines++;
+        if (_rules.ModalMotion == ModalMotionRule.Never)
+            machine.Diagnostics.Warn("gcode.dialect_modal", "A line moves without a G command: " + _rules.Title + " ignores it, others repeat the last motion.");
+        else
+            motion.Move(line);
+    }
+
+    // Modes after the motion in the same line.
+    private void ModesAfterMotion(ParsedLine line)
+    {
+        var moved = false;
+        for (var i = 0; i < line.Count; i++)
+        {
+            if (line.Letters[i] != 'G' || !line.HasValue[i]) continue;
+            var code = Tenfold(line.Values[i]);
+            if (IsMotion(code)) moved = true;
+            else if (moved) modes.Take(code);
+        }
+    }
+
+    private bool HasUnknownLetter(ParsedLine line)
+    {
+        for (var i = 0; i < line.Count; i++)
+        {
+            if (_rules.Letters.IndexOf(((char)line.Letters[i]).ToString(), StringComparison.Ordinal) >= 0) continue;
+            machine.Diagnostics.Warn("gcode.word_refused", _rules.Title + " refuses lines with the letter " + (char)line.Letters[i] + ".");
+            return true;
+        }
+        return false;
+    }
+
+    // Firmware that takes one command of a line.
+    private bool Counts(ParsedLine line, int word, int number)
+    {
+        var last = true;
+        for (var i = word + 1; i < line.Count && last; i++) last = line.Letters[i] != 'G' || !line.HasValue[i];
+        if (number == 1 && last) return true;
+        if (last)
+            machine.Diagnostics.Warn("gcode.dialect_commands", "A line has several G commands: " + _rules.Title + " executes only the "
+                + (_rules.Commands == CommandsRule.First ? "first." : "last."));
+        return _rules.Commands == CommandsRule.First ? number == 1 : last;
+    }
+
+    private void Act(int code, ParsedLine line)
+    {
+        if (IsHoming(code))
+        {
+            if (_rules.Homing == HomingRule.HomesToZero) positions.Home(line);
+            else positions.GoToStored(line, code == 280 ? machine.State.Stored28 : machine.State.Stored30);
+            return;
+        }
+        switch (code)
+        {
+            case 40:
+                events.Dwell(line);
+                return;
+            case 100:
+            case 110:
+                if (line.HasAny(_rules.NoRetractionWith) || !_rules.FirmwareRetraction) Offsets(line, code);
+                else FirmwareRetraction(code == 100);
+                return;
+            case 920:
+                positions.Rename(line);
+                motion.RenameTurns(line);
+                if (line.Count == 1) positions.BareRename();
+                return;
+            case 281 when _rules.Homing == HomingRule.GoesToStoredPosition:
+                machine.State.Stored28 = machine.State.Head.Machine;
+                return;
+            case 301 when _rules.Homing == HomingRule.GoesToStoredPosition:
+                machine.State.Stored30 = machine.State.Head.Machine;
+                return;
+            default:
+                if (DialectRules.Names(_rules.ShiftResets, 'G', code / 10.0)) positions.ClearShifts();
+                else machine.Ignored.Add('G', code < 0 ? 0 : code / 10.0);
+                return;
+        }
+    }
+
+    private bool IsHoming(int code)
+    {
+        if (code == 280 && _rules.HomingCommands.Count == 1) return true;
+        return code is 280 or 300 or 1610 or 1620 && DialectRules.Names(_rules.HomingCommands, 'G', code / 10.0);
+    }
+
+    private void FirmwareRetraction(bool retract)
+    {
+        machine.Features.FirmwareRetraction++;
+        if (retract) machine.Counters.FirmwareRetracts++;
+        else machine.Counters.FirmwareUnretracts++;
+        machine.Moves.Stay(retract ? Toolpaths.MoveKind.Retract : Toolpaths.MoveKind.Restore);
+    }
+
+    // G10 and G11 that do not retract.
+    private void Offsets(ParsedLine line, int code)
+    {
+        if (code == 100 && _rules.Workspaces && line.TryGet('L', out var l) && l is 2 or 20)
+        {
+            positions.SetSystem(line, l == 20);
+            return;
+        }
+        if (code == 100 && events.TakeToolTemperature(line) && !line.HasAny("XYZ")) return;
+        if (line.HasAny("XYZ")) machine.Ignored.Add('G', code / 10.0);
+        else machine.Ignored.Add(code == 100 ? "G10" : "G11");
+    }
+}

@@ -1,0 +1,122 @@
+using Caterpillar.Dialects;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.GCode;
+
+/// <summary>G and M commands that only change a mode.</summary>
+internal sealed class ModeCommands(Machine machine, PositionCommands positions)
+{
+    private readonly DialectRules _rules = machine.Rules;
+    private readonly Features _features = machine.Features;
+
+    /// <summary>Takes a G command, its number tenfold; false where it is none that only changes a mode.</summary>
+    public bool Take(int code)
+    {
+        ref var modes = ref machine.State.Modes;
+        switch (code)
+        {
+            case 170:
+            case 180:
+            case 190:
+                if (_rules.Planes || code == 170) modes.Plane = (ArcPlane)((code - 170) / 10);
+                else machine.Ignored.Add('G', code / 10);
+                return true;
+            case 200:
+                _features.G20++;
+                if (_rules.Inches) modes.Inches = true;
+                else machine.Diagnostics.Warn("gcode.inches", _rules.Title + " does not support inches: G20 is refused.");
+                machine.ModesChanged();
+                return true;
+            case 210:
+                _features.G21++;
+                modes.Inches = false;
+                machine.ModesChanged();
+                return true;
+            case 900:
+            case 910:
+                if (code == 900) _features.G90++;
+                else _features.G91++;
+                modes.Relative = modes.LastRelative = code == 910;
+                machine.ModesChanged();
+                return true;
+            case 901:
+            case 911:
+                if (_rules.AbsoluteCenters) modes.AbsoluteCenters = code == 901;
+                else if (code == 901) machine.Ignored.Add('G', 90.1);
+                return true;
+            default:
+                return _rules.Workspaces && positions.SelectSystem(code);
+        }
+    }
+
+    /// <summary>M82 and M83.</summary>
+    public void SetRelativeE(bool relative)
+    {
+        if (relative) _features.M83++;
+        else _features.M82++;
+        if (_rules.RelativeE == RelativeERule.OnlyG90G91)
+        {
+            machine.Ignored.Add('M', relative ? 83 : 82);
+            return;
+        }
+        machine.State.Modes.M83 = machine.State.Modes.LastRelative = relative;
+        machine.ModesChanged();
+    }
+
+    /// <summary>M200.</summary>
+    public void SetVolumetric(ParsedLine line)
+    {
+        _features.M200++;
+        ref var modes = ref machine.State.Modes;
+        if (line.TryGet('D', out var diameter)) modes.Volumetric = diameter > 0;
+        if (line.TryGet('S', out var on)) modes.Volumetric = on > 0 && modes.Volumetric | diameter == 0;
+    }
+
+    /// <summary>M120.</summary>
+    public void Push() => machine.State.Saved.Push(Current(""));
+
+    /// <summary>M121.</summary>
+    public void Pop()
+    {
+        if (machine.State.Saved.Pop() is not { } saved) return;
+        ref var modes = ref machine.State.Modes;
+        modes.Inches = saved.Inches;
+        modes.Volumetric = saved.Volumetric;
+        modes.Plane = saved.Plane;
+        Restore(saved, machine.State.Feed.Factor);
+    }
+
+    /// <summary>The current state under a name.</summary>
+    public SavedState Current(string name)
+    {
+        var state = machine.State;
+        return new SavedState(name)
+        {
+            Relative = state.Modes.Relative,
+            LastRelative = state.Modes.LastRelative,
+            M83 = state.Modes.M83,
+            Inches = state.Modes.Inches,
+            Volumetric = state.Modes.Volumetric,
+            Plane = state.Modes.Plane,
+            FeedRate = state.Feed.Rate,
+            FeedFactor = state.Feed.Factor,
+            Flow = state.Extrusion.Flow,
+            E = state.Extrusion.E,
+            Shift = state.Head.Shift,
+            Position = state.Head.Machine,
+            Offset = state.Saved.Offset,
+            OffsetE = state.Saved.OffsetE,
+        };
+    }
+
+    /// <summary>What all firmwares restore: whether positions and E are relative, and the feed rate.</summary>
+    public void Restore(SavedState saved, double feedFactor)
+    {
+        ref var modes = ref machine.State.Modes;
+        modes.Relative = saved.Relative;
+        modes.LastRelative = saved.LastRelative;
+        modes.M83 = saved.M83;
+        machine.State.Feed.Set(saved.FeedRate, feedFactor);
+        machine.ModesChanged();
+    }
+}

@@ -1,0 +1,183 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Dialects;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Commands that name positions or go to stored ones: G92, G28, G30, G54 to G59.3, G10 L2 and L20.</summary>
+internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
+{
+    private const double Largest = MoveRecorder.LargestLength;
+    private readonly DialectRules _rules = machine.Rules;
+    private readonly MachineState _state = machine.State;
+    private readonly MoveRecorder _moves = machine.Moves;
+
+    /// <summary>G28 and its like where they home.</summary>
+    public void Home(ParsedLine line)
+    {
+        Axes(line, out var x, out var y, out var z);
+        ref var head = ref _state.Head;
+        var moves = (x && head.X + head.ShiftX != 0) || (y && head.Y + head.ShiftY != 0) || (z && head.Z + head.ShiftZ != 0);
+        _moves.AddEvent(new HomeEvent(x, y, z));
+        if (_rules.HomingSelectsXy) _state.Modes.Plane = ArcPlane.XY;
+        var origin = (_rules.HomingKeepsShifts ? head.Shift : _state.Work.Origin) + _state.Saved.Offset;
+        if (x) HomeAxis(line, 'X', origin.X, ref head.X, ref head.ShiftX, ref head.KnownX);
+        if (y) HomeAxis(line, 'Y', origin.Y, ref head.Y, ref head.ShiftY, ref head.KnownY);
+        if (z) HomeAxis(line, 'Z', origin.Z, ref head.Z, ref head.ShiftZ, ref head.KnownZ);
+        _moves.BreakStrand();
+        // Homing is a move of the toolpath, though the file has no line of motion for it.
+        if (moves && head.HasMoved) _moves.Stay(MoveKind.Travel);
+    }
+
+    /// <summary>G28 and G30 where they go to a stored position: by way of the point named, in the axes named.</summary>
+    public void GoToStored(ParsedLine line, Vec3 stored)
+    {
+        var point = machine.Target(line);
+        if (MoveRecorder.IsTooFar(point.X, point.Y, point.Z))
+        {
+            _moves.OutOfRange();
+            return;
+        }
+        Axes(line, out var x, out var y, out var z);
+        _moves.BreakStrand();
+        ref var head = ref _state.Head;
+        var end = new Vec3(x ? stored.X - head.ShiftX : point.X, y ? stored.Y - head.ShiftY : point.Y, z ? stored.Z - head.ShiftZ : point.Z);
+        // The move to the point named is a travel like others, the one from there the homing.
+        if (point != end) _moves.Travel(point);
+        _moves.AddEvent(new HomeEvent(x, y, z));
+        _moves.Travel(end);
+        head.KnownX |= x;
+        head.KnownY |= y;
+        head.KnownZ |= z;
+    }
+
+    /// <summary>G92: the position gets another name; the head stays.</summary>
+    public void Rename(ParsedLine line)
+    {
+        ref var head = ref _state.Head;
+        var any = false;
+        if (line.TryGet('X', out var x)) any |= RenameAxis(x, ref head.X, ref head.ShiftX, ref head.KnownX);
+        if (line.TryGet('Y', out var y)) any |= RenameAxis(y, ref head.Y, ref head.ShiftY, ref head.KnownY);
+        if (line.TryGet('Z', out var z)) any |= RenameAxis(z, ref head.Z, ref head.ShiftZ, ref head.KnownZ);
+        if (any) machine.Features.G92Xyz++;
+        if (extruder.Rename(line)) machine.Features.G92E++;
+    }
+
+    /// <summary>G92 without any word.</summary>
+    public void BareRename()
+    {
+        machine.Features.G92All++;
+        machine.Diagnostics.Warn("gcode.dialect_g92", "G92 without letters means different things to different firmwares; it is read as " + _rules.Title
+            + " reads it.");
+        if (_rules.BareG92 == BareG92Rule.Nothing) return;
+        if (_rules.BareG92 == BareG92Rule.ClearShifts)
+        {
+            ClearShifts();
+        }
+        else
+        {
+            ref var head = ref _state.Head;
+            RenameAxis(0, ref head.X, ref head.ShiftX, ref head.KnownX);
+            RenameAxis(0, ref head.Y, ref head.ShiftY, ref head.KnownY);
+            RenameAxis(0, ref head.Z, ref head.ShiftZ, ref head.KnownZ);
+        }
+        _state.Extrusion.SetE(0);
+        _state.Extrusion.A = _state.Extrusion.B = 0;
+    }
+
+    /// <summary>Takes back what G92 has shifted; the origin of the selected coordinate system stays.</summary>
+    public void ClearShifts()
+    {
+        _state.Head.SetShift(_state.Work.Origin);
+        _moves.BreakStrand();
+    }
+
+    /// <summary>Selects a coordinate system, by a G command, its number tenfold; false where it selects none.</summary>
+    public bool SelectSystem(int code)
+    {
+        ref var work = ref _state.Work;
+        if (code == 530)
+        {
+            work.IsMachineLine = true;
+            return true;
+        }
+        if (code is < 540 or > 593 || (code < 590 && code % 10 != 0)) return false;
+        var system = code < 590 ? (code - 540) / 10 : 5 + code - 590;
+        if (system == work.Selected) return true;
+        var before = work.Origin;
+        work.Selected = system;
+        if (system > 0 && work.Origin == Vec3.Zero)
+            machine.Diagnostics.Add(Severity.Remark, "gcode.workspace",
+                "A coordinate system is selected whose origin the file does not set: it is taken as that of the machine.");
+        OriginMoved(before);
+        return true;
+    }
+
+    /// <summary>G10 L2 (the words are the origin) and L20 (the words are where the head is in the system).</summary>
+    public void SetSystem(ParsedLine line, bool here)
+    {
+        var number = line.Get('P', 0);
+        if (!(number is >= 0 and <= WorkOffsets.Count))
+        {
+            machine.Ignored.Add("G10");
+            return;
+        }
+        ref var work = ref _state.Work;
+        var system = number < 1 ? work.Selected : (int)number - 1;
+        var before = work.Origin;
+        var own = work.OriginOf(system);
+        var head = _state.Head.Written;
+        work.SetOrigin(system, new Vec3(
+            Coordinate('X', own.X, own.X + (head.X + before.X - own.X)),
+            Coordinate('Y', own.Y, own.Y + (head.Y + before.Y - own.Y)),
+            Coordinate('Z', own.Z, own.Z + (head.Z + before.Z - own.Z))));
+        OriginMoved(before);
+
+        double Coordinate(char letter, double unchanged, double position)
+        {
+            if (!line.TryGet(letter, out var word)) return unchanged;
+            word *= _state.Modes.Unit;
+            return !(word is > -Largest and < Largest) ? unchanged : here ? position - word : word;
+        }
+    }
+
+    private void OriginMoved(Vec3 before)
+    {
+        _state.Head.SetShift(_state.Head.Shift + _state.Work.Origin - before);
+        _moves.BreakStrand();
+    }
+
+    private static void Axes(ParsedLine line, out bool x, out bool y, out bool z)
+    {
+        x = line.Has('X');
+        y = line.Has('Y');
+        z = line.Has('Z');
+        if (!x && !y && !z) x = y = z = true;
+    }
+
+    private void HomeAxis(ParsedLine line, char letter, double origin, ref double position, ref double shift, ref bool known)
+    {
+        if (_rules.HomesToNumber && line.TryGet(letter, out var number) && Math.Abs(number) is >= 1 and < Largest) origin -= number;
+        shift = origin;
+        position = -origin;
+        known = true;
+    }
+
+    private bool RenameAxis(double word, ref double position, ref double shift, ref bool known)
+    {
+        word *= _state.Modes.Unit;
+        if (!(word is > -Largest and < Largest))
+        {
+            _moves.OutOfRange();
+            return false;
+        }
+        // Before the axis has moved or homed, its name is all there is to know.
+        if (known) shift += position - word;
+        position = word;
+        known = true;
+        _moves.BreakStrand();
+        return true;
+    }
+}

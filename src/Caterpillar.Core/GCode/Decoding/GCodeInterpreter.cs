@@ -1,0 +1,185 @@
+using System.Collections.Generic;
+using System.Runtime.CompilerServices;
+using Caterpillar.Dialects;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Second half of decoding: carries out line after line on a machine.</summary>
+internal sealed class GCodeInterpreter
+{
+    private const byte LastFastOp = 1;
+
+    private readonly Machine _machine;
+    private readonly ParsedLine _parsed = new();
+    private readonly MotionCommands _motion;
+    private readonly GCommands _commands;
+    private readonly MachineCommands _machineCommands;
+    private readonly ExtendedCommands _extended;
+
+    public GCodeInterpreter(DialectRules rules, ExtrusionRule rule, ExtrusionAxis axis)
+    {
+        _machine = new Machine(rules, rule, axis);
+        Comments = new CommentInterpreter(_machine);
+        var extruder = new ExtruderWords(_machine);
+        var positions = new PositionCommands(_machine, extruder);
+        var modes = new ModeCommands(_machine, positions);
+        var events = new EventCommands(_machine);
+        _motion = new MotionCommands(_machine, extruder);
+        _commands = new GCommands(_machine, events, modes, positions, _motion);
+        _machineCommands = new MachineCommands(_machine, modes, events, Comments);
+        _extended = new ExtendedCommands(_machine, modes, events, Comments);
+    }
+
+    /// <summary>What the lines so far have done.</summary>
+    public Machine Machine => _machine;
+
+    public CommentInterpreter Comments { get; }
+
+    /// <summary>The state of the machine; it changes with the next line. <see cref="Save"/> copies it.</summary>
+    public MachineState State => _machine.State;
+
+    /// <summary>Moves of the last line that was read by <see cref="ReadLine(ParsedLine, byte[], int, out int)"/>.</summary>
+    public ToolpathColumns LastMoves => _machine.Moves.Columns;
+
+    /// <summary>Events of the last line.</summary>
+    public IReadOnlyList<MoveEvent> LastEvents => _machine.Moves.Events;
+
+    /// <summary>The arc of the last line, where it made one.</summary>
+    public Arc? LastArc => _machine.Moves.LastArc;
+
+    /// <summary>True where G1 to G3 print without any E.</summary>
+    public bool Strokes => _machine.Moves.Strokes;
+
+    /// <summary>Carries out the lines of a chunk; <paramref name="firstLine"/> lines are before it.</summary>
+    [MethodImpl((MethodImplOptions)512)]
+    public void Run(ChunkParser chunk, int firstLine)
+    {
+        var text = chunk.Chunk!.Text;
+        var records = chunk.Records;
+        var count = chunk.Count;
+        var diagnostics = _machine.Diagnostics;
+        var state = _machine.State;
+        var moves = _machine.Moves;
+        _machine.Features.Lines += count;
+        _machine.Features.CrLf += chunk.CrLf;
+        _machine.Features.SemicolonComments += chunk.Comments;
+        for (var i = 0; i < count; i++)
+        {
+            ref var record = ref records[i];
+            diagnostics.Line = firstLine + record.Line + 1;
+            if (record.Op > LastFastOp)
+            {
+                if (record.Op == ChunkParser.Comment) CommentLine(text, record.Start, record.Aux);
+                else Execute(text, record.Start, record.Aux);
+                continue;
+            }
+            if (record.Aux >= 0 && !Comments.HasRoles) Comments.AfterMove(text, record.Aux);
+            int mask = record.Mask;
+            state.Modes.Motion = record.Op;
+            if ((mask & ChunkParser.HasF) != 0) _machine.SetFeed(record.F);
+            if (!state.Modes.IsPlain)
+            {
+                _motion.Line(mask, record.X, record.Y, record.Z, record.E, record.Op);
+                continue;
+            }
+            var e = 0.0;
+            if ((mask & ChunkParser.HasE) != 0)
+            {
+                e = state.Modes.RelativeE ? record.E : record.E - state.Extrusion.E;
+                state.Extrusion.E += e;
+            }
+            moves.Line(
+                (mask & ChunkParser.HasX) != 0 ? record.X : state.Head.X,
+                (mask & ChunkParser.HasY) != 0 ? record.Y : state.Head.Y,
+                (mask & ChunkParser.HasZ) != 0 ? record.Z : state.Head.Z,
+                e,
+                record.Op);
+        }
+    }
+
+    /// <summary>
+    /// Reads a line and forgets what came before it; returns the number of moves it makes. <paramref name="commands"/> counts motion commands, also those that
+    /// move nothing.
+    /// </summary>
+    public int ReadLine(byte[] text, int start, int end, out int commands)
+    {
+        _parsed.Scan(text, start, end);
+        return ReadLine(_parsed, text, end, out commands);
+    }
+
+    /// <summary>The same for a line whose words are known.</summary>
+    public int ReadLine(ParsedLine line, byte[] text, int end, out int commands)
+    {
+        _machine.Moves.Clear();
+        var counters = _machine.Counters;
+        var before = counters.Rapids + counters.Feeds;
+        Execute(line, text, end);
+        commands = counters.Rapids + counters.Feeds - before;
+        return LastMoves.Count;
+    }
+
+    public MachineState Save() => _machine.Save(new MachineState());
+
+    /// <inheritdoc cref="Machine.Save"/>
+    public MachineState Save(MachineState copy) => _machine.Save(copy);
+
+    public void Restore(MachineState saved) => _machine.Restore(saved);
+
+    /// <summary>The finished toolpath, with the mm³ for one unit of E of each tool.</summary>
+    public Toolpath ToToolpath(double?[] volumePerE)
+    {
+        var tools = new ToolpathTool[_machine.Extruders.Count];
+        for (var i = 0; i < tools.Length; i++)
+        {
+            var known = volumePerE.Length == 0 ? null : volumePerE[System.Math.Min(i, volumePerE.Length - 1)];
+            tools[i] = new ToolpathTool(State.Modes.Volumetric ? 1 : known);
+        }
+        return _machine.Moves.ToToolpath(tools);
+    }
+
+    private void CommentLine(byte[] text, int start, int end)
+    {
+        _machine.Features.SemicolonComments++;
+        Comments.Line(text, start, end);
+    }
+
+    private void Execute(byte[] text, int start, int end)
+    {
+        if (_machine.Diagnostics.Line == 1 && start == 0) start = Files.ByteOrderMark.LengthAt(text, start, end);
+        _parsed.Scan(text, start, end);
+        Execute(_parsed, text, end);
+    }
+
+    private void Execute(ParsedLine line, byte[] text, int end)
+    {
+        _machine.Features.Count(line);
+        if (line.Shape == LineShape.Macro)
+        {
+            _extended.Take(text, line);
+            return;
+        }
+        if (line.CommentStart >= 0)
+        {
+            if (line.Shape == LineShape.Blank) Comments.Line(text, line.CommentStart, end);
+            else if (!Comments.HasRoles) Comments.AfterMove(text, line.CommentStart);
+        }
+        if (line.Shape == LineShape.Blank) return;
+        switch ((char)line.Letters[0])
+        {
+            case 'M':
+                _machineCommands.Take(text, line);
+                return;
+            case 'T':
+                if (!_machine.Rules.ToolByM6) _machine.ChangeTool(line.Values[0]);
+                else State.NextTool = line.Values[0];
+                return;
+            case 'O':
+                return;
+            default:
+                _commands.Take(line);
+                return;
+        }
+    }
+}

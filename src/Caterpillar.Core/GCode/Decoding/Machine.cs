@@ -1,0 +1,114 @@
+using System;
+using Caterpillar.Dialects;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>The machine that a file drives: the rules of its firmware, its state, and what it has done so far.</summary>
+internal sealed class Machine
+{
+    public Machine(DialectRules rules, ExtrusionRule rule, ExtrusionAxis axis)
+    {
+        Rules = rules;
+        Axis = axis;
+        State.Modes.Volumetric = rules.StartsVolumetric;
+        Ignored = new IgnoredCommands(rules, Diagnostics);
+        Extruders = new Extruders(rules, State, Counters);
+        Moves = new MoveRecorder(this, rule);
+        Extruders.Select(0);
+    }
+
+    public DialectRules Rules { get; }
+
+    /// <summary>The words that extrude.</summary>
+    public ExtrusionAxis Axis { get; }
+
+    public MachineState State { get; } = new();
+
+    public LineDiagnostics Diagnostics { get; } = new();
+
+    public DecodeCounters Counters { get; } = new();
+
+    public Features Features { get; } = new();
+
+    public IgnoredCommands Ignored { get; }
+
+    public Extruders Extruders { get; }
+
+    public MoveRecorder Moves { get; }
+
+    /// <summary>The last line that changed a mode.</summary>
+    public int LastModeLine { get; private set; }
+
+    /// <summary>Copies the state into another one, and returns that.</summary>
+    public MachineState Save(MachineState copy)
+    {
+        copy.CopyFrom(State);
+        copy.EByTool = Extruders.Positions();
+        return copy;
+    }
+
+    public void Restore(MachineState saved)
+    {
+        Extruders.Restore(saved.EByTool, saved.Tool);
+        State.CopyFrom(saved);
+        ModesChanged();
+    }
+
+    /// <summary>After each change of a mode: which rule of E holds, and whether the fast path does.</summary>
+    public void ModesChanged()
+    {
+        LastModeLine = Diagnostics.Line;
+        ref var modes = ref State.Modes;
+        ref var extrusion = ref State.Extrusion;
+        modes.ResolveE(Rules.RelativeE);
+        if (!extrusion.HasMarlin2E && modes.RelativeE != modes.LastRelative)
+        {
+            extrusion.HasMarlin2E = true;
+            extrusion.Marlin2E = extrusion.E;
+            Counters.EMarlin2 = Counters.ENet;
+        }
+        modes.IsPlain = !modes.Relative && !modes.Inches && !modes.IsRelativeEDisputed && !extrusion.HasMarlin2E;
+    }
+
+    public void SetFeed(double feed)
+    {
+        feed *= State.Modes.Unit;
+        if (feed is > 0 and < 1e9) State.Feed.Set(feed, State.Feed.Factor);
+    }
+
+    public void ChangeTool(double number)
+    {
+        if (!(number >= 0 && number < Rules.ToolLimit) || number != Math.Floor(number))
+        {
+            Ignored.Add('T', number);
+            return;
+        }
+        var tool = (int)number;
+        if (tool == State.Tool) return;
+        Counters.ToolChanges++;
+        Extruders.Change(tool);
+        Moves.AddEvent(new ToolEvent(tool));
+    }
+
+    /// <summary>A number of a tool, or null where there is no such tool.</summary>
+    public int? ToolNumber(double number) => number >= 0 && number < Rules.ToolLimit ? (int)number : null;
+
+    /// <summary>The position as written that the words of a line name.</summary>
+    public Vec3 Target(ParsedLine line)
+    {
+        ref var head = ref State.Head;
+        return new Vec3(
+            line.TryGet('X', out var x) ? Target(head.X, x, head.ShiftX) : head.X,
+            line.TryGet('Y', out var y) ? Target(head.Y, y, head.ShiftY) : head.Y,
+            line.TryGet('Z', out var z) ? Target(head.Z, z, head.ShiftZ) : head.Z);
+    }
+
+    /// <summary>The same for one axis.</summary>
+    public double Target(double from, double word, double shift)
+    {
+        word *= State.Modes.Unit;
+        return State.Work.IsMachineLine ? word - shift : State.Modes.Relative ? from + word : word;
+    }
+}

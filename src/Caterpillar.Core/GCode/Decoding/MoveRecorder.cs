@@ -1,0 +1,273 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Dialects;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Turns targets into moves: decides what kind each is, counts it, and collects moves and events.</summary>
+internal sealed class MoveRecorder
+{
+    // Beyond these a number is no length in mm: such a move is left out and reported.
+    public const double LargestLength = 1e10;
+    public const double LargestE = 1e9;
+    private const double NoChange = MachineState.NoChange;
+    private const double LargestSquare = LargestLength * LargestLength;
+
+    private readonly MachineState _state;
+    private readonly Extruders _extruders;
+    private readonly LineDiagnostics _diagnostics;
+    private readonly DecodeCounters _counters;
+    private readonly MoveColumns _moves = new();
+    private readonly List<MoveEvent> _events = [];
+    private readonly bool _balance;
+    private readonly bool _switched;
+    private double _lastPrintZ = double.NaN;
+    private double _lastFlatZ = double.NaN;
+    private bool _afterPrint;
+    private Vec3? _start;
+
+    public MoveRecorder(Machine machine, ExtrusionRule rule)
+    {
+        _state = machine.State;
+        _extruders = machine.Extruders;
+        _diagnostics = machine.Diagnostics;
+        _counters = machine.Counters;
+        _balance = rule == ExtrusionRule.Balance;
+        _switched = machine.Axis == ExtrusionAxis.Switched;
+        Strokes = _switched || (machine.Axis == ExtrusionAxis.None && machine.Rules.StrokesWithoutE);
+    }
+
+    public LayerCollector Layers { get; } = new();
+
+    /// <summary>The role of the strands from here on.</summary>
+    public Role Role { get; set; }
+
+    /// <summary>True where G1 to G3 print without any E.</summary>
+    public bool Strokes { get; }
+
+    public int Count => _moves.Count;
+
+    /// <summary>The moves since the last <see cref="Clear"/>, or of the block that is being filled.</summary>
+    public ToolpathColumns Columns => _moves.Columns;
+
+    public IReadOnlyList<MoveEvent> Events => _events;
+
+    /// <summary>The arc of the last move, where it is one.</summary>
+    public Arc? LastArc => _moves.LastArc;
+
+    public static bool IsTooFar(double x, double y, double z)
+        => !(Math.Abs(x) < LargestLength && Math.Abs(y) < LargestLength && Math.Abs(z) < LargestLength);
+
+    public void AddEvent(PrinterEvent what) => _events.Add(new MoveEvent(_moves.Count, what));
+
+    public void Clear()
+    {
+        _moves.Clear();
+        _events.Clear();
+    }
+
+    /// <summary>The finished toolpath.</summary>
+    public Toolpath ToToolpath(ToolpathTool[] tools) => new(_moves.ToBlocks(), Layers.ToLayers(), _events, tools, _start, MoveSource.Lines);
+
+    /// <summary>A straight move to a position as written, with a change of E, by G0 or G1.</summary>
+    public void Line(double x, double y, double z, double e, int code)
+    {
+        ref var head = ref _state.Head;
+        var dx = x - head.X;
+        var dy = y - head.Y;
+        var dz = z - head.Z;
+        var square = dx * dx + dy * dy;
+        var length2 = square + dz * dz;
+        if (code == 0) _counters.Rapids++;
+        else _counters.Feeds++;
+        if (!(length2 < LargestSquare) || !(e < LargestE && e > -LargestE) || (length2 > 1e6 && IsTooFar(x, y, z)))
+        {
+            OutOfRange();
+            return;
+        }
+        if (e < NoChange && e > -NoChange) e = 0;
+        if (length2 <= NoChange * NoChange)
+        {
+            InPlace(x, y, z, e);
+            return;
+        }
+        Move(x, y, z, e, code, Math.Sqrt(length2), Math.Sqrt(square), dz == 0);
+    }
+
+    /// <summary>An arc by G2 or G3, in coordinates as written.</summary>
+    public void Arc(Vec3 start, Vec3 end, double e, Arc arc, int code)
+    {
+        var length = arc.Length(start, end);
+        _counters.Feeds++;
+        if (!(length * length < LargestSquare) || IsTooFar(end.X, end.Y, end.Z) || IsTooFar(arc.Center.X, arc.Center.Y, arc.Center.Z)
+            || !(Math.Abs(e) < LargestE))
+        {
+            OutOfRange();
+            return;
+        }
+        if (Math.Abs(e) < NoChange) e = 0;
+        if (length <= NoChange)
+        {
+            InPlace(end.X, end.Y, end.Z, e);
+            return;
+        }
+        var rise = end.Z - start.Z;
+        var xy = Math.Sqrt(Math.Max(length * length - rise * rise, 0));
+        var count = _counters.Prints;
+        Move(end.X, end.Y, end.Z, e, code, length, xy, arc.Plane == ArcPlane.XY && rise == 0);
+        _moves.AddArc(arc with { Center = arc.Center + _state.Head.Shift });
+        var printed = _counters.Prints > count;
+        if (printed) _counters.PrintArcs++;
+        else _counters.TravelArcs++;
+        (printed ? _counters.PrintEnds : _counters.TravelEnds).Include(arc, start, end);
+    }
+
+    /// <summary>A travel that a command makes by itself; none before the first move of the file, where the head is not known.</summary>
+    public void Travel(Vec3 to)
+    {
+        ref var head = ref _state.Head;
+        if (head.HasMoved && to != head.Written) Emit(to.X, to.Y, to.Z, 0, 0, MoveKind.Travel);
+        (head.X, head.Y, head.Z) = (to.X, to.Y, to.Z);
+    }
+
+    /// <summary>A move in place: a dwell, a firmware retraction, a turn of rotary axes.</summary>
+    public void Stay(MoveKind kind)
+    {
+        ref var head = ref _state.Head;
+        Emit(head.X, head.Y, head.Z, 0, 0, kind);
+    }
+
+    /// <summary>The rotary axes have turned with the last move.</summary>
+    public void Turn(Turns turns) => _moves.Turn(turns);
+
+    /// <summary>What follows begins a strand of its own.</summary>
+    public void BreakStrand() => _afterPrint = false;
+
+    /// <summary>The first comment that begins a layer: what comes before it has none.</summary>
+    public void ForgetLayers() => _moves.ForgetLayers();
+
+    public void BeginLayer(int? number, double z, double thickness)
+    {
+        Layers.Mark(number, z, thickness);
+        _lastFlatZ = double.NaN;
+    }
+
+    public void OutOfRange() => _diagnostics.Warn("gcode.number_range", "A move beyond 10¹⁰ mm (or a coordinate that is not a number) is left out.");
+
+    private void Move(double x, double y, double z, double e, int code, double length, double lengthXY, bool flat)
+    {
+        var counters = _counters;
+        MoveKind kind;
+        var deposited = 0.0;
+        if (e > 0)
+        {
+            deposited = _extruders.Push(e);
+            kind = _balance && deposited == 0 ? MoveKind.MovingRestore : MoveKind.Print;
+        }
+        else if (e < 0)
+        {
+            _extruders.Pull(-e);
+            kind = MoveKind.Wipe;
+        }
+        else
+        {
+            kind = Strokes && (_state.Extrusion.IsSwitchedOn || !_switched) && code > 0 ? MoveKind.Print : MoveKind.Travel;
+        }
+        if (kind == MoveKind.Print)
+        {
+            if (!_balance) deposited = e;
+            counters.Prints++;
+            if (code == 0) counters.PrintsG0++;
+            counters.PrintLength += length;
+            counters.PrintLengthXY += lengthXY;
+            counters.EPrint += deposited;
+            if (!_afterPrint) counters.PrintStarts.Include(_state.Head.X, _state.Head.Y, _state.Head.Z);
+            counters.PrintEnds.Include(x, y, z);
+            CountHeight(z, flat);
+            _afterPrint = true;
+        }
+        else
+        {
+            counters.Travels++;
+            if (e < 0) counters.TravelsWithRetract++;
+            if (code == 1) counters.TravelsG1++;
+            counters.TravelLength += length;
+            counters.TravelEnds.Include(x, y, z);
+            _afterPrint = false;
+        }
+        Emit(x, y, z, e, deposited, kind);
+    }
+
+    private void CountHeight(double z, bool flat)
+    {
+        if (z != _lastPrintZ)
+        {
+            _lastPrintZ = z;
+            _counters.HeightChanged(z);
+        }
+        if (flat && z != _lastFlatZ)
+        {
+            _lastFlatZ = z;
+            _counters.FlatAt(z);
+            if (!Layers.Marked) Layers.FlatAt(z + _state.Head.ShiftZ);
+        }
+        if (Layers.NeedsZ) Layers.Printed(z + _state.Head.ShiftZ, flat);
+    }
+
+    private void InPlace(double x, double y, double z, double e)
+    {
+        if (e > 0)
+        {
+            _counters.Unretracts++;
+            var wasRetracted = _extruders.IsRetracted;
+            var deposited = _extruders.Push(e);
+            Emit(x, y, z, e, _balance ? deposited : 0, wasRetracted || !_balance ? MoveKind.Restore : MoveKind.Prime);
+        }
+        else if (e < 0)
+        {
+            _counters.Retracts++;
+            _extruders.Pull(-e);
+            Emit(x, y, z, e, 0, MoveKind.Retract);
+        }
+        else
+        {
+            _counters.NoOps++;
+            ref var head = ref _state.Head;
+            (head.X, head.Y, head.Z) = (x, y, z);
+        }
+    }
+
+    private void Emit(double x, double y, double z, double e, double deposited, MoveKind kind)
+    {
+        ref var head = ref _state.Head;
+        if (!head.HasMoved) NoteStart();
+        head.X = x;
+        head.Y = y;
+        head.Z = z;
+        if (_moves.IsFull) _moves.Grow();
+        var c = _moves.Columns;
+        var i = c.Count++;
+        c.X[i] = x + head.ShiftX;
+        c.Y[i] = y + head.ShiftY;
+        c.Z[i] = z + head.ShiftZ;
+        c.E[i] = e;
+        c.Deposited[i] = deposited;
+        c.Speed[i] = _state.Feed.Speed;
+        c.Kind[i] = kind;
+        c.Role[i] = kind == MoveKind.Print ? Role : Role.Unspecified;
+        c.Layer[i] = Layers.Current;
+        c.Tool[i] = (short)_state.Tool;
+        c.Source[i] = _diagnostics.Line;
+    }
+
+    // Where the first move begins; from there on the axes are known.
+    private void NoteStart()
+    {
+        ref var head = ref _state.Head;
+        head.HasMoved = true;
+        _start = head.IsKnown ? head.Machine : null;
+        head.KnownX = head.KnownY = head.KnownZ = true;
+    }
+}

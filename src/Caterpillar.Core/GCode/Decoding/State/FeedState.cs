@@ -1,0 +1,23 @@
+namespace Caterpillar.GCode;
+
+/// <summary>The feed rate as written, its factor (M220), and the speed that follows.</summary>
+internal struct FeedState
+{
+    /// <summary>mm/min.</summary>
+    public double Rate;
+
+    public double Factor;
+
+    /// <summary>The factor that M220 B has saved.</summary>
+    public double SavedFactor;
+
+    /// <summary>mm/s.</summary>
+    public double Speed;
+
+    public void Set(double rate, double factor)
+    {
+        Rate = rate;
+        Factor = factor;
+        Speed = rate / 60 * factor;
+    }
+}

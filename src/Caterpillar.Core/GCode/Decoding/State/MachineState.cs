@@ -1,0 +1,59 @@
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// The state of the machine between two lines: all that decides how the next line is read. Its parts are values, so that a copy is a snapshot.
+/// </summary>
+internal sealed class MachineState
+{
+    /// <summary>mm (or degrees) below which nothing has changed.</summary>
+    public const double NoChange = 1e-9;
+
+    public HeadPosition Head;
+    public Modes Modes = new() { IsPlain = true };
+    public FeedState Feed = new() { Factor = 1, SavedFactor = 1 };
+    public ExtrusionState Extrusion = new() { Flow = 1 };
+    public RotaryPosition Rotary;
+    public WorkOffsets Work;
+    public SavedStates Saved = SavedStates.None;
+
+    // Positions that G28.1 and G30.1 store, in machine coordinates; those the machine itself has are taken as zero.
+    public Vec3 Stored28;
+    public Vec3 Stored30;
+
+    public int Tool;
+
+    /// <summary>The tool that M6 will change to, or NaN.</summary>
+    public double NextTool = double.NaN;
+
+    /// <summary>The position of E for each tool, where the firmware keeps one for each.</summary>
+    public KeyValuePair<int, double>[] EByTool = [];
+
+    public void CopyFrom(MachineState from)
+    {
+        Head = from.Head;
+        Modes = from.Modes;
+        Feed = from.Feed;
+        Extrusion = from.Extrusion;
+        Rotary = from.Rotary;
+        Work = from.Work;
+        Saved = from.Saved;
+        Stored28 = from.Stored28;
+        Stored30 = from.Stored30;
+        Tool = from.Tool;
+        NextTool = from.NextTool;
+        EByTool = from.EByTool;
+    }
+
+    /// <summary>True when lines are read alike in both states; where E stays relative, its position does not matter.</summary>
+    public bool ReadsLike(MachineState other, bool positionOfEMatters)
+        => Head.ReadsLike(other.Head) && (System.Math.Abs(Extrusion.E - other.Extrusion.E) <= NoChange || !positionOfEMatters)
+            && Feed.Speed == other.Feed.Speed && Tool == other.Tool && Modes.ReadsLike(other.Modes)
+            && Extrusion.IsSwitchedOn == other.Extrusion.IsSwitchedOn && Rotary == other.Rotary && Work.ReadsLike(other.Work)
+            && Stored28 == other.Stored28 && Stored30 == other.Stored30 && Saved.ReadsLike(other.Saved);
+}
+
+/// <summary>The state before a chunk of the document, and how many lines and events come before it.</summary>
+internal readonly record struct Checkpoint(int Line, MachineState State, int Events);

@@ -1,0 +1,18 @@
+using System;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Where the rotary axes are, degrees.</summary>
+/// <param name="Written">As written.</param>
+/// <param name="Shift">Machine coordinates minus coordinates as written, which G92 changes.</param>
+internal readonly record struct RotaryPosition(Turns Written, Turns Shift)
+{
+    public Turns Machine => new(Written.A + Shift.A, Written.B + Shift.B, Written.C + Shift.C);
+}
+
+/// <summary>Angles of the rotary axes, degrees.</summary>
+internal readonly record struct Turns(double A, double B, double C)
+{
+    public bool IsNear(Turns other)
+        => Math.Abs(A - other.A) <= MachineState.NoChange && Math.Abs(B - other.B) <= MachineState.NoChange && Math.Abs(C - other.C) <= MachineState.NoChange;
+}

@@ -1,0 +1,74 @@
+using System.Linq;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.GCode;
+
+/// <summary>States that a file saves and restores (M120 and M121, SAVE_GCODE_STATE), and the offset of SET_GCODE_OFFSET, which homing keeps.</summary>
+internal struct SavedStates
+{
+    private const int MaxCount = 100;
+
+    // Replaced, never changed.
+    private SavedState[] _stack;
+    private SavedState[] _named;
+
+    /// <summary>mm.</summary>
+    public Vec3 Offset;
+    public double OffsetE;
+
+    public static SavedStates None => new() { _stack = [], _named = [] };
+
+    public void Push(SavedState state)
+    {
+        if (_stack.Length < MaxCount) _stack = [.. _stack, state];
+    }
+
+    /// <summary>The state that was pushed last, or null.</summary>
+    public SavedState? Pop()
+    {
+        if (_stack.Length == 0) return null;
+        var last = _stack[_stack.Length - 1];
+        _stack = _stack.Take(_stack.Length - 1).ToArray();
+        return last;
+    }
+
+    public void SetNamed(SavedState state) => _named = [.. _named.Where(s => s.Name != state.Name).Take(MaxCount), state];
+
+    public readonly SavedState? Named(string name) => _named.FirstOrDefault(s => s.Name == name);
+
+    public readonly bool ReadsLike(in SavedStates other)
+        => Offset == other.Offset && OffsetE == other.OffsetE && _stack.SequenceEqual(other._stack) && _named.SequenceEqual(other._named);
+}
+
+/// <summary>What a saved state holds.</summary>
+internal sealed record SavedState(string Name)
+{
+    public bool Relative { get; init; }
+
+    public bool LastRelative { get; init; }
+
+    public bool M83 { get; init; }
+
+    public bool Inches { get; init; }
+
+    public bool Volumetric { get; init; }
+
+    public ArcPlane Plane { get; init; }
+
+    public double FeedRate { get; init; }
+
+    public double FeedFactor { get; init; }
+
+    public double Flow { get; init; }
+
+    public double E { get; init; }
+
+    public Vec3 Shift { get; init; }
+
+    /// <summary>In machine coordinates.</summary>
+    public Vec3 Position { get; init; }
+
+    public Vec3 Offset { get; init; }
+
+    public double OffsetE { get; init; }
+}

@@ -1,0 +1,56 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Holds back comments until it is known whether the moves after them stay.</summary>
+internal sealed class CommentBuffer(SpliceContext context)
+{
+    private const int LongestSetting = 100;
+    private readonly List<FileLine> _lines = [];
+    private readonly CutComments _cut = new();
+
+    public void Add(FileLine line) => _lines.Add(line);
+
+    /// <summary>The moves after the comments stay, and so do the comments.</summary>
+    public void Keep()
+    {
+        foreach (var line in _lines)
+        {
+            if (!_cut.IsEmpty) _cut.Keep(line);
+            if (!IsUnitSetting(line)) context.Text.Add(line);
+        }
+        _lines.Clear();
+    }
+
+    /// <summary>The moves after the comments are cut out, and so are the comments, until a move that stays needs them.</summary>
+    public void Cut()
+    {
+        foreach (var line in _lines) _cut.Cut(line);
+        _lines.Clear();
+    }
+
+    /// <summary>Writes the comments of moves that were cut out which the moves after them need.</summary>
+    public void RestoreCut()
+    {
+        if (_cut.IsEmpty) return;
+        foreach (var line in _lines) _cut.Keep(line);
+        foreach (var line in _cut.Take())
+        {
+            var bytes = new byte[line.End - line.Start];
+            Buffer.BlockCopy(line.Text, line.Start, bytes, 0, bytes.Length);
+            context.Text.AddOwn(bytes, bytes.Length);
+        }
+    }
+
+    // A setting that says in which unit E is changes with the unit.
+    private bool IsUnitSetting(FileLine line)
+    {
+        if (context.Target is not { ChangesUnit: true } target || line.End - line.Start > LongestSetting) return false;
+        var text = TextEncoding.Decode(line.Text, line.Start, line.End);
+        if (text.IndexOf("use_volumetric_e = ", StringComparison.Ordinal) < 0) return false;
+        var own = TextEncoding.Encode("; use_volumetric_e = " + (target.IsVolumetric ? "1" : "0"));
+        context.Text.AddOwn(own, own.Length);
+        return true;
+    }
+}

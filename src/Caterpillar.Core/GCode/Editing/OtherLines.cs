@@ -1,0 +1,165 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Dialects;
+
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// Lines without motion: modes, names of positions, machine commands, homing, firmware retraction, dwells. A line stays where the target takes it as the
+/// file's firmware does; otherwise what it did is said in the target's words.
+/// </summary>
+internal sealed class OtherLines(SpliceContext context, MoveConversion conversion)
+{
+    private readonly ConvertTarget? _target = context.Target;
+    private readonly DialectRules _rules = context.Rules;
+    private readonly ParsedLine _line = context.Line;
+    private readonly SplicedText _text = context.Text;
+
+    /// <summary>Writes the current line, or others in its place.</summary>
+    public void Write(FileLine line)
+    {
+        var written = context.Written;
+        if (_target is not null && _line.Shape == LineShape.Code && Replacement(_target, line) is { } lines)
+        {
+            _text.Drop(_line);
+            foreach (var other in lines) context.Command(other);
+            return;
+        }
+        var before = written.Save();
+        var moves = written.ReadLine(_line, line.Text, line.End, out var commands);
+        // A tool that was selected already, and is no longer after another one was put in, must not be selected.
+        if (_target is null && context.Read.LastEvents.Count == 0 && written.LastEvents.Count > 0)
+        {
+            written.Restore(before);
+            _text.Drop(_line);
+            return;
+        }
+        if (_target is not null && !MeansTheSame(moves, commands))
+        {
+            written.Restore(before);
+            WriteEvents(line);
+            return;
+        }
+        if (IsG92() && !context.HasSameShift)
+        {
+            written.Restore(before);
+            _text.Drop(_line);
+            var extruder = context.Decoding.Axis.FirstLetter;
+            context.Command(context.RenamePosition(true, true, true, extruder != 0 && _line.Find((char)extruder) >= 0) + context.Comment(line));
+            return;
+        }
+        _text.Add(line);
+        // Some firmware forgets what G92 has said when it homes.
+        if (_target is not null && context.LineHomes && !context.HasSameShift) context.Command(context.RenamePosition(true, true, true, false));
+    }
+
+    private bool IsG92() => _line.Shape == LineShape.Code && _line.Letters[0] == 'G' && _line.HasValue[0] && Math.Floor(_line.Values[0]) == 92;
+
+    // Whether both machines have made the same of the line that they have read last.
+    private bool MeansTheSame(int moves, int commands)
+    {
+        var read = context.Read.LastEvents;
+        var written = context.Written.LastEvents;
+        // A motion that the file's firmware refuses goes, also where the target would refuse it.
+        if (commands > 0 || (_line.Shape == LineShape.Code && (_line.HasCode(0) || _line.HasCode(1) || _line.HasCode(2) || _line.HasCode(3)))) return false;
+        if ((moves > 0 && context.Read.LastMoves.Count == 0 && !context.LineHomes) || read.Count != written.Count) return false;
+        for (var i = 0; i < read.Count; i++)
+        {
+            if (!read[i].Event.Equals(written[i].Event)) return false;
+        }
+        return true;
+    }
+
+    // The events of a line in the words of the target; a line without any means nothing to the file's own firmware and goes.
+    private void WriteEvents(FileLine line)
+    {
+        var comment = context.Comment(line);
+        _text.Drop(_line);
+        if (_line.Shape == LineShape.Code && _line.Letters[0] != 'M') context.WriteModes();
+        foreach (var entry in context.Read.LastEvents.ToArray())
+        {
+            foreach (var text in EventText.Lines(entry.Event, _rules))
+            {
+                context.Command(text + comment);
+                comment = "";
+            }
+        }
+        if (context.LineHomes && !context.HasSameShift) context.Command(context.RenamePosition(true, true, true, false));
+    }
+
+    // Null where the line stays as far as its words go; otherwise the lines in its place, perhaps none.
+    private IReadOnlyList<string>? Replacement(ConvertTarget target, FileLine line)
+    {
+        var letter = _line.Letters[0];
+        var code = _line.HasValue[0] ? _line.Values[0] : -1;
+        var from = context.Decoding.Dialect;
+        if (letter == 'M')
+        {
+            var goes = code switch
+            {
+                82 or 83 => target.RelativeE is not null || from.RelativeE != _rules.RelativeE,
+                200 => target.ChangesUnit || !_rules.Volumetric || !from.Volumetric,
+                220 => from.SpeedFactor != _rules.SpeedFactor,
+                221 => from.FlowFactor == FlowFactorRule.Ignored || _rules.FlowFactor == FlowFactorRule.Ignored,
+                _ => false,
+            };
+            return goes ? [] : null;
+        }
+        if (letter != 'G') return null;
+        if (target.Millimeters && _line.HasCode(20)) return OtherModes();
+        return code switch
+        {
+            92 => Rename(target, context.Comment(line)),
+            10 or 11 when context.Read.LastMoves.Count > 0 && _rules.FirmwareRetraction
+                => _line.HasAny(_rules.NoRetractionWith) ? ["G" + NumberFormatter.Format(code, 0) + context.Comment(line)] : null,
+            10 or 11 when context.Read.LastMoves.Count > 0 => FirmwareRetraction(target, code == 10, context.Comment(line)),
+            _ => null,
+        };
+    }
+
+    // The modes of a line except its unit.
+    private List<string> OtherModes()
+    {
+        var modes = new List<string>();
+        for (var i = 0; i < _line.Count; i++)
+        {
+            if (context.IsMode(i) && _line.Values[i] is not (20 or 21)) modes.Add("G" + NumberFormatter.Format(_line.Values[i], 1));
+        }
+        return modes;
+    }
+
+    // G92: an extruder of another letter, a bare one that the target takes otherwise, inches, volumes.
+    private string[]? Rename(ConvertTarget target, string comment)
+    {
+        var from = context.Decoding.Dialect;
+        var inches = context.Read.State.Modes.Inches;
+        if (_line.Count == 1)
+        {
+            if (_rules.BareG92 == from.BareG92 && !target.ChangesUnit) return null;
+            return from.BareG92 == BareG92Rule.Nothing ? [] : [context.RenamePosition(true, true, true, true) + comment];
+        }
+        var hasE = conversion.HasExtruderWord();
+        var changesE = hasE && (context.Axis != context.Decoding.Axis || target.ChangesUnit || (inches && from.InchesOfE != _rules.InchesOfE));
+        if (!changesE && !(target.Millimeters && inches)) return null;
+        var line = context.RenamePosition(_line.Find('X') >= 0, _line.Find('Y') >= 0, _line.Find('Z') >= 0, hasE);
+        return line == "G92" ? [] : [line + comment];
+    }
+
+    private string[] FirmwareRetraction(ConvertTarget target, bool retract, string comment)
+    {
+        if (target.RetractionLength <= 0 || context.Extruder == 0)
+        {
+            context.Diagnostics.Add(Severity.Warning, "gcode.retraction_lost", _rules.Title
+                + " has no G10 and G11, and no retraction length is given: they are left out.", new SourceLocation(Line: context.Number));
+            return [];
+        }
+        var length = retract ? -target.RetractionLength : target.RetractionLength;
+        conversion.StateModeOfE(length);
+        var state = context.Written.State;
+        var value = state.Modes.RelativeE ? length : state.Extrusion.E + length;
+        return ["G1 " + (char)context.Extruder + SpliceContext.Format(value, context.UnitOfE) + " F"
+            + SpliceContext.Format(target.RetractionSpeed * 60 / state.Feed.Factor, context.Unit) + comment];
+    }
+}

@@ -1,0 +1,136 @@
+using System.IO;
+using Caterpillar.Basics;
+using Caterpillar.Dialects;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// What the parts of the splicer share: the file, and two machines that read along: one the file as it was, one what is written.
+/// </summary>
+internal sealed class SpliceContext
+{
+    public const double NoChange = MachineState.NoChange;
+
+    public SpliceContext(DecodedGCode decoding, ConvertTarget? target, Stream stream)
+    {
+        Decoding = decoding;
+        Target = target;
+        Style = LineStyle.Of(decoding.Document!).With(target?.DecimalsXyz, target?.DecimalsE, target?.DecimalsF);
+        Rules = target?.Dialect ?? decoding.Dialect;
+        Axis = target?.Axis ?? decoding.Axis;
+        Read = new GCodeInterpreter(decoding.Dialect, decoding.Rule, decoding.Axis);
+        Written = new GCodeInterpreter(Rules, decoding.Rule, Axis);
+        Text = new SplicedText(stream, Style);
+    }
+
+    public DecodedGCode Decoding { get; }
+
+    /// <summary>Null where the file is edited and not converted.</summary>
+    public ConvertTarget? Target { get; }
+
+    public LineStyle Style { get; }
+
+    /// <summary>The firmware to write for, and the words that extrude there.</summary>
+    public DialectRules Rules { get; }
+
+    public ExtrusionAxis Axis { get; }
+
+    /// <summary>The letter of the amounts of E that are written, or 0.</summary>
+    public byte Extruder => Axis.FirstLetter;
+
+    /// <summary>Reads the file as it was.</summary>
+    public GCodeInterpreter Read { get; }
+
+    /// <summary>Reads what is written.</summary>
+    public GCodeInterpreter Written { get; }
+
+    public SplicedText Text { get; }
+
+    /// <summary>The words of the current line of the file, and its number.</summary>
+    public ParsedLine Line { get; } = new();
+
+    public int Number { get; set; }
+
+    public DiagnosticList Diagnostics { get; } = new();
+
+    /// <summary>mm for one unit of X, Y and Z as they are written now.</summary>
+    public double Unit => Written.State.Modes.Unit;
+
+    /// <summary>mm (or mm³) for one unit of E as it is written now.</summary>
+    public double UnitOfE => Written.State.Modes.UnitOfE(Rules);
+
+    /// <summary>True where the current line brings inches that are to go.</summary>
+    public bool LineBringsInches => Target is { Millimeters: true } && Line.HasCode(20);
+
+    /// <summary>True where the current line homed.</summary>
+    public bool LineHomes
+    {
+        get
+        {
+            foreach (var entry in Read.LastEvents)
+            {
+                if (entry.Event is HomeEvent) return true;
+            }
+            return false;
+        }
+    }
+
+    /// <summary>Writes a line that is not the file's own.</summary>
+    public void Command(string line)
+    {
+        var bytes = TextEncoding.Encode(Style.LowerCase ? line.ToLowerInvariant() : line);
+        Written.ReadLine(bytes, 0, bytes.Length, out _);
+        Text.AddOwn(bytes, bytes.Length);
+    }
+
+    public void Command(string command, char letter, double value, int decimals) => Command(command + " " + letter + NumberFormatter.Format(value, decimals));
+
+    public void Event(PrinterEvent what)
+    {
+        foreach (var line in EventText.Lines(what, Rules)) Command(line);
+    }
+
+    /// <summary>The modes of the current line in lines of their own, so that its other words can be worked out from them; true where there were any.</summary>
+    public bool WriteModes()
+    {
+        var any = false;
+        for (var i = 0; i < Line.Count; i++)
+        {
+            if (!IsMode(i) || (Line.Values[i] == 20 && Target is { Millimeters: true })) continue;
+            Command("G" + NumberFormatter.Format(Line.Values[i], 1));
+            any = true;
+        }
+        return any;
+    }
+
+    public bool IsMode(int word)
+        => Line.Letters[word] == 'G' && Line.HasValue[word] && Line.Values[word] is 17 or 18 or 19 or 20 or 21 or 90 or 91 or 90.1 or 91.1;
+
+    /// <summary>The comment of the current line, to be put after another command.</summary>
+    public string Comment(FileLine line) => Line.CommentStart >= 0 ? " " + TextEncoding.Decode(line.Text, Line.CommentStart, line.End) : "";
+
+    /// <summary>True where coordinates as written mean the same position in the file and in what is written.</summary>
+    public bool HasSameShift => Read.State.Head.HasShiftOf(Written.State.Head);
+
+    /// <summary>G92 that names the position where the head is so that coordinates mean what they mean in the file.</summary>
+    public string RenamePosition(bool x, bool y, bool z, bool e)
+    {
+        var file = Read.State;
+        var head = Written.State.Head;
+        var line = "G92";
+        // While nothing is known of an axis, its name is its position.
+        if (x) line += " X" + Format(head.X + head.ShiftX - (head.KnownX ? file.Head.ShiftX : 0), Unit);
+        if (y) line += " Y" + Format(head.Y + head.ShiftY - (head.KnownY ? file.Head.ShiftY : 0), Unit);
+        if (z) line += " Z" + Format(head.Z + head.ShiftZ - (head.KnownZ ? file.Head.ShiftZ : 0), Unit);
+        if (e && Extruder != 0) line += " " + (char)Extruder + Format(file.Extrusion.E * (Target?.Factor(Written.State.Tool) ?? 1), UnitOfE);
+        return line;
+    }
+
+    /// <summary>A number of mm in another unit; an inch is coarser and gets more decimals.</summary>
+    public static string Format(double value, double unit = 1) => NumberFormatter.Format(value / unit, unit > 1000 ? 11 : unit > 1 ? 8 : 6);
+
+    /// <summary>A position, as words.</summary>
+    public static string Format(Vec3 p, double unit) => "X" + Format(p.X, unit) + " Y" + Format(p.Y, unit) + " Z" + Format(p.Z, unit);
+}

@@ -1,0 +1,107 @@
+using System.Collections.Generic;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// Gives each line of the file what it has to do: moves of its own, and moves and events to insert before them. It goes through the edited toolpath in step
+/// with the lines.
+/// </summary>
+internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCursor moves)
+{
+    private readonly List<SpliceTask> _tasks = [];
+    private int _eventsRead;
+    private int _nextEvent;
+
+    /// <summary>What there is to do, in order. A single move of the line's own is the last.</summary>
+    public IReadOnlyList<SpliceTask> Tasks => _tasks;
+
+    /// <summary>The number of tasks that are moves of the line's own.</summary>
+    public int OwnMoves { get; private set; }
+
+    /// <summary>Moves on to the first move of a line, or of the lines after it.</summary>
+    public void SkipTo(int line) => moves.SkipTo(line);
+
+    /// <summary>Reading continues at a place in the file that this many events come before.</summary>
+    public void StartAt(int events) => _eventsRead = events;
+
+    public void SkipEvents(int count) => _eventsRead += count;
+
+    public void Clear()
+    {
+        _tasks.Clear();
+        OwnMoves = 0;
+    }
+
+    /// <summary>The tasks of the current line, which made this many moves in the file.</summary>
+    public void Take(int made)
+    {
+        Clear();
+        if (context.Target is not null)
+        {
+            var read = context.Read;
+            for (var i = 0; i < made; i++)
+                AddOwn(new TargetMove(read.LastMoves, i) with { Arc = made == 1 ? read.LastArc : null, Turns = read.State.Rotary.Machine });
+            return;
+        }
+        // Moves whose line made none here would hold up all others.
+        while (moves.Valid && moves.Source < context.Number && moves.LeadsTo() < context.Number) moves.Next();
+        while (moves.Valid && moves.LeadsTo() == context.Number)
+        {
+            AddEventsBefore(moves.Number);
+            if (moves.Source < 0) _tasks.Add(new SpliceTask(null, moves.Move()));
+            else AddOwn(moves.Move());
+            moves.Next();
+        }
+    }
+
+    /// <summary>What is inserted before the events of the current line, of which it has this many.</summary>
+    public void TakeBeforeEvents(int count)
+    {
+        Clear();
+        if (context.Target is not null) return;
+        for (var i = 0; i < count; i++)
+        {
+            var index = plan.IndexOf(context.Decoding.Toolpath.Events[_eventsRead + i].Event);
+            if (index < 0) continue;
+            for (; moves.Valid && moves.Source < 0 && moves.Number < plan.Events[index].Move; moves.Next())
+            {
+                AddEventsBefore(moves.Number);
+                _tasks.Add(new SpliceTask(null, moves.Move()));
+            }
+            while (_nextEvent < index) AddNextEvent();
+        }
+    }
+
+    /// <summary>What is inserted after the last line.</summary>
+    public void TakeRest()
+    {
+        Clear();
+        for (; context.Target is null && moves.Valid; moves.Next())
+        {
+            AddEventsBefore(moves.Number);
+            if (moves.Source < 0) _tasks.Add(new SpliceTask(null, moves.Move()));
+        }
+        AddEventsBefore(int.MaxValue);
+    }
+
+    private void AddOwn(TargetMove move)
+    {
+        OwnMoves++;
+        _tasks.Add(new SpliceTask(null, move));
+    }
+
+    private void AddEventsBefore(int move)
+    {
+        while (_nextEvent < plan.Events.Count && plan.Events[_nextEvent].Move <= move) AddNextEvent();
+    }
+
+    private void AddNextEvent()
+    {
+        if (plan.IsNew[_nextEvent]) _tasks.Add(new SpliceTask(plan.Events[_nextEvent].Event, default));
+        _nextEvent++;
+    }
+}
+
+/// <summary>Something that a line has to do: an event, or a move.</summary>
+internal readonly record struct SpliceTask(PrinterEvent? Event, TargetMove Move);

@@ -1,0 +1,17 @@
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>A move that a line has to make, in machine coordinates.</summary>
+internal readonly record struct TargetMove(double X, double Y, double Z, double E, double Speed, MoveKind Kind, int Tool, Arc? Arc, Turns Turns)
+{
+    public TargetMove(ToolpathColumns c, int i)
+        : this(
+            c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i], c.Kind[i], c.Tool[i], c.TryGetArc(i, out var arc) ? arc : null,
+            c.A is null ? default : new Turns(c.A[i], c.B![i], c.C![i]))
+    {
+    }
+
+    public Vec3 End => new(X, Y, Z);
+}
