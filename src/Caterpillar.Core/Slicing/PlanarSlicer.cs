@@ -20,8 +20,8 @@ public static class PlanarSlicer
     /// <param name="threads">Degree of parallelism, 0 for all cores. It does not change the result.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
-    /// <returns>The layers, and what was noticed: the problems of the meshes, <c>slice.nothing</c>, <c>slice.below_bed</c>,
-    /// <c>slice.too_many_layers</c>, <c>slice.open_contours</c>.</returns>
+    /// <returns>The layers, and what was noticed: <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, and for each broken mesh
+    /// <c>slice.broken_mesh</c> (what was mended and what is left out) and <c>slice.lost_layers</c> (an error: there are no layers then).</returns>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
     public static Result<SliceResult> Slice(
         IReadOnlyList<NamedMesh> models, PrintSettings settings, int threads = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -29,22 +29,27 @@ public static class PlanarSlicer
         if (models is null) throw new ArgumentNullException(nameof(models));
         if (settings is null) throw new ArgumentNullException(nameof(settings));
         var problems = new DiagnosticList();
+        // One for each model, so not in the list that counts.
+        var broken = new List<Diagnostic>();
         var bodies = new List<Body>();
         for (var i = 0; i < models.Count; i++)
         {
             var body = new Body(models[i], i);
-            Cut(body, settings, threads, problems, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
+            Cut(body, settings, threads, problems, broken, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
             bodies.Add(body);
         }
+        if (broken.Any(d => d.Severity == Severity.Error)) return new Result<SliceResult>(null, [.. problems.ToList(), .. broken]);
         var ordered = bodies.SelectMany(b => b.Layers).OrderBy(l => l.Plan.Top).ThenBy(l => l.Body.Number).ToArray();
         var kept = new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1)).Where(l => l.Steps.Count > 0).ToArray();
         if (settings.SkirtLoops > 0 && kept.Length > 0) kept[0] = Skirt.Around(kept, settings);
         if (kept.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.nothing", "Nothing to print: the models have no closed contour as wide as a line on any layer.");
-        return new Result<SliceResult>(kept.Length > 0 ? new SliceResult(kept) : null, problems.ToList());
+        return new Result<SliceResult>(kept.Length > 0 ? new SliceResult(kept) : null, [.. problems.ToList(), .. broken]);
     }
 
-    private static void Cut(Body body, PrintSettings settings, int threads, DiagnosticList problems, IProgress<double>? progress, CancellationToken cancel)
+    private static void Cut(
+        Body body, PrintSettings settings, int threads, DiagnosticList problems, List<Diagnostic> broken,
+        IProgress<double>? progress, CancellationToken cancel)
     {
         var mesh = body.Model.Mesh;
         if (mesh.Bounds.IsEmpty) return;
@@ -58,29 +63,13 @@ public static class PlanarSlicer
             problems.Add(Severity.Error, "slice.too_many_layers", "More than a million layers: the layers are too thin.", body.Source);
             return;
         }
-        var sections = MeshSections.At(mesh, Array.ConvertAll(plan, l => l.Cut), new SectionOptions { Threads = threads }, progress, cancel);
-        foreach (var problem in sections.Diagnostics) problems.Add(problem with { Source = body.Source });
-        ReportOpen(body, sections.Value!, problems);
+        var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, threads, broken, progress, cancel);
         var rules = new Dictionary<double, SliceRules>();
         body.Layers = new LayerWork[plan.Length];
         for (var i = 0; i < plan.Length; i++)
         {
             if (!rules.TryGetValue(plan[i].Thickness, out var rule)) rules.Add(plan[i].Thickness, rule = SliceRules.Of(settings, plan[i].Thickness));
-            body.Layers[i] = new LayerWork(body, i, plan[i], rule) { Section = sections.Value![i] };
+            body.Layers[i] = new LayerWork(body, i, plan[i], rule) { Section = sections[i] };
         }
-    }
-
-    private static void ReportOpen(Body body, IReadOnlyList<Section> sections, DiagnosticList problems)
-    {
-        var open = 0;
-        var length = 0.0;
-        foreach (var line in sections.SelectMany(s => s.OpenLines))
-        {
-            open++;
-            length += line.Length;
-        }
-        if (open == 0) return;
-        problems.Add(Severity.Warning, "slice.open_contours",
-            $"{NumberFormatter.Format(open)} contours, {NumberFormatter.Format(length, 1)} mm in all, do not close and are not printed.", body.Source);
     }
 }

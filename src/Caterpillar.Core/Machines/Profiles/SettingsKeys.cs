@@ -46,6 +46,18 @@ internal static class SettingsKeys
         "simplify_tolerance_mm", 0, 100, s => s.SimplifyTolerance, (s, v) => s with { SimplifyTolerance = v },
         "Largest deviation of contours that may be simplified away.");
 
+    public static readonly ProfileKey<PrintSettings, bool> MendMeshes = K.Flag(
+        "mend_meshes", s => s.MendMeshes, (s, v) => s with { MendMeshes = v },
+        "Meshes that are not closed are made solid before they are sliced: rims joined, holes filled, triangles and bodies turned outwards.");
+
+    public static readonly ProfileKey<PrintSettings, double> LargestGap = K.Number(
+        "largest_gap_mm", 0, 1000, s => s.LargestGap, (s, v) => s with { LargestGap = v },
+        "Gaps in the contours of broken meshes are closed up to this width; 0 closes none.");
+
+    public static readonly ProfileKey<PrintSettings, double> MaxAreaLossPercent = K.Number(
+        "max_area_loss_percent", 0, 100, s => s.MaxAreaLossPercent, (s, v) => s with { MaxAreaLossPercent = v },
+        "A layer of a broken mesh that loses more than this of the area of its neighbors is an error; 100 allows any loss.");
+
     public static readonly ProfileKey<PrintSettings, double> SubdivisionDistance = K.Number(
         "subdivision_distance_mm", 0.001, 10_000, s => s.SubdivisionDistance, (s, v) => s with { SubdivisionDistance = v },
         "Length of the pieces of subdivided curves.");
@@ -110,7 +122,7 @@ internal static class SettingsKeys
     public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [
         Title, LayerHeight, FirstLayerHeight, LineWidth, BeadShape, WallCount, InfillPercent, InfillSpacing, InfillAngle,
-        InfillOverlapPercent, SimplifyTolerance, SubdivisionDistance,
+        InfillOverlapPercent, SimplifyTolerance, MendMeshes, LargestGap, MaxAreaLossPercent, SubdivisionDistance,
         PrintSpeed, OuterWallSpeed, InfillSpeed, FirstLayerSpeed, TravelSpeed, TravelLift, LiftMinTravel, Detour, Comb, RetractionMinTravel,
         WipeDistance, RestoreDuringDescent,
         StartDistance, StopDistance, SortPaths,

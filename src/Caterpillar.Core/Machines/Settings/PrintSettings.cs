@@ -44,6 +44,15 @@ public sealed partial record PrintSettings
     /// <summary>Largest deviation of contours that may be simplified away, mm.</summary>
     public double SimplifyTolerance { get; init => field = SettingsKeys.SimplifyTolerance.Check(value); } = 0.0125;
 
+    /// <summary>Meshes that are not closed are made solid before they are sliced.</summary>
+    public bool MendMeshes { get; init; } = true;
+
+    /// <summary>Gaps in the contours of broken meshes are closed up to this width, mm; 0 closes none.</summary>
+    public double LargestGap { get; init => field = SettingsKeys.LargestGap.Check(value); } = 10;
+
+    /// <summary>A layer of a broken mesh that loses more than this of the area of its neighbors is an error, %; 100 allows any loss.</summary>
+    public double MaxAreaLossPercent { get; init => field = SettingsKeys.MaxAreaLossPercent.Check(value); } = 25;
+
     /// <summary>Length of the pieces of subdivided curves, mm.</summary>
     public double SubdivisionDistance { get; init => field = SettingsKeys.SubdivisionDistance.Check(value); } = 1;
 

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
 
-namespace Caterpillar.Core.Tests.Geometry.Meshes;
+namespace Caterpillar.Tests.Geometry.Meshes;
 
 /// <summary>
 /// Damages meshes as bad exports do: triangles deleted, flipped, doubled and moved, alone and in patches. The same seed gives the same damage.

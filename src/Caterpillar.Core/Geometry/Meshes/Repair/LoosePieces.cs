@@ -24,8 +24,8 @@ internal static class LoosePieces
         for (var piece = 0; piece < loose.Length; piece++)
         {
             if (pieces.IsClosed[piece] || mended[piece]) continue;
-            foreach (var place in places[Bin(boxes[piece].Min.Z, mesh.Bounds)]) loose[piece] |= pieces.Area[piece] <= MaxShare * place.Area
-                && place.Box.Contains(boxes[piece]);
+            foreach (var place in places[Bin(boxes[piece].Min.Z, mesh.Bounds)])
+                loose[piece] |= pieces.Area[piece] <= MaxShare * place.Area && place.Box.Contains(boxes[piece]);
         }
         return loose;
     }

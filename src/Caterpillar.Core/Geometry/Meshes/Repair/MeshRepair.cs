@@ -22,11 +22,11 @@ public static class MeshRepair
         var notes = new DiagnosticList();
         var place = new SourceLocation();
         var result = mesh;
-        var (doubled, turned, loose) = (0, 0, 0);
+        var (moved, farthest, doubled, turned, loose) = (0, 0.0, 0, 0, 0);
         FilledHole[] holes = [];
         if (!mesh.IsWatertight || mesh.Volume < 0)
         {
-            (result, var snapped, _) = RimSnap.Close(result);
+            (result, moved, farthest) = RimSnap.Close(result);
             result = MeshCleaning.DropDuplicates(result, place, notes);
             (result, doubled) = OppositeFacets.Drop(result);
             doubled += Count(notes, "mesh.duplicate_faces");
@@ -38,7 +38,7 @@ public static class MeshRepair
         }
         cancel.ThrowIfCancellationRequested();
         (result, var bodies) = BodyOrientation.Unify(result);
-        return new MendedMesh(result, doubled, turned, holes, loose, bodies);
+        return new MendedMesh(result, moved, farthest, doubled, turned, holes, loose, bodies);
     }
 
     private static int Count(DiagnosticList notes, string code) => notes.ToList().Where(d => d.Code == code).Sum(d => d.Count);

@@ -1,0 +1,60 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Finds layers that a broken mesh has lost. A layer on which gaps were closed or contours are left out is compared with the nearest layers below and
+/// above it on which nothing is broken: with the smaller of the two, or with the only one. It is lost where its area is smaller by more than the stated
+/// share, and where what is missing of its contours is long enough to enclose that much (length² / 2π, a half circle). Layers of closed meshes are never
+/// looked at: they may grow and shrink as they like.
+/// </summary>
+internal static class LostLayers
+{
+    /// <summary>A text that names the layers, or null where there are none.</summary>
+    public static string? Find(IReadOnlyList<Section> sections, double maxLossPercent, CancellationToken cancel)
+    {
+        if (maxLossPercent >= 100) return null;
+        var share = maxLossPercent / 100;
+        var lost = new List<int>();
+        var (worst, worstPart) = (-1, double.PositiveInfinity);
+        for (int from = 0, to; from < sections.Count; from = to)
+        {
+            to = from + 1;
+            if (!IsBroken(sections[from])) continue;
+            while (to < sections.Count && IsBroken(sections[to])) to++;
+            cancel.ThrowIfCancellationRequested();
+            var below = from > 0 ? Area(sections[from - 1]) : double.PositiveInfinity;
+            var expected = Math.Min(below, to < sections.Count ? Area(sections[to]) : double.PositiveInfinity);
+            if (!(expected > 0) || double.IsInfinity(expected)) continue;
+            for (var i = from; i < to; i++)
+            {
+                var missing = Missing(sections[i]);
+                if (missing * missing / (2 * Math.PI) < share * expected) continue;
+                var part = Area(sections[i]) / expected;
+                if (part >= 1 - share) continue;
+                lost.Add(i);
+                if (part < worstPart) (worst, worstPart) = (i, part);
+            }
+        }
+        if (lost.Count == 0) return null;
+        var limit = NumberFormatter.Format(maxLossPercent, 2);
+        var left = $"at z {NumberFormatter.Format(sections[worst].Z, 2)} mm {NumberFormatter.Format(100 * worstPart, 1)} % of it is left";
+        return $"More than {limit} % of the area of the layers next to them is lost, because contours do not close, on "
+            + $"{HeightRanges.Of(sections, lost)}; {left}. Mend the model, close wider gaps (largest_gap_mm), or allow the loss (max_area_loss_percent=100).";
+    }
+
+    private static bool IsBroken(Section section) => section.OpenLines.Count > 0 || section.Gaps.Length > 0;
+
+    private static double Area(Section section) => ContourMeasure.NonZero(section.Loops).Area;
+
+    private static double Missing(Section section)
+    {
+        var sum = section.Gaps.Length;
+        foreach (var line in section.OpenLines) sum += line.Length;
+        return sum;
+    }
+}

@@ -1,0 +1,29 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Cuts a model for printing: the mesh is mended, contours are closed over gaps, and one diagnostic says what was done and what is left out.</summary>
+internal static class ModelSections
+{
+    /// <summary>Sections at ascending heights; what was noticed is added to <paramref name="problems"/>.</summary>
+    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    public static IReadOnlyList<Section> Cut(
+        NamedMesh model, double[] heights, PrintSettings settings, int threads, List<Diagnostic> problems,
+        IProgress<double>? progress, CancellationToken cancel)
+    {
+        var mended = settings.MendMeshes ? MeshRepair.ToSolid(model.Mesh, cancel) : MendedMesh.Unchanged(model.Mesh);
+        var options = new SectionOptions { Threads = threads, GapMm = settings.LargestGap };
+        var sections = MeshSections.At(mended.Mesh, heights, options, progress, cancel).Value!;
+        var source = new SourceLocation(model.Name);
+        if (BrokenMeshReport.Describe(mended, sections) is { } text)
+            problems.Add(new Diagnostic(Severity.Warning, "slice.broken_mesh", text, source));
+        if (LostLayers.Find(sections, settings.MaxAreaLossPercent, cancel) is { } lost)
+            problems.Add(new Diagnostic(Severity.Error, "slice.lost_layers", lost, source));
+        return sections;
+    }
+}

@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Geometry;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Geometry.Meshes;
+
+[TestFixture]
+public class MeshRepairTests
+{
+    private static readonly TriMesh Box = MeshMaker.Box(0, 0, 0, 10, 10, 10);
+
+    [Test]
+    public void A_closed_mesh_that_faces_outwards_is_returned_as_it_is()
+    {
+        var mended = MeshRepair.ToSolid(Box);
+        Assert.That(mended.Mesh, Is.SameAs(Box));
+        Assert.That(mended.IsChanged, Is.False);
+        Assert.That(MeshRepair.ToSolid(TriMesh.Empty).Mesh, Is.SameAs(TriMesh.Empty));
+    }
+
+    [Test]
+    public void A_missing_triangle_comes_back_as_it_was([Range(0, 11)] int missing)
+    {
+        var mended = MeshRepair.ToSolid(Without(Box, missing));
+        Assert.That((mended.Mesh.IsWatertight, mended.Mesh.TriangleCount, mended.Holes.Count), Is.EqualTo((true, 12, 1)));
+        Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+        Assert.That(mended.Holes[0].Area, Is.EqualTo(50).Within(1e-12));
+    }
+
+    [Test]
+    public void Two_holes_that_touch_in_a_vertex_are_filled_each_for_itself()
+    {
+        // Triangles 0 (bottom) and 6 (wall at x = 10) share one vertex only.
+        var mended = MeshRepair.ToSolid(Without(Box, 0, 7));
+        Assert.That((mended.Mesh.IsWatertight, mended.Holes.Count), Is.EqualTo((true, 2)));
+        Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+    }
+
+    [Test]
+    public void A_whole_missing_face_is_filled_flat()
+    {
+        var mended = MeshRepair.ToSolid(Without(Box, 4, 5));
+        Assert.That((mended.Mesh.IsWatertight, mended.Holes.Count), Is.EqualTo((true, 1)));
+        Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+        Assert.That(mended.Holes[0].Width, Is.EqualTo(Math.Sqrt(200)).Within(1e-12));
+    }
+
+    [Test]
+    public void The_rim_of_a_sheet_stays_open()
+    {
+        var sheet = TriMesh.Create([new(0, 0, 0), new(10, 0, 1), new(10, 10, 0), new(0, 10, 1)], [0, 1, 2, 0, 2, 3]);
+        var mended = MeshRepair.ToSolid(sheet);
+        Assert.That((mended.Mesh.TriangleCount, mended.IsChanged), Is.EqualTo((2, false)));
+    }
+
+    [Test]
+    public void Triangles_that_were_flipped_are_turned_back([Range(0, 11)] int flipped)
+    {
+        var mended = MeshRepair.ToSolid(With(Without(Box, flipped), Flipped(Box, flipped)));
+        Assert.That((mended.Mesh.IsWatertight, mended.TurnedFacets), Is.EqualTo((true, 1)));
+        Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+    }
+
+    [Test]
+    public void Triangles_that_are_there_twice_are_taken_once_whichever_direction_the_copy_has([Range(0, 11)] int doubled, [Values] bool flip)
+    {
+        var copy = flip ? Flipped(Box, doubled) : Triangle(Box, doubled);
+        foreach (var mesh in new[] { With(Box, copy), TriMesh.Create([.. copy, .. Soup(Box)], Enumerable.Range(0, 39).ToArray()) })
+        {
+            var mended = MeshRepair.ToSolid(mesh);
+            Assert.That((mended.Mesh.IsWatertight, mended.DoubledFacets, mended.Mesh.TriangleCount), Is.EqualTo((true, 1, 12)));
+            Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+        }
+    }
+
+    [Test]
+    public void A_shell_that_is_there_twice_inside_out_is_one_solid()
+    {
+        var same = MeshRepair.ToSolid(TriMesh.Merge([Box, MeshMaker.InsideOut(Box)]));
+        Assert.That((same.Mesh.IsWatertight, same.Mesh.TriangleCount, same.DoubledFacets), Is.EqualTo((true, 12, 12)));
+        Assert.That(same.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+        // Not quite the same: no wall of 0.01 mm is meant.
+        var near = MeshRepair.ToSolid(TriMesh.Merge([Box, MeshMaker.InsideOut(MeshMaker.Box(0.01, 0.01, 0.01, 9.99, 9.99, 9.99))]));
+        Assert.That(near.TurnedBodies, Is.EqualTo(1));
+        Assert.That(AreaAt(near.Mesh, 5), Is.EqualTo(100).Within(1e-6));
+    }
+
+    [Test]
+    public void Cavities_stay_cavities_even_where_a_triangle_of_them_was_flipped([Range(-1, 11)] int flipped)
+    {
+        var cavity = MeshMaker.InsideOut(MeshMaker.Box(3, 3, 3, 7, 7, 7));
+        if (flipped >= 0) cavity = With(Without(cavity, flipped), Flipped(cavity, flipped));
+        var mended = MeshRepair.ToSolid(TriMesh.Merge([Box, cavity]));
+        Assert.That((mended.TurnedBodies, mended.TurnedFacets), Is.EqualTo((0, flipped < 0 ? 0 : 1)));
+        Assert.That(AreaAt(mended.Mesh, 5), Is.EqualTo(84).Within(1e-6));
+    }
+
+    [Test]
+    public void A_body_that_is_inside_out_neither_vanishes_nor_hollows_out_another()
+    {
+        var other = MeshMaker.InsideOut(MeshMaker.Box(5, 2, 0, 15, 8, 10));
+        Assert.That(AreaAt(TriMesh.Merge([Box, other]), 5), Is.EqualTo(100).Within(1e-6), "as it is: 70 left, 30 beside");
+        var mended = MeshRepair.ToSolid(TriMesh.Merge([Box, other]));
+        Assert.That(mended.TurnedBodies, Is.EqualTo(1));
+        Assert.That(AreaAt(mended.Mesh, 5), Is.EqualTo(130).Within(1e-6));
+        var alone = MeshRepair.ToSolid(TriMesh.Merge([Box, MeshMaker.InsideOut(MeshMaker.Box(20, 0, 0, 25, 10, 10))]));
+        Assert.That(alone.Mesh.Volume, Is.EqualTo(1500).Within(1e-9));
+        var whole = MeshRepair.ToSolid(MeshMaker.InsideOut(Box));
+        Assert.That(whole.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+        Assert.That(whole.IsChanged, Is.True);
+    }
+
+    [Test]
+    public void Rims_that_nearly_meet_are_joined_by_moving_the_smaller_piece()
+    {
+        var shift = new Vec3(0.3, -0.2, 0.1);
+        var mesh = With(Without(Box, 6), Triangle(Box, 6).Select(p => p + shift).ToArray());
+        var mended = MeshRepair.ToSolid(mesh);
+        Assert.That((mended.Mesh.IsWatertight, mended.MovedVertices), Is.EqualTo((true, 3)));
+        Assert.That(mended.FarthestMove, Is.EqualTo(shift.Length).Within(1e-12));
+        Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+    }
+
+    [Test]
+    public void A_triangle_that_has_come_off_is_left_out_where_its_hole_is_filled()
+    {
+        var sphere = MeshMaker.BumpySphere(24, 12);
+        var mesh = With(Without(sphere, 100), Triangle(sphere, 100).Select(p => p + new Vec3(1.5, 1.5, 1.5)).ToArray());
+        var mended = MeshRepair.ToSolid(mesh);
+        Assert.That((mended.Mesh.IsWatertight, mended.Holes.Count, mended.LooseFacets), Is.EqualTo((true, 1, 1)));
+        Assert.That(mended.Mesh.Volume, Is.EqualTo(sphere.Volume).Within(1e-6));
+    }
+
+    [Test]
+    public void Mending_can_be_canceled()
+    {
+        using var source = new CancellationTokenSource();
+        source.Cancel();
+        Assert.That(() => MeshRepair.ToSolid(Box, source.Token), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(() => MeshRepair.ToSolid(null!), Throws.ArgumentNullException);
+    }
+
+    private static double AreaAt(TriMesh mesh, double z) => ContourMeasure.NonZero(MeshSections.At(mesh, [z]).Value![0].Loops).Area;
+
+    private static Vec3[] Triangle(TriMesh mesh, int t) => [.. mesh.Indices.Skip(3 * t).Take(3).Select(i => mesh.Vertices[i])];
+
+    private static Vec3[] Flipped(TriMesh mesh, int t) => [.. Enumerable.Reverse(Triangle(mesh, t))];
+
+    private static IEnumerable<Vec3> Soup(TriMesh mesh) => mesh.Indices.Select(i => mesh.Vertices[i]);
+
+    private static TriMesh Without(TriMesh mesh, params int[] triangles)
+        => TriMesh.Create(mesh.Vertices, mesh.Indices.Where((_, i) => !triangles.Contains(i / 3)).ToArray());
+
+    private static TriMesh With(TriMesh mesh, Vec3[] triangle)
+    {
+        Vec3[] points = [.. Soup(mesh), .. triangle];
+        return TriMesh.Create(points, Enumerable.Range(0, points.Length).ToArray());
+    }
+}
