@@ -53,52 +53,19 @@ public sealed record Cooling
 
     private double SpeedOf(PrintPath path, int segment) => path.BeadOf(segment).Speed is > 0 and var speed ? speed : ReferenceSpeed;
 
-    private double TimeOf(PrintPath path)
-    {
-        var time = 0.0;
-        for (var i = 0; i < path.SegmentCount; i++) time += path.LengthOf(i) / SpeedOf(path, i);
-        return time;
-    }
-
     private PrintPath ByLength(PrintPath path)
         => path.WithBeads(i => path.BeadOf(i).WithSpeed(Slowed(SpeedOf(path, i), path.LengthOf(i) + 1)));
 
     private double Slowed(double speed, double wanted) => Math.Min(speed, Math.Max(wanted, MinSpeed));
 
-    // Speeds at the minimum cannot give way, so the others have to give more: repeated until nothing new hits the minimum.
     private void Stretch(PrintPath[] paths, int[] layer, DiagnosticList problems)
     {
-        var time = layer.Sum(i => TimeOf(paths[i]));
-        if (!(time > 0) || time >= MinLayerTime) return;
-        var factor = time / MinLayerTime;
-        for (var round = 0; round < 60; round++)
-        {
-            double slow = 0, free = 0;
-            foreach (var i in layer)
-            {
-                var path = paths[i];
-                for (var s = 0; s < path.SegmentCount; s++)
-                {
-                    var speed = SpeedOf(path, s);
-                    if (speed * factor <= MinSpeed) slow += path.LengthOf(s) / Math.Min(speed, MinSpeed);
-                    else free += path.LengthOf(s) / speed;
-                }
-            }
-            var next = free > 0 && MinLayerTime > slow ? free / (MinLayerTime - slow) : 0;
-            if (next >= factor * (1 - 1e-12)) break;
-            factor = next;
-        }
-        foreach (var i in layer)
-        {
-            var path = paths[i];
-            paths[i] = path.WithBeads(s => path.BeadOf(s).WithSpeed(Slowed(SpeedOf(path, s), SpeedOf(path, s) * factor)));
-        }
-        if (layer.Sum(i => TimeOf(paths[i])) < MinLayerTime * (1 - 1e-9))
-        {
-            problems.Add(Severity.Remark, "shape.layer_time",
-                $"A layer stays below {NumberFormatter.Format(MinLayerTime, 1)} s even at {NumberFormatter.Format(MinSpeed, 1)} mm/s.",
-                    new SourceLocation(Step: layer[0]));
-        }
+        var slowed = SlowDown.To(Array.ConvertAll(layer, i => paths[i]), SpeedOf, MinLayerTime, MinSpeed, out var reached);
+        for (var k = 0; k < layer.Length; k++) paths[layer[k]] = slowed[k];
+        if (reached) return;
+        problems.Add(Severity.Remark, "shape.layer_time",
+            $"A layer stays below {NumberFormatter.Format(MinLayerTime, 1)} s even at {NumberFormatter.Format(MinSpeed, 1)} mm/s.",
+            new SourceLocation(Step: layer[0]));
     }
 
     private void WarnOfShortSegments(PrintPath path, int number, DiagnosticList problems)

@@ -20,8 +20,9 @@ public static class PlanarSlicer
     /// <param name="threads">Degree of parallelism, 0 for all cores. It does not change the result.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
-    /// <returns>The layers, and what was noticed: <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, and for each broken mesh
-    /// <c>slice.broken_mesh</c> (what was mended and what is left out) and <c>slice.lost_layers</c> (an error: there are no layers then).</returns>
+    /// <returns>The layers, and what was noticed: <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, <c>slice.layer_formula</c>,
+    /// <c>slice.vase_divided</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was mended and what is left out) and
+    /// <c>slice.lost_layers</c> (an error: there are no layers then).</returns>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
     public static Result<SliceResult> Slice(
         IReadOnlyList<NamedMesh> models, PrintSettings settings, int threads = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -40,11 +41,47 @@ public static class PlanarSlicer
         }
         if (broken.Any(d => d.Severity == Severity.Error)) return new Result<SliceResult>(null, [.. problems.ToList(), .. broken]);
         var ordered = bodies.SelectMany(b => b.Layers).OrderBy(l => l.Plan.Top).ThenBy(l => l.Body.Number).ToArray();
-        var kept = new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1)).Where(l => l.Steps.Count > 0).ToArray();
-        if (settings.SkirtLoops > 0 && kept.Length > 0) kept[0] = Skirt.Around(kept, settings);
+        var kept = Finish(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1)), ordered, settings, problems);
         if (kept.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.nothing", "Nothing to print: the models have no closed contour as wide as a line on any layer.");
         return new Result<SliceResult>(kept.Length > 0 ? new SliceResult(kept) : null, [.. problems.ToList(), .. broken]);
+    }
+
+    // What depends on the layers before, or on all objects on the bed.
+    private static SlicedLayer[] Finish(IEnumerable<SlicedLayer> layers, LayerWork[] works, PrintSettings settings, DiagnosticList problems)
+    {
+        var vases = new Dictionary<Body, (VaseSpiral Spiral, int Last)>();
+        var kept = new List<SlicedLayer>();
+        var next = 0;
+        foreach (var layer in layers)
+        {
+            var work = works[next++];
+            var finished = layer;
+            if (work.VaseLoop is not null)
+            {
+                if (!vases.TryGetValue(work.Body, out var vase)) vase = (new VaseSpiral(), 0);
+                finished = vase.Spiral.Next(work, layer);
+                vases[work.Body] = (vase.Spiral, kept.Count);
+            }
+            if (finished.Steps.Count > 0) kept.Add(finished);
+        }
+        foreach (var body in vases.Keys.OrderBy(b => b.Number)) EndVase(vases[body].Spiral, vases[body].Last, body, kept, problems);
+        if (kept.Count == 0) return [];
+        // All objects that stand as low as the first layer, which are those that the loops go around together.
+        var covered = Region.Union(kept.TakeWhile(l => l.Layer.Z <= kept[0].Layer.Z + 1e-9).Select(l => l.Region));
+        if (settings.RaftLayers > 0) kept.InsertRange(0, Raft.Below(covered, settings));
+        kept[0] = Adhesion.Around(kept[0], settings.RaftLayers > 0 ? kept[0].Region : covered, settings);
+        var all = kept.ToArray();
+        LayerTime.Apply(all, settings, problems);
+        return all;
+    }
+
+    private static void EndVase(VaseSpiral spiral, int last, Body body, List<SlicedLayer> kept, DiagnosticList problems)
+    {
+        if (spiral.Finish() is { } end) kept[last] = end;
+        if (spiral.Divided == 0) return;
+        problems.Add(Severity.Warning, "slice.vase_divided",
+            "A vase has one wall: of layers in several pieces only the largest is printed.", body.Source, spiral.Divided);
     }
 
     private static void Cut(
@@ -58,18 +95,17 @@ public static class PlanarSlicer
             problems.Add(Severity.Warning, "slice.below_bed",
                 $"The model reaches {NumberFormatter.Format(-mesh.Bounds.Min.Z, 3)} mm below the bed; that part is not printed.", body.Source);
         }
-        if (LayerPlan.Of(mesh.Bounds.Max.Z, settings) is not { } plan)
-        {
-            problems.Add(Severity.Error, "slice.too_many_layers", "More than a million layers: the layers are too thin.", body.Source);
-            return;
-        }
+        var planned = new LayerPlan(mesh, settings).Layers();
+        foreach (var problem in planned.Diagnostics) problems.Add(problem with { Source = problem.Source ?? body.Source });
+        if (planned.Value is not { } plan) return;
+        var lift = Raft.Lift(settings);
         var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, threads, broken, progress, cancel);
         var rules = new Dictionary<double, SliceRules>();
         body.Layers = new LayerWork[plan.Length];
         for (var i = 0; i < plan.Length; i++)
         {
             if (!rules.TryGetValue(plan[i].Thickness, out var rule)) rules.Add(plan[i].Thickness, rule = SliceRules.Of(settings, plan[i].Thickness));
-            body.Layers[i] = new LayerWork(body, i, plan[i], rule) { Section = sections[i] };
+            body.Layers[i] = new LayerWork(body, i, plan[i] with { Top = plan[i].Top + lift }, rule) { Section = sections[i] };
         }
     }
 }

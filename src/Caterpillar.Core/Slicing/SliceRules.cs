@@ -1,4 +1,4 @@
-using System;
+using Caterpillar.Expressions;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
@@ -10,7 +10,13 @@ namespace Caterpillar.Slicing;
 /// <param name="Thickness">Thickness of the layer.</param>
 internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, double Thickness)
 {
-    public static SliceRules Of(PrintSettings settings, double thickness) => new(settings, WallRules.Of(settings, thickness), thickness);
+    /// <summary>The formula of the infill, where it has one.</summary>
+    public Formula? InfillFormula { get; init; }
+
+    public static SliceRules Of(PrintSettings settings, double thickness) => new(settings, WallRules.Of(settings, thickness), thickness)
+    {
+        InfillFormula = settings.InfillFormula.Length > 0 ? Formula.Compile(settings.InfillFormula, LevelSet.Variables).Value : null,
+    };
 
     /// <summary>Width of the strands of infill.</summary>
     public double Width => Settings.LineWidth;

@@ -56,6 +56,27 @@ internal sealed class LineClipper
         return true;
     }
 
+    /// <summary>Adds the kept parts of a line as parameters from 0 to 1, in order and joined where they touch.</summary>
+    public void Parts(Vec3 a, Vec3 b, List<(double From, double To)> parts)
+    {
+        _cuts.Clear();
+        Cuts(a.X * Grid.PerMm, a.Y * Grid.PerMm, b.X * Grid.PerMm, b.Y * Grid.PerMm);
+        _cuts.Sort();
+        _cuts.Add(1);
+        var from = 0.0;
+        foreach (var to in _cuts)
+        {
+            if (to <= from) continue;
+            var middle = Vec3.Lerp(a, b, (from + to) / 2);
+            if (_index.Contains(middle.X * Grid.PerMm, middle.Y * Grid.PerMm) != _outside)
+            {
+                if (parts.Count > 0 && parts[parts.Count - 1].To == from) parts[parts.Count - 1] = (parts[parts.Count - 1].From, to);
+                else parts.Add((from, to));
+            }
+            from = to;
+        }
+    }
+
     private void Segment(Vec3 a, Vec3 b, ref bool whole)
     {
         if (a.X == b.X && a.Y == b.Y)

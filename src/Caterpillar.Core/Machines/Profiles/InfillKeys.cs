@@ -18,8 +18,10 @@ internal static class InfillKeys
         ("lines", Machines.InfillPattern.Lines), ("grid", Machines.InfillPattern.Grid), ("triangles", Machines.InfillPattern.Triangles),
         ("cubic", Machines.InfillPattern.Cubic),
         ("gyroid", Machines.InfillPattern.Gyroid), ("honeycomb", Machines.InfillPattern.Honeycomb), ("concentric", Machines.InfillPattern.Concentric),
-        ("hilbert", Machines.InfillPattern.Hilbert),
+        ("hilbert", Machines.InfillPattern.Hilbert), ("formula", Machines.InfillPattern.Formula),
     ];
+
+    private static readonly string[] FormulaVariables = ["x", "y", "z", "layer", "spacing", "width"];
 
     public static readonly ProfileKey<PrintSettings, InfillPattern> InfillPattern = K.Choice(
         "infill_pattern", s => s.InfillPattern, (s, v) => s with { InfillPattern = v },
@@ -29,8 +31,20 @@ internal static class InfillKeys
         "infill_turn_deg", -360, 360, s => s.InfillTurn, (s, v) => s with { InfillTurn = v },
         "By how much the direction of the infill turns from layer to layer.");
 
+    public static readonly ProfileKey<PrintSettings, string> InfillFormula = new(
+        "infill_formula", new FormulaFormat(FormulaVariables), s => s.InfillFormula, (s, v) => s with { InfillFormula = v },
+        "For the pattern formula: the strands run where this formula in x, y, z (mm), layer, spacing and width is zero.");
+
+    public static readonly ProfileKey<PrintSettings, int> InfillEvery = K.Whole(
+        "infill_every_layers", 1, 1000, s => s.InfillEvery, (s, v) => s with { InfillEvery = v },
+        "The infill of so many layers is printed at once, as thick as all of them.");
+
+    public static readonly ProfileKey<PrintSettings, bool> InfillFirst = K.Flag(
+        "infill_before_walls", s => s.InfillFirst, (s, v) => s with { InfillFirst = v },
+        "The infill of an island is printed before its walls.");
+
     public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [
-        InfillPattern, InfillTurn,
+        InfillPattern, InfillTurn, InfillFormula, InfillEvery, InfillFirst,
     ];
 }

@@ -126,6 +126,6 @@ internal static class SettingsKeys
         PrintSpeed, OuterWallSpeed, InfillSpeed, FirstLayerSpeed, TravelSpeed, TravelLift, LiftMinTravel, Detour, Comb, RetractionMinTravel,
         WipeDistance, RestoreDuringDescent,
         StartDistance, StopDistance, SortPaths,
-        ..SkinKeys.All, ..InfillKeys.All, ..BedKeys.All,
+        ..LayerKeys.All, ..SkinKeys.All, ..InfillKeys.All, ..BedKeys.All, ..SurfaceKeys.All,
     ];
 }

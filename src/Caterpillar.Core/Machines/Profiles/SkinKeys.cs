@@ -58,6 +58,22 @@ internal static class SkinKeys
         "solid_infill_speed_mm_s", 0, 10_000, s => s.SolidInfillSpeed, (s, v) => s with { SolidInfillSpeed = v },
         "Speed of the other closed layers; 0 for the speed of the infill.");
 
+    public static readonly ProfileKey<PrintSettings, bool> Ironing = K.Flag(
+        "ironing", s => s.Ironing, (s, v) => s with { Ironing = v },
+        "The hot nozzle goes over surfaces seen from above once more, with little material, and smooths them.");
+
+    public static readonly ProfileKey<PrintSettings, double> IroningSpacing = K.Number(
+        "ironing_spacing_mm", 0.01, 100, s => s.IroningSpacing, (s, v) => s with { IroningSpacing = v },
+        "Distance between the lines of ironing.");
+
+    public static readonly ProfileKey<PrintSettings, double> IroningFlowPercent = K.Number(
+        "ironing_flow_percent", 0, 100, s => s.IroningFlowPercent, (s, v) => s with { IroningFlowPercent = v },
+        "Material of ironing, of what would fill its layer.");
+
+    public static readonly ProfileKey<PrintSettings, double> IroningSpeed = K.Number(
+        "ironing_speed_mm_s", 0, 10_000, s => s.IroningSpeed, (s, v) => s with { IroningSpeed = v },
+        "Speed of ironing; 0 for the print speed.");
+
     public static readonly ProfileKey<PrintSettings, bool> Bridges = K.Flag(
         "bridges", s => s.Bridges, (s, v) => s with { Bridges = v },
         "Skins over air are spanned in the direction in which they are held best.");
@@ -74,10 +90,22 @@ internal static class SkinKeys
         "bridge_speed_mm_s", 0, 10_000, s => s.BridgeSpeed, (s, v) => s with { BridgeSpeed = v },
         "Speed of bridges; 0 for the print speed.");
 
+    public static readonly ProfileKey<PrintSettings, double> BridgeFanPercent = K.Number(
+        "bridge_fan_percent", 0, 100, s => s.BridgeFanPercent, (s, v) => s with { BridgeFanPercent = v },
+        "Fan while a bridge is printed.");
+
+    public static readonly ProfileKey<PrintSettings, ValueList<OverhangClass>> OverhangClasses = new(
+        "overhang_classes",
+        new RowsFormat<OverhangClass>(
+            ["percent", "speed", "fan", "flow"], 0, 20, 0, 10_000, OverhangClass.Of, c => [c.Percent, c.Speed, c.FanPercent, c.Flow], OverhangClass.Problem),
+        s => s.OverhangClasses, (s, v) => s with { OverhangClasses = v },
+        "Walls over air, classed by the percentage of their width that hangs over: a list of [percent, mm/s (0 as usual), fan percent, flow factor].");
+
     public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [
         TopLayers, BottomLayers, TopThickness, BottomThickness, TopPattern, BottomPattern, SkinAngle, SkinWidth,
-        SkinMinWidth, SkinExpand, SolidBelow, TopSkinSpeed, SolidInfillSpeed, Bridges, BridgeAnchor, BridgeFlow,
-        BridgeSpeed,
+        SkinMinWidth, SkinExpand, SolidBelow, TopSkinSpeed, SolidInfillSpeed, Ironing, IroningSpacing,
+        IroningFlowPercent, IroningSpeed, Bridges, BridgeAnchor, BridgeFlow, BridgeSpeed, BridgeFanPercent,
+        OverhangClasses,
     ];
 }

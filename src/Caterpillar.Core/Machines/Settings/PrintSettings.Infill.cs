@@ -8,4 +8,13 @@ public sealed partial record PrintSettings
 
     /// <summary>By how much the direction of the infill turns from layer to layer, degrees.</summary>
     public double InfillTurn { get; init => field = InfillKeys.InfillTurn.Check(value); } = 90;
+
+    /// <summary>For the pattern formula: the strands run where this formula in x, y, z (mm), layer, spacing and width is zero.</summary>
+    public string InfillFormula { get; init => field = InfillKeys.InfillFormula.Check(value); } = "";
+
+    /// <summary>The infill of so many layers is printed at once, as thick as all of them.</summary>
+    public int InfillEvery { get; init => field = InfillKeys.InfillEvery.Check(value); } = 1;
+
+    /// <summary>The infill of an island is printed before its walls.</summary>
+    public bool InfillFirst { get; init; }
 }

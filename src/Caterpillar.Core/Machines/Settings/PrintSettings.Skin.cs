@@ -42,6 +42,18 @@ public sealed partial record PrintSettings
     /// <summary>Speed of the other closed layers, mm/s; 0 for the speed of the infill.</summary>
     public double SolidInfillSpeed { get; init => field = SkinKeys.SolidInfillSpeed.Check(value); }
 
+    /// <summary>The hot nozzle goes over surfaces seen from above once more, with little material, and smooths them.</summary>
+    public bool Ironing { get; init; }
+
+    /// <summary>Distance between the lines of ironing, mm.</summary>
+    public double IroningSpacing { get; init => field = SkinKeys.IroningSpacing.Check(value); } = 0.1;
+
+    /// <summary>Material of ironing, of what would fill its layer, %.</summary>
+    public double IroningFlowPercent { get; init => field = SkinKeys.IroningFlowPercent.Check(value); } = 10;
+
+    /// <summary>Speed of ironing, mm/s; 0 for the print speed.</summary>
+    public double IroningSpeed { get; init => field = SkinKeys.IroningSpeed.Check(value); } = 15;
+
     /// <summary>Skins over air are spanned in the direction in which they are held best.</summary>
     public bool Bridges { get; init; } = true;
 
@@ -53,4 +65,10 @@ public sealed partial record PrintSettings
 
     /// <summary>Speed of bridges, mm/s; 0 for the print speed.</summary>
     public double BridgeSpeed { get; init => field = SkinKeys.BridgeSpeed.Check(value); } = 25;
+
+    /// <summary>Fan while a bridge is printed, %.</summary>
+    public double BridgeFanPercent { get; init => field = SkinKeys.BridgeFanPercent.Check(value); } = 100;
+
+    /// <summary>Walls over air, classed by the percentage of their width that hangs over.</summary>
+    public ValueList<OverhangClass> OverhangClasses { get; init => field = SkinKeys.OverhangClasses.Check(value); } = OverhangClass.Usual;
 }

@@ -110,6 +110,7 @@ public sealed partial record PrintSettings
             Role.Infill => InfillSpeed,
             Role.SolidInfill or Role.BottomSkin => SolidInfillSpeed > 0 ? SolidInfillSpeed : InfillSpeed,
             Role.Bridge => BridgeSpeed,
+            Role.Ironing => IroningSpeed,
             _ => 0,
         };
         var speed = own > 0 ? own : PrintSpeed;

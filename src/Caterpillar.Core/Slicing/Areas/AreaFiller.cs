@@ -13,28 +13,40 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
     private readonly SliceRules _rules = layer.Rules;
     private readonly PrintSettings _settings = layer.Rules.Settings;
 
-    public void Fill(IslandAreas areas)
+    /// <summary>Adds the steps.</summary>
+    /// <param name="areas">What is filled, and how.</param>
+    /// <param name="thick">Part of the infill that is printed here for several layers at once, or left to a layer above.</param>
+    public void Fill(IslandAreas areas, ThickInfill thick)
     {
-        var turned = layer.Index % 2 == 0 ? 0 : 90;
-        var skin = _settings.SkinAngle + turned;
+        var skin = _settings.SkinAngle + (layer.Index % 2 == 0 ? 0 : 90);
         foreach (var bridge in areas.Bridges) Solid(bridge.Area, Role.Bridge, InfillPattern.Lines, bridge.Angle, StepRank.Bottom);
         Solid(areas.Bottom, Role.BottomSkin, _settings.BottomPattern, skin, StepRank.Bottom);
         Solid(areas.Solid, Role.SolidInfill, InfillPattern.Lines, skin, StepRank.Solid);
         Solid(areas.Top, Role.TopSkin, _settings.TopPattern, skin, StepRank.Top);
-        Sparse(areas.Sparse);
-    }
-
-    private void Sparse(Region area)
-    {
-        if (area.IsEmpty || _rules.InfillSpacing <= 0) return;
-        var angle = _settings.InfillAngle + layer.Index * _settings.InfillTurn;
-        if (_rules.IsSolid)
+        if (_settings.Ironing) Iron(areas.Top, skin);
+        if (thick.Area.IsEmpty)
         {
-            Solid(area, Role.SolidInfill, _settings.InfillPattern, angle, StepRank.Infill);
+            Sparse(areas.Sparse, _rules.Thickness);
             return;
         }
+        Sparse(areas.Sparse.Subtract(thick.Area, tools.Engine), _rules.Thickness);
+        if (thick.Thickness > 0) Sparse(areas.Sparse.Intersect(thick.Area, tools.Engine), thick.Thickness);
+    }
+
+    private void Sparse(Region area, double thickness)
+    {
+        if (area.IsEmpty || _rules.InfillSpacing <= 0) return;
+        var turns = layer.Index / _settings.InfillEvery;
+        var angle = _settings.InfillAngle + turns * _settings.InfillTurn;
+        var rank = _settings.InfillFirst ? StepRank.EarlyInfill : StepRank.Infill;
+        if (_rules.IsSolid && thickness == _rules.Thickness)
+        {
+            Solid(area, Role.SolidInfill, _settings.InfillPattern, angle, rank);
+            return;
+        }
+        var rules = thickness == _rules.Thickness ? _rules : _rules with { Walls = WallRules.Of(_settings, thickness), Thickness = thickness };
         var request = Request(area, _settings.InfillPattern, _rules.InfillSpacing, _rules.Width, angle, solid: false);
-        Add(tools.Infill.Fill(request), _rules.Bead(_rules.Width), 1, Role.Infill, StepRank.Infill);
+        Add(tools.Infill.Fill(request), rules.Bead(_rules.Width), Role.Infill, rank);
     }
 
     private void Solid(Region area, Role role, InfillPattern pattern, double angle, int rank)
@@ -42,9 +54,22 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
         if (area.IsEmpty) return;
         var width = role == Role.SolidInfill ? _rules.Width : _rules.SkinWidth;
         var bead = _rules.Bead(width);
-        if (role == Role.Bridge) bead = bead.WithArea(bead.Area * _settings.BridgeFlow);
         var lines = tools.Infill.Fill(Request(area, pattern, _rules.Pitch(width), width, angle, solid: true));
-        Add(lines, bead, Balance(lines, area.Area * _rules.Thickness, _rules.Bead(width)), role, rank);
+        var flow = Balance(lines, area.Area * _rules.Thickness, bead) * (role == Role.Bridge ? _settings.BridgeFlow : 1);
+        Add(lines, bead.WithArea(bead.Area * flow), role, rank);
+    }
+
+    // The nozzle goes over the skin at its height; its lines keep inside, so that the edge stays sharp.
+    private void Iron(Region top, double skin)
+    {
+        if (top.IsEmpty || !(_settings.IroningFlowPercent > 0)) return;
+        var area = top.Offset(-_rules.SkinWidth / 2, JoinStyle.Miter, 2, ArcTolerance, tools.Engine);
+        var request = new InfillRequest(area, InfillPattern.Monotonic, _settings.IroningSpacing, _settings.IroningSpacing)
+        {
+            Angle = skin + 90, Z = layer.Plan.Top, Layer = layer.Index,
+        };
+        var bead = new Bead(_settings.IroningSpacing * _rules.Thickness * _settings.IroningFlowPercent / 100, _rules.Thickness);
+        Add(tools.Infill.Fill(request), bead, Role.Ironing, StepRank.Ironing);
     }
 
     // Center lines keep half a pitch from the edge of the area, less the overlap.
@@ -52,7 +77,10 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
     {
         var inset = _settings.WallCount == 0 ? 0 : _rules.Pitch(width) / 2 - _rules.Overlap;
         var lines = inset == 0 ? area : area.Offset(-inset, JoinStyle.Miter, 2, ArcTolerance, tools.Engine);
-        return new InfillRequest(lines, pattern, spacing, width) { Angle = angle, Z = layer.Plan.Top, Layer = layer.Index, Solid = solid };
+        return new InfillRequest(lines, pattern, spacing, width)
+        {
+            Angle = angle, Z = layer.Plan.Top, Layer = layer.Index, Solid = solid, Formula = _rules.InfillFormula,
+        };
     }
 
     // The factor with which the lines hold exactly the volume of their area, whatever their number, their links and their overlap with the walls.
@@ -64,23 +92,26 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
         return sum > 0 ? Math.Min(Most, Math.Max(1 / Most, volume / (sum * bead.Area))) : 1;
     }
 
-    private void Add(IReadOnlyList<InfillLine> lines, Bead bead, double flow, Role role, int rank)
+    private void Add(IReadOnlyList<InfillLine> lines, Bead bead, Role role, int rank)
     {
+        var fan = role == Role.Bridge && _settings.BridgeFanPercent > 0 ? new PathOverrides(Fan: _settings.BridgeFanPercent / 100) : null;
+        // What a pattern has put into order stays so.
+        var keep = role == Role.Ironing || (role == Role.TopSkin && _settings.TopPattern == InfillPattern.Monotonic);
         foreach (var line in lines)
         {
             if (line.Points.Length < 2) continue;
             Bead[] beads;
             if (line.Flow is null)
             {
-                beads = [bead.WithArea(bead.Area * flow)];
+                beads = [bead];
             }
             else
             {
                 beads = new Bead[line.Flow.Length];
-                for (var i = 0; i < beads.Length; i++) beads[i] = bead.WithArea(bead.Area * flow * line.Flow[i]);
+                for (var i = 0; i < beads.Length; i++) beads[i] = bead.WithArea(bead.Area * line.Flow[i]);
             }
-            var path = PrintPath.Own(line.Points, beads, line.Closed).With(role, layer.Layer);
-            steps.Add(new PathStep(path, new StepGroup(layer.Number, number, rank)) { Region = island.Region });
+            var path = PrintPath.Own(line.Points, beads, line.Closed).With(role, layer.Layer, overrides: fan);
+            steps.Add(new PathStep(path, new StepGroup(layer.Number, number, rank)) { Region = island.Region, KeepStart = keep });
         }
     }
 }

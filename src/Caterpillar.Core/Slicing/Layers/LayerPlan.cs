@@ -1,31 +1,73 @@
+using System;
 using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Expressions;
+using Caterpillar.Geometry;
 using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Divides a height into layers.</summary>
-internal static class LayerPlan
+/// <summary>Divides a model into layers: the first of its own thickness, then by ranges of heights, a formula, the slope of the surface, or alike.</summary>
+internal sealed class LayerPlan
 {
     private const int MaxLayers = 1_000_000;
+    private const double Thinnest = 0.001;
+    private readonly PrintSettings _settings;
+    private readonly Formula? _formula;
+    private readonly SurfaceSlopes? _slopes;
 
-    /// <summary>
-    /// Layers from the bed up to a height (mm): the first of its own thickness, the others alike. A layer belongs to the
-    /// plan when the place where it cuts lies below the height. Null where there would be more than a million.
-    /// </summary>
-    public static PlannedLayer[]? Of(double height, PrintSettings settings)
+    public LayerPlan(TriMesh mesh, PrintSettings settings)
+    {
+        _settings = settings;
+        if (settings.LayerFormula.Length > 0) _formula = Formula.Compile(settings.LayerFormula, ["z"]).Value;
+        if (settings.AdaptiveLayers) _slopes = new SurfaceSlopes(mesh);
+        Height = mesh.Bounds.Max.Z;
+    }
+
+    /// <summary>Height of the model above the bed, mm.</summary>
+    public double Height { get; }
+
+    /// <summary>The layers from the bed up. A layer belongs to the plan when the place where it cuts lies below the height of the model.</summary>
+    /// <returns>Null and an error where there would be more than a million layers, or where the formula gives no thickness.</returns>
+    public Result<PlannedLayer[]> Layers()
     {
         var layers = new List<PlannedLayer>();
-        // Multiples of the thickness, not sums, so that a hundred layers do not drift.
-        for (var i = 0; ; i++)
+        double bottom = 0, origin = 0;
+        // Multiples of a thickness that stays the same, not sums, so that a hundred layers do not drift.
+        var alike = 0;
+        var last = 0.0;
+        while (true)
         {
-            var layer = i == 0
-                ? Layer(settings.FirstLayerHeight, settings.FirstLayerHeight)
-                : Layer(settings.FirstLayerHeight + i * settings.LayerHeight, settings.LayerHeight);
-            if (!(layer.Cut < height)) return layers.ToArray();
-            if (layers.Count == MaxLayers) return null;
+            var thickness = layers.Count == 0 ? _settings.FirstLayerHeight : ThicknessAt(bottom);
+            if (!(thickness >= Thinnest))
+            {
+                var what = $"The formula for the layers gives {NumberFormatter.Format(thickness, 4)} mm at z = {NumberFormatter.Format(bottom, 3)} mm.";
+                return new(null, [new Diagnostic(Severity.Error, "slice.layer_formula", what, new SourceLocation(Key: "layer_height_formula"))]);
+            }
+            if (thickness != last) (origin, alike, last) = (bottom, 0, thickness);
+            var top = origin + ++alike * thickness;
+            var layer = new PlannedLayer(top, thickness, Cut(top, thickness));
+            if (!(layer.Cut < Height)) return new(layers.ToArray(), []);
+            if (layers.Count == MaxLayers)
+                return new(null, [new Diagnostic(Severity.Error, "slice.too_many_layers", "More than a million layers: the layers are too thin.")]);
             layers.Add(layer);
+            bottom = top;
         }
     }
 
-    private static PlannedLayer Layer(double top, double thickness) => new(top, thickness, top - thickness / 2);
+    private double Cut(double top, double thickness)
+        => _settings.LayerCut == LayerCut.Middle ? top - thickness / 2 : top - thickness + Math.Min(0.01, thickness / 10);
+
+    private double ThicknessAt(double z)
+    {
+        const double Rounding = 1e-9;
+        foreach (var range in _settings.LayerRanges)
+        {
+            if (z >= range.From - Rounding && z < range.To - Rounding) return range.Thickness;
+        }
+        var thickness = _formula is not null ? _formula.Evaluate(z)
+            : _slopes is not null ? _slopes.Thickness(z, _settings.AdaptiveMinHeight, _settings.AdaptiveMaxHeight, _settings.AdaptiveCusp)
+            : _settings.LayerHeight;
+        return thickness;
+    }
 }

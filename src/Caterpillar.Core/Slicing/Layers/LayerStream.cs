@@ -25,7 +25,7 @@ internal sealed class LayerStream
     {
         _layers = layers;
         _options = new ParallelOptions { CancellationToken = cancel, MaxDegreeOfParallelism = threads > 0 ? threads : -1 };
-        for (var i = 0; i < layers.Length; i++) layers[i].Number = i;
+        for (var i = 0; i < layers.Length; i++) layers[i].Order = i;
         _needed = Array.ConvertAll(layers, LastNeeded);
         // A layer is never finished before a lower one.
         for (var i = 1; i < _needed.Length; i++) _needed[i] = Math.Max(_needed[i], _needed[i - 1]);
@@ -54,17 +54,19 @@ internal sealed class LayerStream
             {
                 yield return done[i];
                 done[i] = null!;
-                // Lower neighbors of the next layers need its region, nobody needs its islands.
-                _layers[i].Islands = [];
+                Release(_layers[i]);
             }
         }
     }
 
+    // The next layers need the regions of those below them; their islands only where infill is printed for several layers at once.
+    private static void Release(LayerWork layer)
+    {
+        var at = layer.Index + 1 - layer.Rules.Settings.InfillEvery;
+        if (at >= 0) layer.Body.Layers[at].Islands = [];
+    }
+
     private LayerTools Take() => _tools.TryTake(out var tools) ? tools : new LayerTools();
 
-    private static int LastNeeded(LayerWork layer)
-    {
-        var layers = layer.Body.Layers;
-        return layers[Math.Min(layers.Length - 1, layer.Index + SkinFinder.Reach(layer))].Number;
-    }
+    private static int LastNeeded(LayerWork layer) => layer.Body.Layers[FillStage.LastNeeded(layer)].Order;
 }

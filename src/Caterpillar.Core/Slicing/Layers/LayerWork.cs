@@ -12,8 +12,11 @@ internal sealed class LayerWork(Body body, int index, PlannedLayer plan, SliceRu
     /// <summary>Number in the body, from the bed.</summary>
     public int Index { get; } = index;
 
-    /// <summary>Number among the layers of all bodies.</summary>
-    public int Number { get; set; }
+    /// <summary>Place among the layers of all bodies.</summary>
+    public int Order { get; set; }
+
+    /// <summary>Number in the print, with the layers of a raft.</summary>
+    public int Number => Order + Rules.Settings.RaftLayers;
 
     public PlannedLayer Plan { get; } = plan;
 
@@ -28,6 +31,12 @@ internal sealed class LayerWork(Body body, int index, PlannedLayer plan, SliceRu
     public Region Region { get; set; } = Region.Empty;
 
     public IslandWork[] Islands { get; set; } = [];
+
+    /// <summary>Contours that do not close and are printed as single walls.</summary>
+    public IReadOnlyList<Polyline> OpenLines { get; set; } = [];
+
+    /// <summary>The contour that this layer gives to a vase; null for layers that are printed as usual.</summary>
+    public Polyline? VaseLoop { get; set; }
 
     /// <summary>What a layer of the same body so many layers higher (or, where negative, lower) covers; nothing beyond the ends.</summary>
     public Region RegionAt(int offset)

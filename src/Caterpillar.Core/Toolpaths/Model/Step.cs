@@ -46,6 +46,9 @@ public sealed class PathStep : Step
 
     /// <summary>What the layer covers around the path, seen from above: travels inside it pass over the part only. Null where it is not known.</summary>
     public Region? Region { get; init; }
+
+    /// <summary>The same step with another path.</summary>
+    public PathStep With(PrintPath path) => new(path, Group) { KeepStart = KeepStart, Region = Region };
 }
 
 /// <summary>How a drawn travel is meant.</summary>

@@ -1,0 +1,49 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Infill of several layers that is printed at once, with the uppermost of them.</summary>
+/// <param name="Area">What the infill of all these layers has in common.</param>
+/// <param name="Thickness">Thickness of all of them together where this is the uppermost, else 0: it is left to that one.</param>
+internal readonly record struct ThickInfill(Region Area, double Thickness)
+{
+    public static ThickInfill None => new(Region.Empty, 0);
+
+    /// <summary>First and last layer of the group of a layer.</summary>
+    public static (int First, int Last) Group(LayerWork layer)
+    {
+        var every = layer.Rules.Settings.InfillEvery;
+        var first = layer.Index / every * every;
+        return (first, Math.Min(layer.Body.Layers.Length, first + every) - 1);
+    }
+
+    /// <summary>What a layer has to do with its group.</summary>
+    public static ThickInfill Of(LayerWork layer, RegionEngine engine)
+    {
+        if (layer.Rules.Settings.InfillEvery == 1) return None;
+        var (first, last) = Group(layer);
+        var thickness = 0.0;
+        Region? common = null;
+        for (var i = first; i <= last; i++)
+        {
+            var member = layer.Body.Layers[i];
+            thickness += member.Plan.Thickness;
+            var sparse = SparseOf(member, engine);
+            common = common is null ? sparse : common.Intersect(sparse, engine);
+        }
+        // Slivers that no strand fits into stay with their layers.
+        var half = layer.Rules.Width;
+        common = common!.Offset(-half, JoinStyle.Miter, 2, 0.005, engine).Offset(half, JoinStyle.Miter, 2, 0.005, engine);
+        return common.IsEmpty || first == last ? None : new ThickInfill(common, layer.Index == last ? thickness : 0);
+    }
+
+    private static Region SparseOf(LayerWork layer, RegionEngine engine)
+    {
+        var finder = new SkinFinder(layer, engine);
+        var paths = new List<GridPoint[]>();
+        foreach (var island in layer.Islands) paths.AddRange(finder.Find(island.Inside).Sparse.Paths);
+        return Region.Own(paths.ToArray());
+    }
+}

@@ -1,0 +1,54 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Skirt and brim: loops around what stands on the bed, printed first. A skirt steadies the flow; a brim holds the part on the bed.</summary>
+internal static class Adhesion
+{
+    private const double ArcTolerance = 0.05;
+
+    /// <summary>The first layer with the loops in front of its steps.</summary>
+    /// <param name="first">The layer.</param>
+    /// <param name="covered">What stands on the bed.</param>
+    /// <param name="settings">The settings of the print.</param>
+    public static SlicedLayer Around(SlicedLayer first, Region covered, PrintSettings settings)
+    {
+        if (settings.SkirtLoops == 0 && settings.BrimWidth == 0) return first;
+        var rules = SliceRules.Of(settings, first.Layer.Thickness);
+        var steps = new List<PathStep>();
+        var pitch = rules.Pitch(rules.Width);
+        var brim = settings.BrimWidth > 0 ? Math.Max(1, (int)Math.Floor(settings.BrimWidth / pitch + 0.5)) : 0;
+        var outside = settings.BrimSide != BrimSide.Inside;
+        var reach = brim > 0 && outside ? settings.BrimGap + brim * pitch : 0;
+        // From the outside in, so that each loop has the next one to lean on.
+        for (var loop = settings.SkirtLoops - 1; loop >= 0; loop--)
+        {
+            var distance = reach + settings.SkirtDistance + rules.Width / 2 + loop * pitch;
+            Add(covered, distance, rules, Role.Skirt, outer: true, holes: false, first.Layer, steps);
+        }
+        for (var loop = brim - 1; loop >= 0; loop--)
+        {
+            var distance = settings.BrimGap + rules.Width / 2 + loop * pitch;
+            Add(covered, distance, rules, Role.Brim, outside, settings.BrimSide != BrimSide.Outside, first.Layer, steps);
+        }
+        steps.AddRange(first.Steps);
+        return first with { Steps = steps };
+    }
+
+    private static void Add(Region covered, double distance, SliceRules rules, Role role, bool outer, bool holes, Layer layer, List<PathStep> steps)
+    {
+        foreach (var contour in covered.Offset(distance, JoinStyle.Round, arcTolerance: ArcTolerance).Contours)
+        {
+            var isHole = contour.SignedAreaXY < 0;
+            if (!(isHole ? holes : outer)) continue;
+            var points = Array.ConvertAll(contour.Raw, p => p.WithZ(layer.Z));
+            var path = PrintPath.Own(points, [rules.Bead(rules.Width)], closed: true).With(role, layer);
+            // One rank for each loop keeps their order.
+            steps.Add(new PathStep(path, new StepGroup(0, -1, steps.Count)));
+        }
+    }
+}

@@ -1,0 +1,140 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Divides walls where they begin to hang over the layer below, and gives the pieces speed, flow and fan of their class. A path stays one path: only its
+/// segments change.
+/// </summary>
+internal sealed class OverhangSplitter
+{
+    private readonly ValueList<OverhangClass> _classes;
+    private readonly PrintSettings _settings;
+    private readonly Region _below;
+    private readonly double _width;
+    private readonly RegionEngine _engine;
+    private readonly LineClipper?[] _clippers;
+    private readonly List<(double From, double To)> _parts = [];
+
+    private OverhangSplitter(LayerWork layer, Region below, RegionEngine engine)
+    {
+        _settings = layer.Rules.Settings;
+        _classes = _settings.OverhangClasses;
+        _below = below;
+        _width = layer.Rules.Width;
+        _engine = engine;
+        _clippers = new LineClipper?[_classes.Count];
+    }
+
+    /// <summary>The splitter of an island, or null where nothing of it hangs over.</summary>
+    public static OverhangSplitter? For(LayerWork layer, IslandWork island, RegionEngine engine)
+    {
+        if (layer.Index == 0 || layer.Rules.Settings.OverhangClasses.Count == 0) return null;
+        var below = layer.RegionAt(-1);
+        if (below.IsEmpty || below.SameAs(layer.Region)) return null;
+        // Where the lower layer reaches beyond this island all around, all its walls lie on it.
+        return below.Surrounds(island.Region) ? null : new OverhangSplitter(layer, below.Near(island.Region.Box), engine);
+    }
+
+    /// <summary>The path, with other segments and beads where it hangs over.</summary>
+    public PrintPath Split(PrintPath path)
+    {
+        var points = new List<Vec3>();
+        var beads = new List<Bead>();
+        var lengths = new double[_classes.Count + 1];
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            Vec3 a = path.RawPoints[i], b = path.EndOf(i);
+            var from = 0.0;
+            foreach (var (to, kind) in Pieces(a, b))
+            {
+                points.Add(Vec3.Lerp(a, b, from));
+                beads.Add(kind < 0 ? path.BeadOf(i) : Changed(path.BeadOf(i), _classes[kind], path));
+                lengths[kind + 1] += (to - from) * a.DistanceTo(b);
+                from = to;
+            }
+        }
+        double supported = lengths[0], all = 0;
+        foreach (var length in lengths) all += length;
+        if (supported == all) return path;
+        if (!path.IsClosed) points.Add(path.End);
+        var split = path.WithGeometry(points, beads, path.IsClosed);
+        // The usual speed belongs to the role: it is stated before that changes.
+        if (supported < all / 2)
+        {
+            var usual = _settings.SpeedOf(path.Role);
+            split = split.WithBeads(i => split.BeadOf(i).Speed > 0 ? split.BeadOf(i) : split.BeadOf(i).WithSpeed(usual)).With(Role.OverhangWall);
+        }
+        return Fan(lengths, all) is { } fan ? split.With(overrides: new PathOverrides(Fan: fan)) : split;
+    }
+
+    private Bead Changed(Bead bead, OverhangClass kind, PrintPath path)
+    {
+        var speed = kind.Speed > 0 ? Math.Min(kind.Speed, _settings.SpeedOf(path.Role)) : bead.Speed;
+        return new Bead(bead.Area * kind.Flow, bead.Height, speed);
+    }
+
+    // The fan can't follow short pieces: it is set for the whole path where enough of it hangs over.
+    private double? Fan(double[] lengths, double all)
+    {
+        const double Enough = 0.1;
+        double fan = 0, over = 0;
+        for (var i = lengths.Length - 1; i > 0; i--)
+        {
+            over += lengths[i];
+            if (over >= Enough * all) fan = Math.Max(fan, _classes[i - 1].FanPercent / 100);
+        }
+        return fan > 0 ? fan : null;
+    }
+
+    // The ends of the pieces of a segment, and the class of each; −1 where it is supported.
+    private List<(double To, int Kind)> Pieces(Vec3 a, Vec3 b)
+    {
+        var pieces = new List<(double To, int Kind)> { (1, -1) };
+        if (a.X == b.X && a.Y == b.Y) return pieces;
+        for (var kind = 0; kind < _classes.Count; kind++)
+        {
+            _parts.Clear();
+            Clipper(kind).Parts(a, b, _parts);
+            if (_parts.Count == 0) break;
+            var next = new List<(double To, int Kind)>();
+            var from = 0.0;
+            foreach (var (to, old) in pieces)
+            {
+                // What is supported by a smaller region is not looked at again.
+                if (old == kind - 1) Cut(from, to, old, kind, next);
+                else next.Add((to, old));
+                from = to;
+            }
+            pieces = next;
+        }
+        return pieces;
+    }
+
+    private void Cut(double from, double to, int old, int kind, List<(double To, int Kind)> next)
+    {
+        const double Least = 1e-9;
+        foreach (var part in _parts)
+        {
+            double start = Math.Max(part.From, from), end = Math.Min(part.To, to);
+            if (end - start < Least) continue;
+            if (start - from > Least) next.Add((start, old));
+            next.Add((end, kind));
+            from = end;
+        }
+        if (to - from > Least || next.Count == 0) next.Add((to, old));
+        else next[next.Count - 1] = (to, next[next.Count - 1].Kind);
+    }
+
+    private LineClipper Clipper(int kind)
+    {
+        if (_clippers[kind] is { } made) return made;
+        var distance = _width * (_classes[kind].Percent / 100 - 0.5);
+        var region = distance == 0 ? _below : _below.Offset(distance, JoinStyle.Miter, 2, 0.005, _engine);
+        return _clippers[kind] = new LineClipper(region.Index, outside: true);
+    }
+}

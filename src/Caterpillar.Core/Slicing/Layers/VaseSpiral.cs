@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// One wall that climbs without a seam. Along a turn it rises by the layer's thickness and passes over from the contour of the layer below to its own, so
+/// neither its height nor its course jumps. The flow grows along the first turn, over which the wall rises from the bottom, and falls along one more, level
+/// turn at the end. Takes the layers in their order.
+/// </summary>
+internal sealed class VaseSpiral
+{
+    private Vec3[]? _below;
+    private Vec3 _end;
+    private SlicedLayer? _last;
+    private LayerWork? _lastWork;
+
+    /// <summary>Layers of which only the largest of several contours was printed.</summary>
+    public int Divided { get; private set; }
+
+    /// <summary>The course of the wall in a layer: half a width inside its largest outline. Null where there is none.</summary>
+    public static Polyline? Loop(LayerWork layer, RegionEngine engine)
+    {
+        var outlines = new List<GridPoint[]>();
+        foreach (var path in layer.Region.Paths)
+        {
+            if (Grid.DoubleArea(path, 0, path.Length) > 0) outlines.Add(path);
+        }
+        var line = Region.Own(outlines.ToArray()).Offset(-layer.Rules.Width / 2, JoinStyle.Miter, 2, 0.005, engine);
+        Polyline? largest = null;
+        foreach (var contour in line.Contours)
+        {
+            if (contour.SignedAreaXY > (largest?.SignedAreaXY ?? 0)) largest = contour;
+        }
+        return largest;
+    }
+
+    /// <summary>The layer with its turn of the wall.</summary>
+    public SlicedLayer Next(LayerWork work, SlicedLayer layer)
+    {
+        if (work.VaseLoop is not { } loop) return layer;
+        if (work.Region.Islands.Count > 1) Divided++;
+        var settings = work.Rules.Settings;
+        var bottom = work.Plan.Top - work.Plan.Thickness;
+        var points = Begun(loop.Raw, _below is null ? loop[0] : _end, out var lengths);
+        var all = lengths[lengths.Length - 1];
+        var turn = new Vec3[points.Length];
+        var hint = 0;
+        for (var i = 0; i < turn.Length; i++)
+        {
+            var t = lengths[i] / all;
+            var from = _below is null ? points[i] : i == 0 ? _end : Nearest(_below, points[i], ref hint);
+            turn[i] = Vec3.Lerp(from, points[i], t).WithZ(bottom + t * work.Plan.Thickness);
+        }
+        var least = settings.VaseMinFlowPercent / 100;
+        var first = _below is null;
+        var path = Turn(turn, work, t => first ? Math.Max(least, t) : 1);
+        _below = points;
+        _end = points[points.Length - 1];
+        _lastWork = work;
+        return _last = layer with { Steps = [.. layer.Steps, path] };
+    }
+
+    /// <summary>The last layer of the wall with a level turn more, whose flow runs out; null where there was no wall.</summary>
+    public SlicedLayer? Finish()
+    {
+        if (_last is null || _lastWork is null || _below is null) return null;
+        var least = _lastWork.Rules.Settings.VaseMinFlowPercent / 100;
+        var level = Array.ConvertAll(_below, p => p.WithZ(_lastWork.Plan.Top));
+        return _last with { Steps = [.. _last.Steps, Turn(level, _lastWork, t => Math.Max(least, 1 - t))] };
+    }
+
+    private static PathStep Turn(Vec3[] points, LayerWork work, Func<double, double> flow)
+    {
+        var bead = work.Rules.Bead(work.Rules.Width);
+        var all = 0.0;
+        for (var i = 1; i < points.Length; i++) all += points[i].DistanceTo(points[i - 1]);
+        var beads = new Bead[points.Length - 1];
+        var at = 0.0;
+        for (var i = 0; i < beads.Length; i++)
+        {
+            var length = points[i + 1].DistanceTo(points[i]);
+            beads[i] = bead.WithArea(bead.Area * flow((at + length / 2) / all));
+            at += length;
+        }
+        var path = PrintPath.Own(points, beads, closed: false).With(Role.OuterWall, work.Layer);
+        return new PathStep(path, new StepGroup(work.Number, 0, StepRank.Walls)) { KeepStart = true, Region = work.Region };
+    }
+
+    // The loop from its place nearest to a point, round and back to it, with segments short enough for a smooth flow; and the length up to each point.
+    private static Vec3[] Begun(Vec3[] loop, Vec3 near, out double[] lengths)
+    {
+        const double Longest = 2;
+        var (segment, start) = NearestOf(loop, near, 0, loop.Length);
+        var points = new List<Vec3> { start };
+        for (var k = 1; k <= loop.Length; k++) AddTo(points, loop[(segment + k) % loop.Length], Longest);
+        AddTo(points, start, Longest);
+        lengths = new double[points.Count];
+        for (var i = 1; i < lengths.Length; i++) lengths[i] = lengths[i - 1] + points[i].DistanceTo(points[i - 1]);
+        return points.ToArray();
+    }
+
+    private static void AddTo(List<Vec3> points, Vec3 to, double longest)
+    {
+        var from = points[points.Count - 1];
+        var length = from.DistanceTo(to);
+        if (length < 1e-6) return;
+        var pieces = Math.Max(1, (int)Math.Ceiling(length / longest));
+        for (var i = 1; i <= pieces; i++) points.Add(Vec3.Lerp(from, to, (double)i / pieces));
+    }
+
+    // The point of an open loop nearest to another: looked for near the last one, and everywhere where that is far off.
+    private static Vec3 Nearest(Vec3[] line, Vec3 p, ref int hint)
+    {
+        const int Window = 24;
+        const double Far = 1;
+        var n = line.Length - 1;
+        int from = Math.Max(0, hint - Window), to = Math.Min(n, hint + Window);
+        var (segment, best) = NearestOf(line, p, from, to - from);
+        if (best.DistanceTo(p) > Far) (segment, best) = NearestOf(line, p, 0, n);
+        hint = segment;
+        return best;
+    }
+
+    private static (int Segment, Vec3 Point) NearestOf(Vec3[] line, Vec3 p, int first, int count)
+    {
+        var best = double.PositiveInfinity;
+        var result = (first, line[first]);
+        for (var k = 0; k < count; k++)
+        {
+            var i = first + k;
+            Vec3 a = line[i], d = line[i + 1 == line.Length ? 0 : i + 1] - a;
+            var square = d.LengthSquared;
+            var t = square > 0 ? Math.Min(1, Math.Max(0, Vec3.Dot(p - a, d) / square)) : 0;
+            var q = a + d * t;
+            var distance = (q - p).LengthSquared;
+            if (distance >= best) continue;
+            best = distance;
+            result = (i, q);
+        }
+        return result;
+    }
+}

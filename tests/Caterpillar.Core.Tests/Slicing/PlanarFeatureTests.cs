@@ -1,0 +1,201 @@
+using System;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Slicing;
+
+public class PlanarFeatureTests
+{
+    private static readonly PrintSettings Bare = new()
+    {
+        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, SimplifyTolerance = 0, TopLayers = 0, BottomLayers = 0, InfillPercent = 0, WallCount = 1, MinLayerTime = 0,
+    };
+
+    [Test]
+    public void A_cube_has_skins_at_the_bottom_and_the_top_and_infill_between()
+    {
+        var layers = Solids.Slice(new PrintSettings { MinLayerTime = 0 }, Solids.Block(0, 0, 0, 20, 20, 10));
+        Role[] Inner(int i) => Solids.Paths(layers[i]).Select(p => p.Role).Where(r => r is not (Role.OuterWall or Role.InnerWall)).Distinct().ToArray();
+        Assert.That(layers, Has.Count.EqualTo(50));
+        Assert.That(Inner(0), Is.EqualTo(new[] { Role.BottomSkin }));
+        Assert.That(new[] { 1, 2, 3, 46, 47, 48 }.Select(Inner), Is.All.EqualTo(new[] { Role.SolidInfill }));
+        Assert.That(Enumerable.Range(4, 42).Select(Inner), Is.All.EqualTo(new[] { Role.Infill }));
+        Assert.That(Inner(49), Is.EqualTo(new[] { Role.TopSkin }));
+    }
+
+    [TestCase(BeadShape.Rectangle)]
+    [TestCase(BeadShape.Stadium)]
+    public void A_solid_cube_is_printed_with_its_volume(BeadShape shape)
+    {
+        var layers = Solids.Slice(new PrintSettings { InfillPercent = 100, BeadShape = shape }, Solids.Block(0, 0, 0, 20, 20, 4));
+        Assert.That(Solids.Volume(layers), Is.EqualTo(20 * 20 * 4).Within(1).Percent);
+    }
+
+    [Test]
+    public void Walls_that_hang_over_are_slower_from_where_they_do()
+    {
+        // The upper block reaches 5 mm beyond the lower one: the wall's long sides lie on it up to x = 10.
+        var settings = Bare with { OverhangClasses = new ValueList<OverhangClass>(new OverhangClass(50, 12, 100, 1.1)), PrintSpeed = 50, OuterWallSpeed = 40 };
+        var layers = Solids.Slice(settings, Solids.Block(0, 0, 0, 10, 10, 1), Solids.Block(0, 0, 1, 15, 10, 2));
+        var wall = Solids.Paths(layers[5]).Single();
+        Assert.That(wall.Length, Is.EqualTo(2 * (14.6 + 9.6)).Within(1e-3));
+        var slow = Enumerable.Range(0, wall.SegmentCount).Where(i => wall.BeadOf(i).Speed == 12).ToArray();
+        Assert.That(slow.Sum(wall.LengthOf), Is.EqualTo(2 * 4.8 + 9.6).Within(1e-3));
+        Assert.That(slow.Select(i => wall.BeadOf(i).Area), Is.All.EqualTo(0.4 * 0.2 * 1.1).Within(1e-9));
+        Assert.That(wall.Overrides!.Fan, Is.EqualTo(1));
+        Assert.That(wall.Role, Is.EqualTo(Role.OuterWall));
+        var supported = Solids.Paths(layers[6]).Single();
+        Assert.That((supported.IsUniform, supported.Overrides), Is.EqualTo((true, (PathOverrides?)null)));
+    }
+
+    [Test]
+    public void Classes_of_overhang_follow_each_other()
+    {
+        var classes = new ValueList<OverhangClass>(new OverhangClass(25, 30, 0, 1), new OverhangClass(75, 20, 0, 1), new OverhangClass(100, 10, 0, 1));
+        // Sides that lean out by 0.1, 0.3 and 0.5 mm a layer: 25, 75 and more than 100 % of a strand of 0.4 mm hang over.
+        foreach (var (lean, speed) in new[] { (0.05, 0.0), (0.15, 30.0), (0.35, 20.0), (0.5, 10.0) })
+        {
+            var walls = Solids.Slice(Bare with { OverhangClasses = classes }, Solids.Block(0, 0, 0, 10, 10, 0.2), Solids.Block(-lean, -lean, 0.2, 10 + lean, 10 + lean, 0.4));
+            var wall = Solids.Paths(walls[1]).Single();
+            Assert.That(Enumerable.Range(0, wall.SegmentCount).Select(i => wall.BeadOf(i).Speed), Is.All.EqualTo(speed), $"{lean}");
+        }
+    }
+
+    [Test]
+    public void A_brim_lies_around_the_part_or_in_its_holes()
+    {
+        var ring = new[] { Solids.Block(0, 0, 0, 30, 10, 1), Solids.Block(0, 20, 0, 30, 30, 1), Solids.Block(0, 0, 0, 10, 30, 1), Solids.Block(20, 0, 0, 30, 30, 1) };
+        PrintPath[] Brim(BrimSide side) => Solids.Paths(Solids.Slice(Bare with { BrimWidth = 2, BrimSide = side }, ring)[0], Role.Brim);
+        // Five loops of 0.4 mm; those in the hole of 10 mm by 10 mm have sharp corners: 4 · (10 − 2 · (0.2 + 0.4 k)).
+        Assert.That(Brim(BrimSide.Outside), Has.Length.EqualTo(5));
+        Assert.That(Brim(BrimSide.Inside).Select(p => p.Length), Is.EqualTo(Enumerable.Range(0, 5).Reverse().Select(k => 4 * (9.6 - 0.8 * k))).Within(1e-3));
+        Assert.That(Brim(BrimSide.Both), Has.Length.EqualTo(10));
+        Assert.That(Brim(BrimSide.Outside)[0].Length, Is.GreaterThan(Brim(BrimSide.Outside)[4].Length));
+    }
+
+    [Test]
+    public void A_raft_lifts_the_part_and_reaches_beyond_it()
+    {
+        var settings = Bare with { RaftLayers = 3, RaftHeight = 0.3, RaftGap = 0.15, RaftMargin = 4, SkirtLoops = 1 };
+        var layers = Solids.Slice(settings, Solids.Block(0, 0, 0, 10, 10, 1));
+        Assert.That(layers.Select(l => l.Layer.Z), Is.EqualTo(new[] { 0.3, 0.6, 0.9, 1.25, 1.45, 1.65, 1.85, 2.05 }).Within(1e-9));
+        Assert.That(Solids.Paths(layers[0]).Select(p => p.Role).Distinct(), Is.EqualTo(new[] { Role.Skirt, Role.Raft }));
+        Assert.That(layers[2].Region.Area, Is.EqualTo(100 + 4 * 10 * 4 + Math.PI * 16).Within(1).Percent);
+        var numbers = layers.SelectMany(l => l.Steps).Select(s => s.Group!.Value.Layer).ToArray();
+        Assert.That(numbers, Is.Ordered);
+        Assert.That(numbers.Distinct(), Is.EqualTo(Enumerable.Range(0, 8)));
+        // The open layers have 40 % of the strands of the closed one.
+        double Length(int i) => Solids.Paths(layers[i], Role.Raft).Sum(p => p.Length);
+        Assert.That(Length(1) / Length(2), Is.EqualTo(0.4).Within(0.05));
+    }
+
+    [Test]
+    public void A_vase_is_one_line_from_the_bottom_to_the_rim()
+    {
+        var settings = Bare with { Vase = true, BottomLayers = 2, BottomThickness = 0, LayerHeight = 0.2, VaseMinFlowPercent = 20 };
+        var layers = Solids.Slice(settings, Solids.Cone(0, 10, 6, 14));
+        Assert.That(Solids.Paths(layers[0], Role.BottomSkin), Is.Not.Empty);
+        var turns = layers.Skip(2).SelectMany(l => Solids.Paths(l)).ToArray();
+        Assert.That(turns, Has.Length.EqualTo(30 - 2 + 1));
+        for (var i = 1; i < turns.Length; i++) Assert.That(turns[i].Start.DistanceTo(turns[i - 1].End), Is.LessThan(1e-6), $"turn {i}");
+        var points = turns.SelectMany(t => t.Points).ToArray();
+        Assert.That(points[0].Z, Is.EqualTo(0.4).Within(1e-9));
+        Assert.That(points.Last().Z, Is.EqualTo(6).Within(1e-9));
+        for (var i = 1; i < points.Length; i++) Assert.That(points[i].Z, Is.GreaterThanOrEqualTo(points[i - 1].Z - 1e-12));
+        // The radius grows as evenly as the cone's, less half a strand.
+        foreach (var p in points) Assert.That(p.LengthXY, Is.EqualTo(10 + 4 * (p.Z - 0.1) / 6 - 0.2).Within(0.08));
+        var flow = 0.4 * 0.2;
+        Assert.That(turns[0].BeadOf(0).Area / flow, Is.EqualTo(0.2).Within(0.03));
+        Assert.That(turns[0].BeadOf(turns[0].SegmentCount - 1).Area / flow, Is.EqualTo(1).Within(0.03));
+        Assert.That(turns[1].IsUniform, Is.True);
+        var last = turns.Last();
+        Assert.That((last.BeadOf(0).Area / flow, last.BeadOf(last.SegmentCount - 1).Area / flow), Is.EqualTo((1.0, 0.2)).Within(0.03));
+    }
+
+    [Test]
+    public void Rough_walls_stay_within_their_depth_and_depend_on_the_seed_alone()
+    {
+        PrintPath Wall(int seed) => Solids.Paths(Solids.Slice(Bare with { FuzzySkin = 0.3, FuzzySkinSeed = seed }, Solids.Block(0, 0, 0, 20, 20, 1))[2]).Single();
+        var wall = Wall(1);
+        Assert.That(wall.Points.Count, Is.EqualTo(4 * 19.6 / 0.5).Within(15).Percent);
+        var course = Region.Rectangle(0.2, 0.2, 19.8, 19.8);
+        var (outer, inner) = (course.Offset(0.301), course.Offset(-0.301));
+        Assert.That(wall.Points.All(p => outer.Contains(p.X, p.Y) && !inner.Contains(p.X, p.Y)), Is.True);
+        Assert.That(wall.Points.Max(p => Math.Abs(p.X - 10)), Is.GreaterThan(9.95));
+        Assert.That(Wall(1).Points, Is.EqualTo(wall.Points));
+        Assert.That(Wall(2).Points, Is.Not.EqualTo(wall.Points));
+    }
+
+    [Test]
+    public void Open_contours_are_single_walls_where_wanted()
+    {
+        var sheet = TriMesh.Create([new(0, 0, 0), new(10, 0, 0), new(10, 0, 2), new(0, 0, 2)], [0, 1, 2, 0, 2, 3]);
+        Assert.That(Solids.Try(Bare, sheet).Diagnostics.Select(d => d.Code), Has.Some.EqualTo("slice.open_contours").And.Some.EqualTo("slice.nothing"));
+        var layers = Solids.Slice(Bare with { OpenMeshes = OpenMeshes.Walls }, sheet);
+        Assert.That(layers.Select(l => Solids.Paths(l).Single().Length), Is.All.EqualTo(10).Within(1e-9));
+    }
+
+    [Test]
+    public void Infill_of_three_layers_is_printed_at_once()
+    {
+        var settings = new PrintSettings { InfillEvery = 3, MinLayerTime = 0, TopLayers = 0, BottomLayers = 0 };
+        var every = Solids.Slice(settings, Solids.Block(0, 0, 0, 20, 20, 3));
+        var single = Solids.Slice(settings with { InfillEvery = 1 }, Solids.Block(0, 0, 0, 20, 20, 3));
+        for (var i = 0; i < 15; i++) Assert.That(Solids.Paths(every[i], Role.Infill).Length > 0, Is.EqualTo(i % 3 == 2), $"layer {i}");
+        Assert.That(Solids.Paths(every[2], Role.Infill)[0].BeadOf(0).Height, Is.EqualTo(0.6).Within(1e-9));
+        double Length(System.Collections.Generic.IEnumerable<SlicedLayer> layers) => layers.Sum(l => Solids.Paths(l, Role.Infill).Sum(p => p.Length));
+        Assert.That(Length(every) / Length(single), Is.EqualTo(1.0 / 3).Within(0.02));
+    }
+
+    [Test]
+    public void Ironing_goes_over_the_top_with_little_material()
+    {
+        var layers = Solids.Slice(new PrintSettings { Ironing = true, MinLayerTime = 0 }, Solids.Block(0, 0, 0, 20, 20, 2));
+        Assert.That(layers.Count(l => Solids.Paths(l, Role.Ironing).Length > 0), Is.EqualTo(1));
+        var ironing = Solids.Paths(layers[9], Role.Ironing);
+        var top = Solids.Paths(layers[9], Role.TopSkin);
+        Assert.That(ironing.Sum(p => p.Volume) / top.Sum(p => p.Volume), Is.EqualTo(0.1).Within(0.01));
+        Assert.That(layers[9].Steps.Last().Path.Role, Is.EqualTo(Role.Ironing));
+    }
+
+    [Test]
+    public void Small_layers_are_slowed_down_to_their_least_time_and_no_further_than_the_least_speed()
+    {
+        // 38.4 mm of wall at 40 mm/s: 0.96 s.
+        var settings = Bare with { OuterWallSpeed = 40, FirstLayerSpeed = 0, MinLayerTime = 2, MinSpeed = 10 };
+        var block = Solids.Block(0, 0, 0, 10, 10, 1);
+        var walls = Solids.Slice(settings, block).Select(l => Solids.Paths(l).Single()).ToArray();
+        Assert.That(walls.Select(w => w.BeadOf(0).Speed), Is.All.EqualTo(38.4 / 2).Within(1e-3));
+        var quick = Solids.Try(settings with { MinLayerTime = 6 }, block);
+        Assert.That(quick.Value!.Layers.Select(l => Solids.Paths(l).Single().BeadOf(0).Speed), Is.All.EqualTo(10).Within(1e-9));
+        var note = quick.Diagnostics.Single(d => d.Code == "slice.layer_time");
+        Assert.That(note.Count, Is.EqualTo(5));
+    }
+
+    [Test]
+    public void Outlines_and_holes_are_compensated_apart()
+    {
+        var ring = new[] { Solids.Block(0, 0, 0, 30, 10, 1), Solids.Block(0, 20, 0, 30, 30, 1), Solids.Block(0, 0, 0, 10, 30, 1), Solids.Block(20, 0, 0, 30, 30, 1) };
+        double Area(PrintSettings settings, int layer) => Solids.Slice(settings, ring)[layer].Region.Area;
+        Assert.That(Area(Bare with { XyCompensation = -0.1 }, 1), Is.EqualTo(29.8 * 29.8 - 10.2 * 10.2).Within(1e-3));
+        Assert.That(Area(Bare with { HoleCompensation = 0.2 }, 1), Is.EqualTo(900 - 10.4 * 10.4).Within(1e-3));
+        var foot = Bare with { FirstLayerCompensation = -0.15 };
+        Assert.That((Area(foot, 0), Area(foot, 1)), Is.EqualTo((29.7 * 29.7 - 10.3 * 10.3, 800.0)).Within(1e-3));
+    }
+
+    [TestCase("vase")]
+    [TestCase("infill_every_layers")]
+    [TestCase("skins")]
+    public void The_number_of_threads_changes_nothing(string what)
+    {
+        var settings = new PrintSettings { LayerHeight = 0.4, Vase = what == "vase", InfillEvery = what == "infill_every_layers" ? 3 : 1, FuzzySkin = 0.1, Ironing = true };
+        TriMesh[] meshes = [Solids.Cone(0, 10, 8, 20), Solids.Cone(8, 20, 14, 4), Solids.Block(30, 0, 0, 40, 10, 6)];
+        string Describe(int threads) => string.Join("\n", PlanarSlicer.Slice([new NamedMesh("a", TriMesh.Merge(meshes)), new NamedMesh("b", meshes[2])], settings, threads)
+            .Value!.Layers.SelectMany(l => l.Steps).Select(s => $"{s.Group} {s.Path.Role} {s.Path.Volume:R} {string.Join(" ", s.Path.Points)}"));
+        Assert.That(Describe(1), Is.EqualTo(Describe(4)));
+    }
+}
