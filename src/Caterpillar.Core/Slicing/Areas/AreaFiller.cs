@@ -111,7 +111,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
                 for (var i = 0; i < beads.Length; i++) beads[i] = bead.WithArea(bead.Area * line.Flow[i]);
             }
             var path = PrintPath.Own(line.Points, beads, line.Closed).With(role, layer.Layer, overrides: fan);
-            steps.Add(new PathStep(path, new StepGroup(layer.Number, number, rank)) { Region = island.Region, KeepStart = keep });
+            steps.Add(new PathStep(path, new StepGroup(layer.Number, number, keep ? rank++ : rank)) { Region = island.Region, KeepStart = keep });
         }
     }
 }

@@ -8,6 +8,8 @@ internal static class StepRank
     public const int Bottom = 10_000;
     public const int Solid = 10_001;
     public const int Infill = 10_002;
-    public const int Top = 10_003;
-    public const int Ironing = 10_004;
+
+    // Lines that keep their order take a rank each, from here on.
+    public const int Top = 1_000_000;
+    public const int Ironing = 1_000_000_000;
 }
