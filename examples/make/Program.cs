@@ -14,6 +14,7 @@ internal static class Program
         if (arguments.Length == 2 && arguments[0] == "--pictures")
         {
             TracePictures.Write(arguments[1]);
+            SlicingPictures.Write(arguments[1]);
             if (ModelsFolder() is { } models) ModelPictures.Write(models, arguments[1]);
             return 0;
         }
