@@ -16,6 +16,9 @@ internal static class ModelSections
         NamedMesh model, double[] heights, PrintSettings settings, int threads, List<Diagnostic> problems,
         IProgress<double>? progress, CancellationToken cancel)
     {
+        // Open meshes that are printed as single walls have no inside that could be mended or lost.
+        if (settings.OpenMeshes == OpenMeshes.Walls)
+            return MeshSections.At(model.Mesh, heights, new SectionOptions { Threads = threads }, progress, cancel).Value!;
         var mended = settings.MendMeshes ? MeshRepair.ToSolid(model.Mesh, cancel) : MendedMesh.Unchanged(model.Mesh);
         var options = new SectionOptions { Threads = threads, GapMm = settings.LargestGap };
         var sections = MeshSections.At(mended.Mesh, heights, options, progress, cancel).Value!;
