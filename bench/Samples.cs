@@ -6,10 +6,10 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Bench;
 
-/// <summary>Input of the benchmarks, made anew each time.</summary>
+/// <summary>Input of the benchmarks, made again each time.</summary>
 internal static class Samples
 {
-    /// <summary>A closed contour with waves, counter-clockwise.</summary>
+    /// <summary>A closed contour with waves, counterclockwise.</summary>
     public static Polyline Contour(int vertices)
         => new(Enumerable.Range(0, vertices).Select(i =>
         {

@@ -8,10 +8,10 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Parses the words, runs the verb, and turns every outcome into an exit code.</summary>
+/// <summary>Parses the arguments, runs the verb, and turns every outcome into an exit code.</summary>
 internal static class App
 {
-    public static int Run(string[] words, Session session)
+    public static int Run(string[] args, Session session)
     {
         // A file that was cut off is an error, not a shorter file.
         AppContext.SetSwitch("System.IO.Compression.UseStrictValidation", true);
@@ -20,7 +20,7 @@ internal static class App
         foreach (var verb in Verbs.All()) root.Subcommands.Add(verb);
         try
         {
-            var parsed = root.Parse(words);
+            var parsed = root.Parse(args);
             if (UnknownOption(parsed) is { } unknown) throw new CliException(ExitCode.Usage,
                 $"There is no option {unknown}; for a file of this name write ./{unknown}");
             if (parsed.CommandResult.Command is Verb verb && parsed.Action is null && parsed.Errors.Count == 0)
@@ -47,13 +47,13 @@ internal static class App
         }
         catch (Exception bug)
         {
-            session.Messages.WriteLine("This is a mistake of the program itself; please report it with the input that led here:");
+            session.Messages.WriteLine("This is an internal error; please report it together with the input that caused it:");
             session.Messages.WriteLine(bug.ToString());
             return ExitCode.Bug;
         }
     }
 
-    // The parser takes unknown options for values of arguments where these take any text.
+    // The parser takes an unknown option for the value of an argument where that accepts any text.
     private static string? UnknownOption(ParseResult parsed)
     {
         if (parsed.Tokens.Any(t => t.Type == TokenType.DoubleDash)) return null;
@@ -75,7 +75,7 @@ internal static class App
         return ExitCode.Usage;
     }
 
-    // The runtime's sentences give the full path; people know the one they wrote, which stands in the arguments.
+    // The runtime's messages give the full path; users know the one they typed as an argument.
     private static string Sentence(Exception disk) => disk switch
     {
         FileNotFoundException { FileName: { } file } => $"{Short(file)}: there is no such file.",

@@ -5,12 +5,12 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Options that several verbs have.</summary>
+/// <summary>Options shared by several verbs.</summary>
 internal static class CommonOptions
 {
     public static Option<int> Threads()
     {
-        var option = new Option<int>("--threads") { Description = "Largest number of threads; all cores without it. The result is the same with any.",
+        var option = new Option<int>("--threads") { Description = "Maximum number of threads; all cores by default. The result does not depend on it.",
             HelpName = "N" };
         option.Validators.Add(result =>
         {
@@ -20,7 +20,7 @@ internal static class CommonOptions
     }
 
     public static Option<string?> Dialect()
-        => new("--dialect") { Description = "The firmware whose rules hold; detected from the file without it.", HelpName = "NAME" };
+        => new("--dialect") { Description = "Firmware whose rules apply; detected from the file by default.", HelpName = "NAME" };
 
     /// <exception cref="CliException">There is no such dialect.</exception>
     public static DialectRules? DialectOf(string? name)

@@ -8,7 +8,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli;
 
-/// <summary>What a decoded file does, in lines for people.</summary>
+/// <summary>What a decoded file does, in lines to read.</summary>
 internal static class DecodeSummary
 {
     public static void Write(TextWriter text, DecodedGCode decoding, DecodeReport report)
@@ -29,12 +29,12 @@ internal static class DecodeSummary
         if (decoding.Ignored.Count > 0)
         {
             var ignored = decoding.Ignored.OrderByDescending(p => p.Value).ThenBy(p => p.Key, System.StringComparer.Ordinal).ToArray();
-            text.WriteLine("  Without effect on the way: " + string.Join(", ", ignored.Take(12).Select(p => $"{p.Key} ×{Count(p.Value)}"))
+            text.WriteLine("  Ignored: " + string.Join(", ", ignored.Take(12).Select(p => $"{p.Key} ×{Count(p.Value)}"))
                 + (ignored.Length > 12 ? ", …" : ""));
         }
     }
 
-    // What is printed in each role, where the file says: its length, and the width that follows from its material.
+    // What is printed in each role, if the file has roles: its length, and the width that follows from its volume.
     private static IEnumerable<string[]> Roles(Toolpath toolpath)
     {
         var totals = RoleTotals.Of(toolpath);
@@ -42,11 +42,11 @@ internal static class DecodeSummary
         foreach (var total in totals)
         {
             var strand = total is { Width: { } width, Area: { } area } ? $", {Number(width)} mm wide, {Number(area)} mm² on average" : "";
-            yield return ["  " + Words(total.Role.ToString()), Mm(total.Length) + strand];
+            yield return ["  " + Spaced(total.Role.ToString()), Mm(total.Length) + strand];
         }
     }
 
-    private static string Words(string name) => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? " " + char.ToLowerInvariant(c) : c.ToString()));
+    private static string Spaced(string name) => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? " " + char.ToLowerInvariant(c) : c.ToString()));
 
     private static string Box(Bounds box) => box.IsEmpty ? "none" : $"{Point(box.Min)} to {Point(box.Max)} mm";
 

@@ -6,7 +6,7 @@ using Caterpillar.Files;
 namespace Caterpillar.Cli;
 
 /// <summary>
-/// Reads through another stream and adds what was read to a hash. A reader may look ahead and come back: every byte is hashed once, in the order of the file.
+/// Reads through another stream and hashes what was read. A reader may look ahead and seek back: every byte is hashed once, in the order of the file.
 /// </summary>
 internal sealed class HashingStream(Stream inner, IncrementalHash hash) : ReadStream
 {

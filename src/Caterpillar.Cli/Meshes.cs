@@ -7,10 +7,10 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Reads the meshes that verbs are given.</summary>
+/// <summary>Reads the input meshes of verbs.</summary>
 internal static class Meshes
 {
-    /// <summary>All meshes of all files, or none where one of them cannot be read.</summary>
+    /// <summary>All meshes of all files, or none if one of them cannot be read.</summary>
     public static Result<IReadOnlyList<NamedMesh>> Read(IReadOnlyList<string> files, Session session, IProgress<double>? progress = null)
     {
         var meshes = new List<NamedMesh>();

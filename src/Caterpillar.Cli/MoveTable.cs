@@ -10,7 +10,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Moves as comma-separated values, a row each.</summary>
+/// <summary>Moves as comma-separated values, one row each.</summary>
 internal sealed class MoveTable
 {
     private const int Decimals = 6;
@@ -49,16 +49,16 @@ internal sealed class MoveTable
 
     private void Row(Toolpath toolpath, in Move move)
     {
-        Whole(move.Index);
-        Whole(move.Source);
+        Integer(move.Index);
+        Integer(move.Source);
         Word(Kinds[(int)move.Kind]);
         Point(move.End);
         Number(move.E);
         Number(move.Deposited);
         Number(move.Speed);
         Word(Roles[(int)move.Role]);
-        Whole(move.Layer);
-        Whole(move.Tool);
+        Integer(move.Layer);
+        Integer(move.Tool);
         Number(move.Length);
         if (move.Arc is { } arc)
         {
@@ -98,11 +98,11 @@ internal sealed class MoveTable
         Units(NumberFormatter.ToUnits(value, Decimals), Decimals);
     }
 
-    private void Whole(int value) => Units(value, 0);
+    private void Integer(int value) => Units(value, 0);
 
     private void Units(long units, int decimals)
     {
-        Room(32);
+        EnsureSpace(32);
         _at = NumberFormatter.WriteUnits(_buffer, _at, units, decimals);
         _buffer[_at++] = (byte)',';
     }
@@ -121,11 +121,11 @@ internal sealed class MoveTable
             _stream.Write(Encoding.UTF8.GetBytes(text));
             return;
         }
-        Room(text.Length * 3);
+        EnsureSpace(text.Length * 3);
         _at += Encoding.UTF8.GetBytes(text, 0, text.Length, _buffer, _at);
     }
 
-    private void Room(int bytes)
+    private void EnsureSpace(int bytes)
     {
         if (_at + bytes > _buffer.Length - 64) Flush();
     }

@@ -9,10 +9,10 @@ namespace Caterpillar.Cli;
 
 internal static class Program
 {
-    private static int Main(string[] words)
+    private static int Main(string[] args)
     {
         using var stop = new CancellationTokenSource();
-        // The first Ctrl-C stops the work in good order, the second one at once.
+        // The first Ctrl-C stops the work cleanly, the second one at once.
         Console.CancelKeyPress += (_, press) => press.Cancel = Stop(stop);
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, signal => signal.Cancel = Stop(stop));
         using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, signal => signal.Cancel = Stop(stop));
@@ -23,10 +23,10 @@ internal static class Program
             IsTerminal = !Console.IsErrorRedirected,
             Profiles = new ProfileLibrary(Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData), "Caterpillar", "printers")),
         };
-        return App.Run(words, session);
+        return App.Run(args, session);
     }
 
-    // True when this was the first wish to stop.
+    // True for the first request to stop.
     private static bool Stop(CancellationTokenSource stop)
     {
         if (stop.IsCancellationRequested) return false;

@@ -13,7 +13,7 @@ using Spectre.Console;
 
 namespace Caterpillar.Cli;
 
-/// <summary>What a verb works with: streams, profiles, the wish to stop, progress and messages.</summary>
+/// <summary>What a verb works with: streams, profiles, cancellation, progress and messages.</summary>
 internal sealed class Session
 {
     private readonly Func<Stream> _input;
@@ -26,7 +26,7 @@ internal sealed class Session
         Messages = messages;
     }
 
-    /// <summary>Where messages for people go: standard error.</summary>
+    /// <summary>Where messages go: standard error.</summary>
     public TextWriter Messages { get; }
 
     public CancellationToken Cancel { get; init; }
@@ -88,29 +88,29 @@ internal sealed class Session
         write(writer);
     });
 
-    /// <summary>Prints what was noticed, a line each.</summary>
+    /// <summary>Prints diagnostics, one line each.</summary>
     public void Print(IEnumerable<Diagnostic> diagnostics)
     {
         foreach (var diagnostic in diagnostics) Messages.WriteLine(diagnostic.ToString());
     }
 
-    /// <summary>Prints what was noticed and gives the value.</summary>
+    /// <summary>Prints the diagnostics and returns the value.</summary>
     /// <exception cref="CliException">There is none.</exception>
-    public T Need<T>(Result<T> result, int code = ExitCode.BadInput)
+    public T ValueOrFail<T>(Result<T> result, int code = ExitCode.BadInput)
         where T : class
     {
         Print(result.Diagnostics);
         return result.Value ?? throw new CliException(code);
     }
 
-    /// <summary>Runs long work, with a bar on a terminal.</summary>
-    public T Long<T>(string what, Func<IProgress<double>?, T> work)
+    /// <summary>Runs long work, with a progress bar on a terminal.</summary>
+    public T WithProgress<T>(string label, Func<IProgress<double>?, T> work)
     {
         if (!IsTerminal) return work(null);
         var console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Messages) });
         return console.Progress().AutoClear(true).HideCompleted(true)
             .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn())
-            .Start(context => work(new Bar(context.AddTask(Markup.Escape(what)))));
+            .Start(context => work(new Bar(context.AddTask(Markup.Escape(label)))));
     }
 
     private static void NoFolder(string file)

@@ -10,13 +10,13 @@ internal sealed class SetupOptions
     public Option<string> Printer { get; } = new("--printer", "-p") { Description = "Printer profile: a name (see \"caterpillar printers\") or a JSON file.",
         HelpName = "NAME|FILE", DefaultValueFactory = _ => "generic" };
 
-    public Option<string?> Material { get; } = new("--material", "-m") { Description = "Material profile; the printer's own without it.",
+    public Option<string?> Material { get; } = new("--material", "-m") { Description = "Material profile; the printer's default if omitted.",
         HelpName = "NAME|FILE" };
 
-    public Option<string?> Settings { get; } = new("--settings", "-s") { Description = "Print settings; the printer's own without them.",
+    public Option<string?> Settings { get; } = new("--settings", "-s") { Description = "Print settings; the printer's default if omitted.",
         HelpName = "NAME|FILE" };
 
-    public Option<string[]> Set { get; } = new("--set") { Description = "Another value for any key of the three profiles, for example layer_height_mm=0.3.",
+    public Option<string[]> Set { get; } = new("--set") { Description = "Override any key of the three profiles, for example layer_height_mm=0.3.",
         HelpName = "KEY=VALUE" };
 
     public void AddTo(Verb verb)
@@ -27,18 +27,18 @@ internal sealed class SetupOptions
         verb.Options.Add(Set);
     }
 
-    /// <summary>True when a printer was named, and not just the default one.</summary>
+    /// <summary>True if a printer was named, and not just the default one.</summary>
     public bool IsGiven(ParseResult arguments) => arguments.GetResult(Printer) is { Implicit: false };
 
-    /// <summary>The setup that was asked for; its problems are printed.</summary>
+    /// <summary>The requested setup; its problems are printed.</summary>
     /// <exception cref="CliException">There is no such profile or key (wrong usage), or a profile is bad (bad input).</exception>
     public PrintSetup Resolve(ParseResult arguments, Session session)
     {
         var values = arguments.GetValue(Set) ?? [];
         var printer = arguments.GetValue(Printer)!;
         var plain = session.Profiles.Setup(printer, arguments.GetValue(Material), arguments.GetValue(Settings));
-        if (plain.Diagnostics.Any(d => d.Code == "profile.not_found")) session.Need(plain, ExitCode.Usage);
-        if (values.Length == 0 || plain.Value is null) return session.Need(plain);
-        return session.Need(session.Profiles.Setup(printer, arguments.GetValue(Material), arguments.GetValue(Settings), values), ExitCode.Usage);
+        if (plain.Diagnostics.Any(d => d.Code == "profile.not_found")) session.ValueOrFail(plain, ExitCode.Usage);
+        if (values.Length == 0 || plain.Value is null) return session.ValueOrFail(plain);
+        return session.ValueOrFail(session.Profiles.Setup(printer, arguments.GetValue(Material), arguments.GetValue(Settings), values), ExitCode.Usage);
     }
 }

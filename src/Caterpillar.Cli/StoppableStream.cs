@@ -7,7 +7,7 @@ using Caterpillar.Files;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Reads a stream that may wait for its writer for ever (standard input), and stops waiting when the work is canceled.</summary>
+/// <summary>Reads a stream that may block forever (standard input), and stops waiting when the work is canceled.</summary>
 internal sealed class StoppableStream(Stream inner, CancellationToken cancel) : ReadStream
 {
     public override int Read(byte[] buffer, int offset, int count)

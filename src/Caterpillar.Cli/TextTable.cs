@@ -6,7 +6,7 @@ using System.Text;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Text in columns, two blanks apart; an empty row gives an empty line.</summary>
+/// <summary>Text in columns, two spaces apart; an empty row gives an empty line.</summary>
 internal static class TextTable
 {
     public static void Write(TextWriter text, IReadOnlyList<string[]> rows)

@@ -11,6 +11,6 @@ internal abstract class Verb(string name, string description) : Command(name, de
     /// <summary>True where it was told that its output may replace its input.</summary>
     public virtual bool ReplacesInput(ParseResult arguments) => false;
 
-    /// <summary>Does the work and returns the exit code. Problems may also end in a <see cref="CliException"/>; the disk may throw as it likes.</summary>
+    /// <summary>Does the work and returns the exit code. Problems may also end in a <see cref="CliException"/>; I/O exceptions may pass through.</summary>
     public abstract int Run(ParseResult arguments, Session session);
 }

@@ -8,12 +8,12 @@ using Newtonsoft.Json;
 
 namespace Caterpillar.Cli;
 
-/// <summary>What a verb says about what it planned and wrote, as JSON: mm, mm³, bytes.</summary>
+/// <summary>What a verb reports about what it planned and wrote, as JSON: mm, mm³, bytes.</summary>
 internal static class WorkReport
 {
     /// <param name="inputs">The files that were read.</param>
     /// <param name="output">The file that was written.</param>
-    /// <param name="counts">What the verb counts itself, first.</param>
+    /// <param name="counts">Counts of the verb itself, which come first.</param>
     /// <param name="plan">The plan; its toolpath is measured.</param>
     /// <param name="written">What was written.</param>
     public static string ToJson(

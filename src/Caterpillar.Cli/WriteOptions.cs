@@ -10,12 +10,12 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Where G-code is written to, and the reason to write in spite of the checks; for every verb that makes G-code.</summary>
+/// <summary>Where G-code is written, and the reason to write despite the checks; for every verb that makes G-code.</summary>
 internal sealed class WriteOptions
 {
     private readonly Option<string?> _output = new("--output", "-o")
     {
-        Description = "The G-code file, binary where its name ends in .bgcode, or - for standard output. Without it the name of the first input with .gcode, "
+        Description = "The G-code file, binary where its name ends in .bgcode, or - for standard output. By default the name of the first input with .gcode, "
             + "in the current folder.",
         HelpName = "FILE",
     };
@@ -24,7 +24,7 @@ internal sealed class WriteOptions
 
     public static Option<string?> Override() => new("--override")
     {
-        Description = "Write in spite of what the checks found; the reason in words stays in the file as a comment.",
+        Description = "Write despite what the checks found; the reason is kept in the file as a comment.",
         HelpName = "REASON",
     };
 
@@ -43,7 +43,7 @@ internal sealed class WriteOptions
         if (name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)) name = Path.GetFileNameWithoutExtension(name);
         var file = Path.GetFileNameWithoutExtension(name) + ".gcode";
         return Path.GetFullPath(file) != Path.GetFullPath(input) ? file
-            : throw new CliException(ExitCode.Usage, $"{input} would be overwritten: say where to write with -o.");
+            : throw new CliException(ExitCode.Usage, $"{input} would be overwritten: choose another file with -o.");
     }
 
     /// <summary>Checks and writes a toolpath, and says what was written.</summary>
@@ -54,10 +54,10 @@ internal sealed class WriteOptions
         return ExitCode.Done;
     }
 
-    /// <summary>The same, for what wants to know more about the file; one of more than <paramref name="mostBytes"/> is not written.</summary>
+    /// <summary>The same, returning details of the file; one larger than <paramref name="maxBytes"/> is not written.</summary>
     /// <exception cref="CliException">A check refused, or the file would be too large.</exception>
     public WrittenGCode WriteGCode(ParseResult arguments, Session session, Toolpath toolpath, PrintSetup setup, string file,
-        double mostBytes = double.PositiveInfinity)
+        double maxBytes = double.PositiveInfinity)
     {
         WrittenGCode? written = null;
         session.Write(file, stream => BinaryGCode.WriteAs(file, stream, text =>
@@ -66,10 +66,10 @@ internal sealed class WriteOptions
             // A bar and the G-code would mix on a terminal.
             var result = file == "-"
                 ? SafeWriter.Write(toolpath, setup, text, reason, null, session.Cancel)
-                : session.Long("Writing", progress => SafeWriter.Write(toolpath, setup, text, reason, progress, session.Cancel));
+                : session.WithProgress("Writing", progress => SafeWriter.Write(toolpath, setup, text, reason, progress, session.Cancel));
             session.Print(result.Diagnostics);
             written = result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
-            if (written.Bytes > mostBytes)
+            if (written.Bytes > maxBytes)
                 throw new CliException(ExitCode.Refused,
                     $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than allowed; nothing was written.");
         }, session.Cancel));

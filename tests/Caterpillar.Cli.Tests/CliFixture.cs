@@ -9,13 +9,13 @@ using NUnit.Framework;
 
 namespace Caterpillar.Cli.Tests;
 
-/// <summary>What a run of the program gave.</summary>
+/// <summary>The result of a run of the program.</summary>
 internal sealed record CliRun(int Code, byte[] Output, string Messages)
 {
     public string Text => Encoding.UTF8.GetString(Output);
 }
 
-/// <summary>Runs the program in the test's process, in a folder of its own.</summary>
+/// <summary>Runs the program in the test's process, in its own folder.</summary>
 public abstract class CliFixture
 {
     private string _before = "";
@@ -54,7 +54,7 @@ public abstract class CliFixture
         return new CliRun(code, memory.ToArray(), messages.ToString());
     }
 
-    /// <summary>Names of everything in the folder, hidden files too.</summary>
+    /// <summary>Names of everything in the folder, including hidden files.</summary>
     protected static string[] Files() => new DirectoryInfo(".").GetFileSystemInfos().Select(f => f.Name).OrderBy(n => n, StringComparer.Ordinal).ToArray();
 
     /// <summary>An ASCII STL of a box with one corner at the origin, mm.</summary>

@@ -8,7 +8,7 @@ public class ConvertTests : CliFixture
     private const string File1 = "; head\nG21\nG90\nM82\nG92 E0\n;LAYER:0\nG1 X0 Y0 Z0.2 F1800\nG1 X10 E1\n;LAYER:1\nG1 Z0.4\nG1 X0 E2 ; back\n";
 
     [Test]
-    public void Without_wishes_the_file_stays_as_it_is()
+    public void Without_options_the_file_stays_as_it_is()
     {
         File.WriteAllText("a.gcode", File1);
         Assert.That(Run("convert", "a.gcode", "-o", "b.gcode").Code, Is.Zero);
@@ -72,12 +72,12 @@ public class ConvertTests : CliFixture
     }
 
     [Test]
-    public void Formulas_bend_what_is_printed()
+    public void Formulas_deform_what_is_printed()
     {
         File.WriteAllText("a.gcode", File1);
         var text = Run("convert", "a.gcode", "-o", "-", "--deform", "x, y, z + x * x / 100", "--last-layer", "0").Text;
-        Assert.That(text, Does.Contain("G1 X5 Z0.45 E0.50078\n").And.Contain("G1 X10 Z1.2 E1.00653\n"), "0.1 mm of E for each mm of the parabola");
-        Assert.That(text, Does.EndWith("G1 Z0.4\nG92 E1\nG1 X0 E2 ; back\n"), "what stays is counted on");
+        Assert.That(text, Does.Contain("G1 X5 Z0.45 E0.50078\n").And.Contain("G1 X10 Z1.2 E1.00653\n"), "0.1 mm of E per mm of the parabola");
+        Assert.That(text, Does.EndWith("G1 Z0.4\nG92 E1\nG1 X0 E2 ; back\n"), "later values are adjusted");
     }
 
     [Test]
@@ -127,7 +127,7 @@ public class ConvertTests : CliFixture
     [TestCase("--e", "sideways")]
     [TestCase("--decimals", "3,x")]
     [TestCase("--decimals", "1,2,3,4")]
-    public void Wrong_wishes_are_wrong_usage(string option, string value)
+    public void Wrong_options_are_wrong_usage(string option, string value)
     {
         File.WriteAllText("a.gcode", File1);
         Assert.That(Run("convert", "a.gcode", "-o", "b.gcode", option, value).Code, Is.EqualTo(2));

@@ -63,7 +63,7 @@ public class CurvesTests : CliFixture
     [TestCase("--move", "1")]
     [TestCase("--min-length", "2", "--max-length", "1")]
     [TestCase("--json", "-o", "-")]
-    public void Wrong_usage_is_said_and_does_nothing(params string[] words)
+    public void Wrong_usage_is_reported_and_does_nothing(params string[] words)
     {
         File.WriteAllText("lines.csv", Two);
         var run = Run(["curves", "lines.csv", .. words]);

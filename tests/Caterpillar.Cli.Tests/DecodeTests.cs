@@ -69,7 +69,7 @@ public class DecodeTests : CliFixture
     }
 
     [Test]
-    public void One_bad_file_keeps_all_output_back()
+    public void One_bad_file_suppresses_all_output()
     {
         File.WriteAllText("a.gcode", Line);
         File.WriteAllBytes("b.gcode.gz", Packed(Line).Take(25).ToArray());
@@ -82,7 +82,7 @@ public class DecodeTests : CliFixture
     }
 
     [Test]
-    public void Whatever_the_bytes_are_they_decode()
+    public void Any_bytes_decode()
     {
         var random = new Random(3);
         var bytes = new byte[20_000];

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Cli.Tests;
 
-/// <summary>Files packed with gzip and binary G-code, whole and damaged.</summary>
+/// <summary>Files packed with gzip and binary G-code, intact and damaged.</summary>
 public class PackedFileTests : CliFixture
 {
     private const string Code = "G28\nG90\nM82\nG1 X10 Y10 Z0.2 F3000\nG1 X30 Y10 E1\nG1 X30 Y25 E2\n";
@@ -57,20 +57,20 @@ public class PackedFileTests : CliFixture
     }
 
     [Test]
-    public void Bytes_behind_the_end_are_told_and_ignored()
+    public void Bytes_after_the_end_are_reported_and_ignored()
     {
         File.WriteAllBytes("a.gcode.gz", [.. Gzip.Packed(Encoding.ASCII.GetBytes(Code)), 1, 2, 3]);
         foreach (var words in new[] { ["decode", "a.gcode.gz"], ["check", "a.gcode.gz"], new[] { "convert", "a.gcode.gz", "-o", "b.gcode" } })
         {
             var run = Run(words);
             Assert.That(run.Code, Is.Zero, run.Messages);
-            Assert.That(run.Messages, Does.Contain("belong to nothing"), words[0]);
+            Assert.That(run.Messages, Does.Contain("followed by other bytes"), words[0]);
         }
         Assert.That(File.ReadAllText("b.gcode"), Is.EqualTo(Code));
     }
 
     [Test]
-    public void A_name_that_ends_in_bgcode_asks_for_binary_code()
+    public void A_name_that_ends_in_bgcode_requests_binary_code()
     {
         File.WriteAllText("a.gcode", Code);
         Assert.That(Run("convert", "a.gcode", "-o", "a.bgcode").Code, Is.Zero);

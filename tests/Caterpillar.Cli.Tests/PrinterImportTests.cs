@@ -12,11 +12,11 @@ public class PrinterImportTests : CliFixture
     {
         File.WriteAllText("start.gcode", Header);
         File.WriteAllText("end.gcode", "G1 E-3\nM104 S0\nG1 Z100 F5000\nM84\n");
-        var run = Run("printers", "--import", "start.gcode", "end.gcode", "-o", "mine.json", "--material-output", "stuff.json");
+        var run = Run("printers", "--import", "start.gcode", "end.gcode", "-o", "mine.json", "--material-output", "material.json");
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(run.Messages, Does.Contain("start.gcode:7:1: warning header.no_command").And.Contain("X 100, Y 100, Z 0.1 mm"));
         File.WriteAllText("line.csv", "60,60,0.2\n140,60,0.2\n");
-        var print = Run("curves", "line.csv", "--printer", "mine.json", "--material", "stuff.json");
+        var print = Run("curves", "line.csv", "--printer", "mine.json", "--material", "material.json");
         Assert.That(print.Code, Is.Zero, print.Messages);
         var lines = File.ReadAllLines("line.gcode");
         Assert.That(lines, Does.Contain("M109 S205").And.Contain("; invalid: F300 E3").And.Contain("G91 ; as the header leaves it")
@@ -24,7 +24,7 @@ public class PrinterImportTests : CliFixture
     }
 
     [Test]
-    public void A_similar_printer_gives_what_the_files_do_not_say()
+    public void A_similar_printer_gives_what_the_files_do_not_state()
     {
         File.WriteAllText("start.gcode", "G28\nM83\n");
         var run = Run("printers", "--import", "start.gcode", "-", "--like", "potter_super");
@@ -33,7 +33,7 @@ public class PrinterImportTests : CliFixture
     }
 
     [Test]
-    public void Wrong_words_and_missing_files_have_their_codes()
+    public void Wrong_options_and_missing_files_have_their_codes()
     {
         File.WriteAllText("start.gcode", "G20\n");
         Assert.That(Run("printers", "--import", "start.gcode", "-", "-o", "x.json").Code, Is.EqualTo(1), "inches");

@@ -6,11 +6,11 @@ using NUnit.Framework;
 
 namespace Caterpillar.Cli.Tests;
 
-/// <summary>The program as a process of its own.</summary>
+/// <summary>The program as a separate process.</summary>
 public class ProcessTests : CliFixture
 {
     [Test]
-    public void It_answers_with_its_exit_code_and_keeps_messages_out_of_the_output()
+    public void It_returns_its_exit_code_and_keeps_messages_out_of_the_output()
     {
         File.WriteAllText("part.stl", Box(20, 10, 2));
         Assert.That(Start("slice part.stl -o -", out var output, out _), Is.Zero);

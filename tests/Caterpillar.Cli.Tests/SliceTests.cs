@@ -10,7 +10,7 @@ namespace Caterpillar.Cli.Tests;
 public class SliceTests : CliFixture
 {
     [Test]
-    public void A_model_becomes_a_file_beside_nothing_else()
+    public void A_model_becomes_one_file_and_nothing_else()
     {
         File.WriteAllText("part.stl", Box(20, 10, 2));
         var run = Run("slice", "part.stl");
@@ -68,7 +68,7 @@ public class SliceTests : CliFixture
     }
 
     [Test]
-    public void A_folder_is_no_model_and_no_output()
+    public void A_folder_is_neither_a_model_nor_an_output()
     {
         Directory.CreateDirectory("folder");
         File.WriteAllText("part.stl", Box(20, 10, 2));
@@ -90,7 +90,7 @@ public class SliceTests : CliFixture
     }
 
     [Test]
-    public void A_reason_in_words_overrides_the_refusal_and_stays_in_the_file()
+    public void A_reason_overrides_the_refusal_and_stays_in_the_file()
     {
         File.WriteAllText("part.stl", Box(300, 10, 1));
         Assert.That(Run("slice", "part.stl", "--override", "42").Code, Is.EqualTo(3));
@@ -99,7 +99,7 @@ public class SliceTests : CliFixture
     }
 
     [Test]
-    public void The_place_of_the_file_can_be_kept()
+    public void The_position_of_the_file_can_be_kept()
     {
         File.WriteAllText("part.stl", Box(20, 10, 1));
         Run("slice", "part.stl", "--set", "start_template=", "--set", "end_template=", "--set", "wall_count=1", "--set", "infill_percent=0");
@@ -151,9 +151,9 @@ public class SliceTests : CliFixture
 
     [Test]
     [System.Runtime.Versioning.UnsupportedOSPlatform("windows")]
-    public void A_link_stays_a_link_and_the_rights_of_a_file_stay_its_own()
+    public void A_link_stays_a_link_and_a_file_keeps_its_permissions()
     {
-        if (OperatingSystem.IsWindows()) Assert.Ignore("Links need rights here.");
+        if (OperatingSystem.IsWindows()) Assert.Ignore("Links need permissions here.");
         File.WriteAllText("part.stl", Box(20, 10, 2));
         File.WriteAllText("real.gcode", "old");
         File.SetUnixFileMode("real.gcode", UnixFileMode.UserRead | UnixFileMode.UserWrite);

@@ -11,7 +11,7 @@ public class TurtleTests : CliFixture
     private const string Square = "param side = 10\nstart 50 50 0.2\nrate 600\nrepeat 4 [ forward side; left 90 ]\n";
 
     [Test]
-    public void A_script_becomes_a_file_of_its_name()
+    public void A_script_becomes_a_file_with_its_name()
     {
         File.WriteAllText("square.turtle", Square);
         var run = Run("turtle", "square.turtle");
@@ -43,7 +43,7 @@ public class TurtleTests : CliFixture
     [TestCase("forward 1\nforward 1 / 0", 1, "standard input:2:9: error turtle.not_finite")]
     [TestCase("left 90", 1, "draws nothing")]
     [TestCase("forward 1000", 3, "bed.outside")]
-    public void Bad_programs_are_answered_and_nothing_is_written(string script, int code, string message)
+    public void Bad_programs_are_reported_and_nothing_is_written(string script, int code, string message)
     {
         var run = Run(Encoding.UTF8.GetBytes(script), ["turtle", "-", "-o", "out.gcode"]);
         Assert.That((run.Code, Files().Length), Is.EqualTo((code, 0)), run.Messages);
@@ -56,7 +56,7 @@ public class TurtleTests : CliFixture
     [TestCase("turtle", "square.turtle", "--var", "side=1", "--var", "side=2")]
     [TestCase("turtle", "square.turtle", "--plan", "wild")]
     [TestCase("turtle", "square.turtle", "--printer", "nobody")]
-    public void Wrong_words_are_wrong_usage(params string[] words)
+    public void Wrong_values_are_wrong_usage(params string[] words)
     {
         File.WriteAllText("square.turtle", Square);
         Assert.That(Run(words).Code, Is.EqualTo(2));

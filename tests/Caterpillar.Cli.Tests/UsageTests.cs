@@ -32,7 +32,7 @@ public class UsageTests : CliFixture
     [TestCase("slice", "part.stl", "--set", "layer_height_mm")]
     [TestCase("slice", "part.stl", "--set", "layer_height_mm=thin")]
     [TestCase("slice", "part.stl", "--set", "line_width_mm=0.1")]
-    public void Wrong_usage_is_said_and_does_nothing(params string[] words)
+    public void Wrong_usage_is_reported_and_does_nothing(params string[] words)
     {
         File.WriteAllText("part.stl", Box(10, 10, 2));
         File.WriteAllText("part.gcode", "G1 X1\n");
@@ -46,7 +46,7 @@ public class UsageTests : CliFixture
     [TestCase("--help")]
     [TestCase("slice", "--help")]
     [TestCase("--version")]
-    public void Help_is_an_answer(params string[] words)
+    public void Help_is_not_an_error(params string[] words)
     {
         var run = Run(words);
         Assert.That((run.Code, run.Messages), Is.EqualTo((0, "")));
@@ -86,7 +86,7 @@ public class UsageTests : CliFixture
     }
 
     [Test]
-    public void Printers_shows_a_profile_that_can_be_used_again()
+    public void Printers_shows_a_profile_that_can_be_reused()
     {
         File.WriteAllBytes("copy.json", Run("printers", "ender3").Output);
         Assert.That(Run("printers", "./copy.json").Output, Is.EqualTo(Run("printers", "ender3").Output));
@@ -106,7 +106,7 @@ public class UsageTests : CliFixture
     }
 
     [Test]
-    public void A_mistake_of_the_program_is_said_to_be_one()
+    public void An_internal_error_is_reported_as_one()
     {
         var run = Run([], ["printers"], output: () => throw new System.InvalidOperationException("broken inside"));
         Assert.That(run.Code, Is.EqualTo(70));

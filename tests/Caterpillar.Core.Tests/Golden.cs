@@ -12,7 +12,7 @@ namespace Caterpillar.Tests;
 /// <summary>
 /// Compares whole outputs with files in <c>tests/Caterpillar.Core.Tests/GoldenFiles</c>. Small outputs are kept whole, large ones as a digest: size, SHA-256,
 /// first and last lines.
-/// <c>CATERPILLAR_RENEW=1</c> writes the files anew.
+/// <c>CATERPILLAR_RENEW=1</c> rewrites the files.
 /// </summary>
 internal static class Golden
 {

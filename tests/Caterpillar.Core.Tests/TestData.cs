@@ -10,7 +10,7 @@ internal static class TestData
 {
     public static string Repository { get; } = FindRepository();
 
-    /// <summary>A file of the shared test data, for example <c>meshes/torus.obj</c>. The test is skipped where the data is absent.</summary>
+    /// <summary>A file of the shared test data, for example <c>meshes/torus.obj</c>. The test is skipped if the data is absent.</summary>
     public static string Shared(string path)
     {
         var full = Path.GetFullPath(Path.Combine(Repository, "..", "shared", "data", path.Replace('/', Path.DirectorySeparatorChar)));
@@ -18,7 +18,7 @@ internal static class TestData
         return full;
     }
 
-    /// <summary>The bytes of a file, unpacked where its name ends in .gz.</summary>
+    /// <summary>The bytes of a file, decompressed if its name ends in .gz.</summary>
     public static byte[] ReadBytes(string file)
     {
         if (!file.EndsWith(".gz", StringComparison.Ordinal)) return File.ReadAllBytes(file);

@@ -60,7 +60,7 @@ internal sealed class Canvas
         return inside;
     });
 
-    /// <summary>The dark hexagon behind the icons of parameters.</summary>
+    /// <summary>The dark hexagon below the icons of parameters.</summary>
     public Canvas Hexagon() => Polygon(Ink.Dark, 7, 3, 17, 3, 22, 12, 17, 21, 7, 21, 2, 12);
 
     /// <summary>RGBA, row by row.</summary>

@@ -8,14 +8,14 @@ namespace Caterpillar.Examples;
 /// <summary>The curve files in examples/curves that are made by formulas, after the printed examples of Caterpillar (Zheng et al. 2019, section 6).</summary>
 internal static class ExampleCurves
 {
-    /// <summary>File names, and how each is made.</summary>
+    /// <summary>File names, and the generator of each.</summary>
     public static IReadOnlyList<(string Name, Func<byte[]> Make)> All { get; } =
     [
         ("pimples.json", () => Encoding.ASCII.GetBytes(Pimples())),
         ("thick_cup.csv", () => Encoding.ASCII.GetBytes(ThickCup())),
     ];
 
-    // Rings with small circles on their outside, which the path goes around once on its way: buckles in the wall.
+    // Rings with small circles on their outside, which the path goes around once: bumps in the wall.
     private static string Pimples()
     {
         const int Layers = 60, PathSamples = 12;

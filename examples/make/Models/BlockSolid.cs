@@ -32,7 +32,7 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
         }
     }
 
-    /// <summary>Fills the lower half towards −X of a cell that has full neighbors below and at −X, and empty ones elsewhere.</summary>
+    /// <summary>Fills the lower half toward −X of a cell that has full neighbors below and at −X, and empty ones elsewhere.</summary>
     public void AddRib(int x, int y, int z) => _rib[x, y, z] = true;
 
     /// <summary>A hole in the middle of a column of full cells along Z.</summary>
@@ -92,7 +92,7 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
 
     private bool Inside(int x, int y, int z) => x >= 0 && y >= 0 && z >= 0 && x + 1 < xs.Length && y + 1 < ys.Length && z + 1 < zs.Length;
 
-    // A face that is seen from outside counter-clockwise, with a round hole where the radius is not 0.
+    // A face that is seen from outside counterclockwise, with a round hole where the radius is not 0.
     private void Side(bool covered, Vec3[] corners, double radius)
     {
         if (covered) return;
@@ -121,7 +121,7 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
         }
     }
 
-    // Counter-clockwise like the corners; a quarter belongs to each corner. Points of opposite faces are the same up to the shift.
+    // Counterclockwise like the corners; a quarter belongs to each corner. Points of opposite faces are the same up to the shift.
     private static Vec3[] Circle(Vec3[] corners, double radius)
     {
         var center = (corners[0] + corners[2]) * 0.5;
@@ -130,7 +130,7 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
         var points = new Vec3[HoleCorners + 1];
         for (var i = 0; i <= HoleCorners; i++)
         {
-            // The first point lies towards the side between the last and the first corner.
+            // The first point lies toward the side between the last and the first corner.
             var (sin, cos) = Angle.SinCos(360.0 * (i % HoleCorners) / HoleCorners);
             points[i] = center + across * (radius * cos) + along * (radius * sin);
         }

@@ -7,7 +7,7 @@ namespace Caterpillar.Examples;
 /// <summary>The models in examples/models. All stand on Z = 0, are centered on X = Y = 0 and are watertight; mm.</summary>
 internal static class ExampleModels
 {
-    /// <summary>File names, and how each model is made.</summary>
+    /// <summary>File names, and the generator of each model.</summary>
     public static IReadOnlyList<(string Name, Func<TriMesh> Make)> All { get; } =
     [
         ("vase.stl", Vase.Make),

@@ -31,7 +31,7 @@ internal static class HeightBlock
         return TriMesh.Create(points, faces);
     }
 
-    // Vertices of the top along its border, counter-clockwise.
+    // Vertices of the top along its border, counterclockwise.
     private static List<int> Rim(int columns, int rows, Func<int, int, int> top)
     {
         var rim = new List<int>();

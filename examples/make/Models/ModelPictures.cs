@@ -44,7 +44,7 @@ internal static class ModelPictures
 
     private static void Write(Toolpath toolpath, int layers, string file)
     {
-        var options = new PictureOptions { Width = 800, Height = 600, View = new View(-60, 35), Layers = (0, layers) };
+        var options = new PictureOptions { Width = 800, Height = 600, View = new View(-60, 35), Filter = new MoveFilter { LastLayer = layers } };
         var bytes = PngWriter.ToBytes(Picture.Draw(toolpath, options));
         File.WriteAllBytes(file, bytes);
         Console.WriteLine($"{Path.GetFileName(file)}: {bytes.Length} bytes");

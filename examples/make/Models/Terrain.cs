@@ -4,7 +4,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// A piece of land, 120 × 90 mm: four octaves of value noise over a grid of pseudo-random heights (a hash of whole numbers, the same everywhere),
+/// A piece of land, 120 × 90 mm: four octaves of value noise over a grid of pseudo-random heights (a hash of integers, the same everywhere),
 /// valleys flattened to a lake.
 /// </summary>
 internal static class Terrain

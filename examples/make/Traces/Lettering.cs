@@ -5,7 +5,7 @@ using Caterpillar.Shaping;
 
 namespace Caterpillar.Examples;
 
-/// <summary>Capital letters of 5 × 7 dots, white on black, one blank column after each and one blank row above and below.</summary>
+/// <summary>Capital letters of 5 × 7 dots, white on black, one empty column after each and one empty row above and below.</summary>
 internal static class Lettering
 {
     private static readonly Dictionary<char, string[]> Dots = new()

@@ -9,7 +9,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>What in G-code files a printer cannot or must not do.</summary>
+/// <summary>Finds what a printer cannot or must not do in G-code files.</summary>
 internal sealed class CheckVerb : Verb
 {
     private readonly Argument<string[]> _files = new("FILE")
@@ -23,7 +23,7 @@ internal sealed class CheckVerb : Verb
     private readonly Option<int> _threads = CommonOptions.Threads();
 
     public CheckVerb()
-        : base("check", "Check G-code files against a printer: its space, its flow, its temperatures.")
+        : base("check", "Check G-code files against a printer: build volume, flow, temperatures.")
     {
         Arguments.Add(_files);
         _setup.AddTo(this);
@@ -45,7 +45,7 @@ internal sealed class CheckVerb : Verb
         {
             var name = Session.NameOf(file);
             var toolpath = Decoded(file, name, options, session);
-            var findings = session.Long("Checking " + name,
+            var findings = session.WithProgress("Checking " + name,
                 progress => LimitCheck.Run(toolpath, LimitCheck.SetupForFile(setup, toolpath), progress, session.Cancel));
             all.AddRange(findings.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }));
         }
@@ -59,6 +59,7 @@ internal sealed class CheckVerb : Verb
     private static Toolpath Decoded(string file, string name, DecodeOptions options, Session session)
     {
         using var stream = session.OpenRead(file);
-        return session.Need(session.Long("Reading " + name, progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel))).Toolpath;
+        return session.ValueOrFail(session.WithProgress("Reading " + name,
+            progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel))).Toolpath;
     }
 }

@@ -11,7 +11,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>Decodes a G-code file and writes it again: edited, for another firmware, in another notation. Lines that stay the same stay as they are.</summary>
+/// <summary>Decodes a G-code file and writes it again: edited, for another firmware, in another notation. Lines that need no change keep their bytes.</summary>
 internal sealed class ConvertVerb : Verb
 {
     private readonly Argument<string> _file = new("FILE") { Description = "G-code file, also binary (.bgcode) or packed with gzip, or - for standard input." };
@@ -23,20 +23,21 @@ internal sealed class ConvertVerb : Verb
 
     private readonly Option<bool> _inPlace = new("--in-place") { Description = "Replace the input itself, instead of --output." };
 
-    private readonly Option<string?> _from = new("--from") { Description = "The firmware the file is for; detected from the file without it.",
+    private readonly Option<string?> _from = new("--from") { Description = "Firmware the file was made for; detected from the file by default.",
         HelpName = "DIALECT" };
-    private readonly Option<string?> _to = new("--dialect") { Description = "The firmware to write for.", HelpName = "DIALECT" };
-    private readonly Option<string?> _e = new("--e") { Description = "E as increments or as sums.", HelpName = "relative|absolute" };
+    private readonly Option<string?> _to = new("--dialect") { Description = "Firmware to write for.", HelpName = "DIALECT" };
+    private readonly Option<string?> _e = new("--e") { Description = "Relative (M83) or absolute (M82) E.", HelpName = "relative|absolute" };
     private readonly Option<string?> _unit = new("--e-unit") { Description = "E in mm of filament or in mm³.", HelpName = "mm|mm3" };
-    private readonly Option<double?> _diameter = new("--filament-diameter") { Description = "Diameter in mm where the file does not say.", HelpName = "MM" };
-    private readonly Option<string?> _arcs = new("--arcs") { Description = "Fit arcs to strands, or expand arcs to chords.", HelpName = "fit|expand" };
-    private readonly Option<double> _tolerance = new("--tolerance") { Description = "Largest deviation of fitted arcs and of chords.", HelpName = "MM",
+    private readonly Option<double?> _diameter = new("--filament-diameter") { Description = "Filament diameter, if the file does not state it.",
+        HelpName = "MM" };
+    private readonly Option<string?> _arcs = new("--arcs") { Description = "Fit arcs to strands, or expand arcs into chords.", HelpName = "fit|expand" };
+    private readonly Option<double> _tolerance = new("--tolerance") { Description = "Maximum deviation of fitted arcs and of chords.", HelpName = "MM",
         DefaultValueFactory = _ => 0.02 };
-    private readonly Option<bool> _millimeters = new("--mm") { Description = "Inches become millimeters." };
+    private readonly Option<bool> _millimeters = new("--mm") { Description = "Convert inches to millimeters." };
     private readonly Option<double> _retraction =
-        new("--retraction") { Description = "Retraction in units of E that stands for G10 and G11 where the target has none.", HelpName = "E" };
+        new("--retraction") { Description = "Retraction, in units of E, that replaces G10 and G11 where the target lacks them.", HelpName = "E" };
     private readonly Option<string?> _decimals =
-        new("--decimals") { Description = "The most decimals of X, Y and Z, of E and of F, as 3,5,0; later ones may be left out.", HelpName = "XYZ,E,F" };
+        new("--decimals") { Description = "Maximum decimals of X, Y and Z, of E and of F, such as 3,5,0; later ones may be omitted.", HelpName = "XYZ,E,F" };
     private readonly ToolpathEditOptions _edits = new();
     private readonly SetupOptions _setup = new();
     private readonly Option<string?> _reason = WriteOptions.Override();
@@ -66,7 +67,7 @@ internal sealed class ConvertVerb : Verb
         var target = Target(arguments);
         var from = CommonOptions.DialectOf(arguments.GetValue(_from));
         var document = Read(file, session);
-        var decoding = session.Need(session.Long("Reading",
+        var decoding = session.ValueOrFail(session.WithProgress("Reading",
             p => GCodeDecoder.Decode(document,
                 new DecodeOptions { Dialect = from, FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, p,
                 session.Cancel)));
@@ -77,12 +78,12 @@ internal sealed class ConvertVerb : Verb
         var dialect = decoding.Dialect;
         if (!ReferenceEquals(edited, decoding.Toolpath) || code.Start is not null || code.End is not null)
         {
-            written = session.Need(session.Long("Editing", p => GCodeEditor.ToDocument(decoding, edited, code, p, session.Cancel)));
+            written = session.ValueOrFail(session.WithProgress("Editing", p => GCodeEditor.ToDocument(decoding, edited, code, p, session.Cancel)));
             if (target is not null) decoding = Again(written, dialect, arguments, session);
         }
         if (target is not null)
         {
-            written = session.Need(session.Long("Converting", p => GCodeConverter.ToDocument(decoding, target, p, session.Cancel)));
+            written = session.ValueOrFail(session.WithProgress("Converting", p => GCodeConverter.ToDocument(decoding, target, p, session.Cancel)));
             dialect = target.Dialect ?? dialect;
         }
         session.WriteGCode(output, Checked(written, dialect, arguments, session));
@@ -104,14 +105,14 @@ internal sealed class ConvertVerb : Verb
     private static GCodeDocument Read(string file, Session session)
     {
         using var stream = session.OpenRead(file);
-        return session.Need(GCodeDocument.Read(stream, Session.NameOf(file), session.Cancel));
+        return session.ValueOrFail(GCodeDocument.Read(stream, Session.NameOf(file), session.Cancel));
     }
 
     private DecodedGCode Again(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
         => GCodeDecoder.Decode(text, new DecodeOptions { Dialect = dialect,
             FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, null, session.Cancel).Value!;
 
-    // Against a printer only where one is named: the file was made for one that nobody knows here.
+    // Checked only if a printer is named: the one that the file was made for is unknown.
     private GCodeDocument Checked(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
     {
         if (!_setup.IsGiven(arguments))
@@ -119,11 +120,11 @@ internal sealed class ConvertVerb : Verb
                 : throw new CliException(ExitCode.Usage, "--override needs --printer: without it nothing is checked.");
         var setup = _setup.Resolve(arguments, session);
         var decoding = Again(text, dialect, arguments, session);
-        return session.Need(session.Long("Checking",
+        return session.ValueOrFail(session.WithProgress("Checking",
             p => SafeWriter.ToDocument(decoding, decoding.Toolpath, setup, arguments.GetValue(_reason), null, p, session.Cancel)), ExitCode.Refused);
     }
 
-    // Null where nothing is to be converted.
+    // Null if nothing is to be converted.
     private ConvertOptions? Target(ParseResult arguments)
     {
         var decimals = Decimals(arguments);
@@ -155,7 +156,7 @@ internal sealed class ConvertVerb : Verb
         for (var i = 0; i < parts.Length; i++)
         {
             if (!NumberReader.TryParseInt(parts[i].Trim(), out var count)
-                || count is < 0 or > 9) throw new CliException(ExitCode.Usage, "--decimals needs whole numbers from 0 to 9, as 3,5,0.");
+                || count is < 0 or > 9) throw new CliException(ExitCode.Usage, "--decimals needs whole numbers from 0 to 9, such as 3,5,0.");
             decimals[i] = count;
         }
         return decimals;

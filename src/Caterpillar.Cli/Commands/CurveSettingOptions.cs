@@ -5,24 +5,25 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>The options for the strand of curves without settings of their own.</summary>
+/// <summary>Strand options for curves without settings of their own.</summary>
 internal sealed class CurveSettingOptions
 {
     private readonly Option<string?> _width = new("--width") { Description = "Width of the strand: mm, or percent of the nozzle.", HelpName = "MM|%" };
 
     private readonly Option<string?> _height = new("--height") { Description = "Height of the strand: mm, or percent of the layer height.", HelpName = "MM|%" };
 
-    private readonly Option<string?> _multiplier = new("--multiplier") { Description = "Scales what is extruded; 1 or 100% for the plain bead.",
+    private readonly Option<string?> _multiplier = new("--multiplier") { Description = "Flow multiplier; 1 or 100% for the plain bead.",
         HelpName = "NUMBER|%" };
 
-    private readonly Option<string?> _speed = new("--speed") { Description = "Printing speed: mm/s, or percent of that of the settings.", HelpName = "MM/S|%" };
+    private readonly Option<string?> _speed = new("--speed") { Description = "Print speed: mm/s, or percent of the speed in the settings.",
+        HelpName = "MM/S|%" };
 
     private readonly Option<string?> _shape =
         new("--shape") { Description = "Cross-section of width and height: rectangle (the Caterpillar paper), stadium or circle.", HelpName = "SHAPE" };
 
     private readonly Option<bool> _strokes = new("--strokes") { Description = "Draw without extruding: pen, brush, bare hot tool." };
 
-    private readonly Option<string?> _unit = new("--unit") { Description = "mm for one unit of CSV, OBJ, and JSON without \"units\".", HelpName = "MM" };
+    private readonly Option<string?> _unit = new("--unit") { Description = "Millimeters per unit of CSV, OBJ, and JSON without \"units\".", HelpName = "MM" };
 
     public void AddTo(Verb verb)
     {
@@ -32,7 +33,7 @@ internal sealed class CurveSettingOptions
 
     public double UnitOf(ParseResult arguments)
     {
-        var unit = Words.OptionalNumber(arguments.GetValue(_unit), "--unit", 0) ?? 1;
+        var unit = OptionValues.OptionalNumber(arguments.GetValue(_unit), "--unit", 0) ?? 1;
         return unit > 0 ? unit : throw new CliException(ExitCode.Usage, "--unit must be above 0.");
     }
 
@@ -41,10 +42,10 @@ internal sealed class CurveSettingOptions
         var plain = CurveOptions.From(setup.Settings);
         return plain with
         {
-            Width = Words.OptionalAmount(arguments.GetValue(_width), "--width", setup.Printer.NozzleDiameter) ?? plain.Width,
-            Height = Words.OptionalAmount(arguments.GetValue(_height), "--height", setup.Settings.LayerHeight) ?? plain.Height,
-            Multiplier = Words.OptionalAmount(arguments.GetValue(_multiplier), "--multiplier", 1) ?? plain.Multiplier,
-            Speed = Words.OptionalAmount(arguments.GetValue(_speed), "--speed", setup.Settings.PrintSpeed) ?? plain.Speed,
+            Width = OptionValues.OptionalAmount(arguments.GetValue(_width), "--width", setup.Printer.NozzleDiameter) ?? plain.Width,
+            Height = OptionValues.OptionalAmount(arguments.GetValue(_height), "--height", setup.Settings.LayerHeight) ?? plain.Height,
+            Multiplier = OptionValues.OptionalAmount(arguments.GetValue(_multiplier), "--multiplier", 1) ?? plain.Multiplier,
+            Speed = OptionValues.OptionalAmount(arguments.GetValue(_speed), "--speed", setup.Settings.PrintSpeed) ?? plain.Speed,
             Shape = arguments.GetValue(_shape) switch
             {
                 "rectangle" => BeadShape.Rectangle,

@@ -11,7 +11,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>Prints curves as they are drawn, in their order.</summary>
+/// <summary>Prints curves as drawn, in their order.</summary>
 internal sealed class CurvesVerb : Verb
 {
     private readonly Argument<string> _file =
@@ -25,29 +25,29 @@ internal sealed class CurvesVerb : Verb
         Description = "Order: none (as given), orient (only turned around), nearest, layer, z or tour.", DefaultValueFactory = _ => "none",
     };
 
-    private readonly Option<string?> _move = new("--move") { Description = "Shifts the curves, mm; or \"center\" puts them in the middle of the bed.",
+    private readonly Option<string?> _move = new("--move") { Description = "Moves the curves by an offset in mm, or to the \"center\" of the bed.",
         HelpName = "X,Y[,Z]|center" };
 
     private readonly Option<string[]> _map = new("--map")
     {
-        Description = "Lets a coordinate drive another word, scaled: X=A*2.86 turns A by 2.86 degrees for a mm of X; Y=Y*0.5 scales Y. Done last.",
+        Description = "Maps a coordinate to another axis word, scaled: X=A*2.86 turns A by 2.86 degrees per mm of X; Y=Y*0.5 scales Y. Applied last.",
             HelpName = "AXIS=WORD*SCALE",
     };
 
     private readonly Option<string> _plan =
-        new("--plan") { Description = "\"printer\": with the printer's retraction and lifts; \"drawn\": nothing but the curves.",
+        new("--plan") { Description = "\"printer\": with the printer's retraction and lifts; \"drawn\": only the curves.",
         DefaultValueFactory = _ => "printer" };
 
     private readonly Option<bool> _json = new("--json") { Description = "Print what was planned and written as JSON." };
 
-    private readonly Option<string?> _maxSize = new("--max-size") { Description = "Largest file that the printer takes, in MB; a larger one is not written.",
+    private readonly Option<string?> _maxSize = new("--max-size") { Description = "Largest file that the printer accepts, in MB; a larger one is not written.",
         HelpName = "MB" };
 
     private readonly SetupOptions _setup = new();
     private readonly WriteOptions _write = new();
 
     public CurvesVerb()
-        : base("curves", "User curves to G-code, printed as drawn and in their order.")
+        : base("curves", "Turn user curves into G-code, as drawn and in their order.")
     {
         _sort.AcceptOnlyFromAmong("none", "orient", "nearest", "layer", "z", "tour");
         _plan.AcceptOnlyFromAmong("drawn", "printer");
@@ -68,10 +68,10 @@ internal sealed class CurvesVerb : Verb
         var json = arguments.GetValue(_json);
         if (json && target == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
         var mappings = (arguments.GetValue(_map) ?? []).Select(AxisMappings.Parse).ToArray();
-        var limit = Words.OptionalNumber(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6 ?? double.PositiveInfinity;
+        var limit = OptionValues.OptionalNumber(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6 ?? double.PositiveInfinity;
         var setup = _setup.Resolve(arguments, session);
         var sort = SortOf(arguments.GetValue(_sort)!);
-        // Whether curves may be sorted is asked here, not in the settings for sliced parts.
+        // Sorting of curves is an option of this verb, not a setting as for sliced parts.
         setup = setup with { Settings = setup.Settings with { SortPaths = sort != SortRule.None } };
         var options = _division.Of(arguments, _strand.Of(arguments, setup)) with
         {
@@ -94,35 +94,36 @@ internal sealed class CurvesVerb : Verb
         return ExitCode.Done;
     }
 
-    // What each stage holds is free for the next one: files can be large.
+    // The memory of each stage is free for the next one: files can be large.
     private static (IReadOnlyList<Step> Steps, int Count) Steps(string file, CurveReadOptions reading, CurveOptions options, string? move, PrintSetup setup,
         Session session)
     {
         var curves = Moved(Curves(file, reading, session), move, setup.Printer);
-        return (session.Long("Dividing", progress => session.Need(CurvePaths.ToSteps(curves, options, progress, session.Cancel))), curves.Count);
+        return (session.WithProgress("Dividing", progress => session.ValueOrFail(CurvePaths.ToSteps(curves, options, progress, session.Cancel))), curves.Count);
     }
 
     private static IReadOnlyList<UserCurve> Curves(string file, CurveReadOptions reading, Session session)
     {
         var bytes = session.ReadBytes(file);
-        return session.Long("Reading", progress => session.Need(CurveReader.Read(bytes, Session.NameOf(file), reading, progress, session.Cancel)));
+        return session.WithProgress("Reading",
+            progress => session.ValueOrFail(CurveReader.Read(bytes, Session.NameOf(file), reading, progress, session.Cancel)));
     }
 
     private static Plan Planned(IReadOnlyList<Step> steps, PrintSetup setup, PlanOptions planning, Session session)
-        => session.Long("Planning", progress => session.Need(Planner.PlanWithReport(steps, setup, planning, progress, session.Cancel)));
+        => session.WithProgress("Planning", progress => session.ValueOrFail(Planner.PlanWithReport(steps, setup, planning, progress, session.Cancel)));
 
-    private static IReadOnlyList<UserCurve> Moved(IReadOnlyList<UserCurve> curves, string? words, Printer printer)
+    private static IReadOnlyList<UserCurve> Moved(IReadOnlyList<UserCurve> curves, string? text, Printer printer)
     {
-        if (words is null) return curves;
+        if (text is null) return curves;
         Vec3 shift;
-        if (words == "center")
+        if (text == "center")
         {
             var bounds = curves.Aggregate(Bounds.Empty, (b, c) => b.Include(c.Curve.Bounds));
             shift = (printer.BuildBounds.Center - bounds.Center).WithZ(0);
         }
         else
         {
-            var numbers = words.Split(',').Select(w => Words.Number(w, "--move", double.NegativeInfinity)).ToArray();
+            var numbers = text.Split(',').Select(w => OptionValues.Number(w, "--move", double.NegativeInfinity)).ToArray();
             if (numbers.Length is not (2 or 3)) throw new CliException(ExitCode.Usage, "--move: give X,Y or X,Y,Z in mm, or center.");
             shift = new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
         }

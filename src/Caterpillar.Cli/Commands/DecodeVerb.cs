@@ -10,15 +10,16 @@ using Caterpillar.GCode;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>What G-code files do.</summary>
+/// <summary>Describes what G-code files do.</summary>
 internal sealed class DecodeVerb : Verb
 {
     private readonly Argument<string[]> _files =
         new("FILE") { Description = "G-code files, also binary (.bgcode) or packed with gzip, or - for standard input.", Arity = ArgumentArity.OneOrMore };
-    private readonly Option<bool> _json = new("--json") { Description = "Print a JSON array with an object for each file." };
-    private readonly Option<bool> _csv = new("--csv") { Description = "Print a table with a row for each move." };
+    private readonly Option<bool> _json = new("--json") { Description = "Print a JSON array with one object per file." };
+    private readonly Option<bool> _csv = new("--csv") { Description = "Print a table with one row per move." };
     private readonly Option<string?> _dialect = CommonOptions.Dialect();
-    private readonly Option<double?> _diameter = new("--filament-diameter") { Description = "Diameter in mm where the file does not say.", HelpName = "MM" };
+    private readonly Option<double?> _diameter = new("--filament-diameter") { Description = "Filament diameter, if the file does not state it.",
+        HelpName = "MM" };
     private readonly Option<int> _threads = CommonOptions.Threads();
 
     private readonly Option<string> _rule = new("--rule")
@@ -29,14 +30,14 @@ internal sealed class DecodeVerb : Verb
     };
 
     public DecodeVerb()
-        : base("decode", "Say what G-code files do.")
+        : base("decode", "Describe what G-code files do.")
     {
         Arguments.Add(_files);
         foreach (var option in new Option[] { _json, _csv, _dialect, _rule, _diameter, _threads }) Options.Add(option);
         _rule.AcceptOnlyFromAmong("balance", "rising");
         Validators.Add(result =>
         {
-            if (result.GetValue(_json) && result.GetValue(_csv)) result.AddError("--json and --csv cannot both be printed.");
+            if (result.GetValue(_json) && result.GetValue(_csv)) result.AddError("Use --json or --csv, not both.");
         });
     }
 
@@ -60,7 +61,7 @@ internal sealed class DecodeVerb : Verb
             }
             catch (CliException stop) when (stop.Message.Length == 0)
             {
-                // Said already; the other files are looked at as well.
+                // Already reported; the other files are decoded as well.
                 bad = true;
             }
         }
@@ -81,9 +82,9 @@ internal sealed class DecodeVerb : Verb
         using var plain = GzipReader.Open(session.OpenRead(file));
         using var sum = hash ? IncrementalHash.CreateHash(HashAlgorithmName.SHA256) : null;
         using var stream = sum is null ? plain : new HashingStream(plain, sum);
-        var result = session.Long("Reading " + name, progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel));
+        var result = session.WithProgress("Reading " + name, progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel));
         if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.packed", name)]);
-        var decoding = session.Need(result);
+        var decoding = session.ValueOrFail(result);
         var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };
         if (sum is not null) report = report with { Sha256 = Convert.ToHexStringLower(sum.GetHashAndReset()) };
         return (name, decoding, report);

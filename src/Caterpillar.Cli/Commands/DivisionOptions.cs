@@ -5,26 +5,28 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>The options that say how curved parts are divided and what becomes an arc.</summary>
+/// <summary>Options for dividing curved parts and for arcs.</summary>
 internal sealed class DivisionOptions
 {
     private readonly Option<string?> _distance =
-        new("--distance") { Description = "Divide curved parts by distance; the settings' subdivision_distance_mm where nothing is asked.", HelpName = "MM" };
+        new("--distance") { Description = "Divide curved parts by distance; subdivision_distance_mm of the settings by default.", HelpName = "MM" };
 
-    private readonly Option<string?> _tolerance = new("--tolerance") { Description = "Divide curved parts so that chords keep this close.", HelpName = "MM" };
+    private readonly Option<string?> _tolerance = new("--tolerance") { Description = "Divide curved parts so that chords deviate no more than this.",
+        HelpName = "MM" };
 
-    private readonly Option<string?> _angle = new("--angle") { Description = "Divide curved parts so that a segment turns no more.", HelpName = "DEGREES" };
+    private readonly Option<string?> _angle = new("--angle") { Description = "Divide curved parts so that no segment turns more than this.",
+        HelpName = "DEGREES" };
 
     private readonly Option<string?> _min = new("--min-length") { Description = "Shortest segment of a curved part.", HelpName = "MM" };
 
     private readonly Option<string?> _max = new("--max-length") { Description = "Longest segment of a curved part.", HelpName = "MM" };
 
     private readonly Option<bool> _full =
-        new("--full-steps") { Description = "Walk with the full step and leave a shorter last segment, instead of dividing evenly." };
+        new("--full-steps") { Description = "Use the full step and leave a shorter last segment instead of dividing evenly." };
 
     private readonly Option<bool> _arcs = new("--arcs") { Description = "Keep horizontal arcs and circles as G2 and G3." };
 
-    private readonly Option<string?> _fit = new("--fit-arcs") { Description = "Fit arcs to what is printed, within this tolerance.", HelpName = "MM" };
+    private readonly Option<string?> _fit = new("--fit-arcs") { Description = "Fit arcs to printed moves, within this tolerance.", HelpName = "MM" };
 
     private readonly Option<string?> _merge = new("--merge") { Description = "Join curves whose ends touch within this distance.", HelpName = "MM" };
 
@@ -35,7 +37,7 @@ internal sealed class DivisionOptions
 
     public CurveOptions Of(ParseResult arguments, CurveOptions plain)
     {
-        double Value(Option<string?> option) => Words.OptionalNumber(arguments.GetValue(option), option.Name, 0) ?? 0;
+        double Value(Option<string?> option) => OptionValues.OptionalNumber(arguments.GetValue(option), option.Name, 0) ?? 0;
         var (distance, tolerance, angle) = (Value(_distance), Value(_tolerance), Value(_angle));
         var asked = distance > 0 || tolerance > 0 || angle > 0;
         var division = plain.Subdivision with

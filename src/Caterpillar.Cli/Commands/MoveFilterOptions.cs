@@ -9,31 +9,31 @@ namespace Caterpillar.Cli.Commands;
 /// <summary>Options that choose moves of a decoded file.</summary>
 internal sealed class MoveFilterOptions
 {
-    private readonly Option<int?> _first = new("--first-layer") { Description = "First layer that is edited, by its number in the file or from 0.",
+    private readonly Option<int?> _first = new("--first-layer") { Description = "First layer to edit, by its number in the file, or counted from 0.",
         HelpName = "N" };
-    private readonly Option<int?> _last = new("--last-layer") { Description = "Last layer that is edited.", HelpName = "N" };
-    private readonly Option<string[]> _roles = new("--role") { Description = "Edit strands of this role only (OuterWall, Infill …); may be repeated.",
+    private readonly Option<int?> _last = new("--last-layer") { Description = "Last layer to edit.", HelpName = "N" };
+    private readonly Option<string[]> _roles = new("--role") { Description = "Edit only strands of this role (OuterWall, Infill …); may be repeated.",
         HelpName = "ROLE" };
-    private readonly Option<string[]> _objects = new("--object") { Description = "Edit this object only; may be repeated.", HelpName = "NAME" };
-    private readonly Option<int?> _tool = new("--tool") { Description = "Edit what this tool makes only.", HelpName = "N" };
-    private readonly Option<string?> _box = new("--box") { Description = "Edit moves that end in this box only: two corners in mm.", HelpName = "X,Y,Z,X,Y,Z" };
+    private readonly Option<string[]> _objects = new("--object") { Description = "Edit only this object; may be repeated.", HelpName = "NAME" };
+    private readonly Option<int?> _tool = new("--tool") { Description = "Edit only what this tool prints.", HelpName = "N" };
+    private readonly Option<string?> _box = new("--box") { Description = "Edit only moves that end in this box: two corners in mm.", HelpName = "X,Y,Z,X,Y,Z" };
 
     public void AddTo(Verb verb)
     {
         foreach (var option in new Option[] { _first, _last, _roles, _objects, _tool, _box }) verb.Options.Add(option);
     }
 
-    /// <summary>True when something is chosen.</summary>
+    /// <summary>True if something is chosen.</summary>
     public bool IsGiven(ParseResult arguments)
         => arguments.GetValue(_first) is not null || arguments.GetValue(_last) is not null || arguments.GetValue(_roles) is { Length: > 0 }
             || arguments.GetValue(_objects) is { Length: > 0 }
             || arguments.GetValue(_tool) is not null || arguments.GetValue(_box) is not null;
 
-    /// <summary>True when single strands are chosen, and not whole layers or objects with their travel.</summary>
+    /// <summary>True if single strands are chosen, rather than whole layers or objects with their travel.</summary>
     public bool NamesStrands(ParseResult arguments) => arguments.GetValue(_roles) is { Length: > 0 } || arguments.GetValue(_box) is not null;
 
-    /// <summary>The moves that are meant: of the layers, where the file has any.</summary>
-    /// <exception cref="CliException">There is no such role or object, or the box is none.</exception>
+    /// <summary>The chosen moves: those of layers, if the file has any.</summary>
+    /// <exception cref="CliException">There is no such role or object, or the box is invalid.</exception>
     public MoveFilter Of(Toolpath toolpath, ParseResult arguments)
     {
         var objects = arguments.GetValue(_objects) is { Length: > 0 } named ? named : null;
@@ -53,7 +53,7 @@ internal sealed class MoveFilterOptions
             Roles = arguments.GetValue(_roles) is { Length: > 0 } roles ? roles.Select(RoleOf).ToArray() : null,
             Objects = objects,
             Tool = arguments.GetValue(_tool),
-            Region = arguments.GetValue(_box) is { } box ? BoxOf(box) : null,
+            Box = arguments.GetValue(_box) is { } box ? BoxOf(box) : null,
         };
         return filter.InLayersOf(toolpath);
     }

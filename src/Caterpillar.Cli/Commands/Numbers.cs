@@ -4,7 +4,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>Numbers in the values of options. What is wrong is wrong usage.</summary>
+/// <summary>Numbers in the values of options. Errors are wrong usage.</summary>
 internal static class Numbers
 {
     public static double[] List(string text, string option) => text.Split(',').Select(part => Number(part, option)).ToArray();
@@ -54,13 +54,13 @@ internal static class Numbers
     {
         var at = text.IndexOf('=');
         return at > 0 && Whole(text[..at]) is { } number ? (number, text[(at + 1)..])
-            : throw new CliException(ExitCode.Usage, $"{option} needs N=…, \"{text}\" is none.");
+            : throw new CliException(ExitCode.Usage, $"{option} needs N=…, found \"{text}\".");
     }
 
-    /// <summary>A whole number, or null.</summary>
+    /// <summary>A integer, or null.</summary>
     public static int? Whole(string text) => NumberReader.TryParseInt(text, out var number) ? number : null;
 
     private static double Number(string text, string option)
         => NumberReader.TryParse(text.Trim(), out var value)
-            && double.IsFinite(value) ? value : throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is no number.");
+            && double.IsFinite(value) ? value : throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is not a number.");
 }

@@ -13,16 +13,18 @@ internal sealed class PictureVerb : Verb
     private readonly Argument<string> _file = new("FILE") { Description = "G-code, also binary (.bgcode) or packed with gzip; - is standard input." };
 
     private readonly Option<string?> _out = new("--output",
-        "-o") { Description = "Picture (PNG); - is standard output. Without it the file's name with .png in the current folder.", HelpName = "FILE.png" };
+        "-o") { Description = "Picture (PNG); - is standard output. By default the name of the input with .png, in the current folder.",
+            HelpName = "FILE.png" };
 
-    private readonly Option<int?> _layer = new("--layer") { Description = "Only this layer, counted from 0.", HelpName = "N" };
+    private readonly Option<int?> _layer = new("--layer") { Description = "Draw only this layer, by its number in the file, or counted from 0.",
+        HelpName = "N" };
 
-    private readonly Option<int?> _upTo = new("--to-layer") { Description = "Only the layers up to this one.", HelpName = "N" };
+    private readonly Option<int?> _upTo = new("--to-layer") { Description = "Draw only the layers up to this one.", HelpName = "N" };
 
-    private readonly Option<string> _view = new("--view") { Description = "From where it is seen: top, front, or azimuth,elevation in degrees.",
+    private readonly Option<string> _view = new("--view") { Description = "Direction of view: top, front, or azimuth,elevation in degrees.",
         DefaultValueFactory = _ => "-60,28" };
 
-    private readonly Option<ColorBy> _color = new("--color") { Description = "What colors mean.", DefaultValueFactory = _ => ColorBy.Role };
+    private readonly Option<ColorBy> _color = new("--color") { Description = "What the colors show.", DefaultValueFactory = _ => ColorBy.Role };
 
     private readonly Option<bool> _travel = new("--travel") { Description = "Draw travels as thin lines." };
 
@@ -30,7 +32,7 @@ internal sealed class PictureVerb : Verb
         DefaultValueFactory = _ => 960 };
 
     public PictureVerb()
-        : base("picture", "A picture of paths or a layer.")
+        : base("picture", "Draw a picture of paths or of one layer.")
     {
         Arguments.Add(_file);
         Options.Add(_out);
@@ -48,10 +50,10 @@ internal sealed class PictureVerb : Verb
     {
         var file = arguments.GetValue(_file)!;
         var width = arguments.GetValue(_width);
-        if (width is < 16 or > 8000) throw new CliException(ExitCode.Usage, "--width: 16 to 8000 pixels.");
+        if (width is < 16 or > 8000) throw new CliException(ExitCode.Usage, "--width needs 16 to 8000 pixels.");
         var view = ViewOf(arguments.GetValue(_view)!);
         using var stream = session.OpenRead(file);
-        var toolpath = session.Need(session.Long("Decoding",
+        var toolpath = session.ValueOrFail(session.WithProgress("Decoding",
             progress => GCodeDecoder.DecodeStream(stream, null, Session.NameOf(file), progress, session.Cancel))).Toolpath;
         var options = new PictureOptions
         {
@@ -60,23 +62,24 @@ internal sealed class PictureVerb : Verb
             View = view,
             ColorBy = arguments.GetValue(_color),
             Travel = arguments.GetValue(_travel),
-            Layers = Layers(arguments, toolpath),
+            Filter = Filter(arguments, toolpath),
         };
-        var picture = session.Long("Drawing", progress => Picture.Draw(toolpath, options, progress, session.Cancel));
+        var picture = session.WithProgress("Drawing", progress => Picture.Draw(toolpath, options, progress, session.Cancel));
         var png = PngWriter.ToBytes(picture);
         session.Write(arguments.GetValue(_out)
             ?? Path.GetFileNameWithoutExtension(file == "-" ? "picture" : file) + ".png", stream => stream.Write(png, 0, png.Length));
         return ExitCode.Done;
     }
 
-    private (int, int)? Layers(ParseResult arguments, Toolpath toolpath)
+    private MoveFilter Filter(ParseResult arguments, Toolpath toolpath)
     {
-        var (only, upTo) = (arguments.GetValue(_layer), arguments.GetValue(_upTo));
-        if (only is null && upTo is null) return null;
-        var last = only ?? upTo!.Value;
-        if (last < 0 || last >= toolpath.Layers.Count) throw new CliException(ExitCode.BadInput,
-            $"There is no layer {last}; the file has {toolpath.Layers.Count}, counted from 0.");
-        return (only ?? 0, last);
+        var only = arguments.GetValue(_layer);
+        if ((only ?? arguments.GetValue(_upTo)) is not { } last) return new MoveFilter();
+        return toolpath.Layers.Any(l => l.Index == last)
+            ? new MoveFilter { FirstLayer = only, LastLayer = last }
+            : throw new CliException(ExitCode.BadInput, toolpath.Layers.Count == 0
+                ? "The file has no layers."
+                : $"There is no layer {last}; the file has layers {toolpath.Layers.Min(l => l.Index)} to {toolpath.Layers.Max(l => l.Index)}.");
     }
 
     private static View ViewOf(string text)
@@ -86,6 +89,6 @@ internal sealed class PictureVerb : Verb
         var parts = text.Split(',');
         if (parts.Length == 2 && Basics.NumberReader.TryParse(parts[0].Trim(), out var azimuth)
             && Basics.NumberReader.TryParse(parts[1].Trim(), out var elevation)) return new View(azimuth, elevation);
-        throw new CliException(ExitCode.Usage, $"--view {text}: write top, front, or azimuth,elevation in degrees.");
+        throw new CliException(ExitCode.Usage, $"--view {text}: expected top, front, or azimuth,elevation in degrees.");
     }
 }

@@ -5,16 +5,16 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>Makes profiles of a header and a footer.</summary>
+/// <summary>Makes profiles from a header and a footer.</summary>
 internal static class PrinterImport
 {
     public static void Run(string header, string footer, string? like, string output, string? materialOutput, Session session)
     {
-        var similar = like is null ? null : session.Need(session.Profiles.Printer(like), File.Exists(like) ? ExitCode.BadInput : ExitCode.Usage);
+        var similar = like is null ? null : session.ValueOrFail(session.Profiles.Printer(like), File.Exists(like) ? ExitCode.BadInput : ExitCode.Usage);
         var name = Path.GetFileNameWithoutExtension(output == "-" ? header : output);
-        // A dash for the header is standard input; a second one is nothing.
+        // A dash for the header is standard input; one for the footer means none.
         var footerText = footer == "-" ? "" : Text(footer, session);
-        var imported = session.Need(HeaderImport.Read(
+        var imported = session.ValueOrFail(HeaderImport.Read(
             Text(header, session), footerText, string.IsNullOrWhiteSpace(name)
                 || name == "-" ? "imported" : name, similar, Session.NameOf(header), footer == "-" ? "footer" : footer));
         session.WriteText(output, text => text.Write(ProfileWriter.Write(imported.Printer)));
@@ -23,7 +23,7 @@ internal static class PrinterImport
         {
             session.Messages.WriteLine(
                 $"The header heats to {Number(imported.Material.NozzleTemperature)} °C and the bed to {Number(imported.Material.BedTemperature)} °C; "
-                    + $"--material-output writes a material of that.");
+                    + $"--material-output writes a material with these.");
         }
         if (imported.Start is { } start) session.Messages.WriteLine($"The header leaves the nozzle at X {Number(start.X)}, Y {Number(start.Y)}, Z "
             + $"{Number(start.Z)} mm.");

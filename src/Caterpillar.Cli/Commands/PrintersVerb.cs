@@ -7,36 +7,36 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>Lists the profiles, shows one as JSON with all its keys, or makes one of a header and a footer.</summary>
+/// <summary>Lists the profiles, shows one as JSON with all its keys, or makes one from a header and a footer.</summary>
 internal sealed class PrintersVerb : Verb
 {
     private readonly Argument<string?> _name = new("NAME")
     {
-        Description = "A printer, material or settings to show as JSON; material/clay or settings/clay where a name is in both.",
+        Description = "Printer, material or settings to show as JSON; material/clay or settings/clay where both have that name.",
         Arity = ArgumentArity.ZeroOrOne,
     };
 
-    private readonly Option<bool> _keys = new("--keys") { Description = "List the keys of profiles with their room and meaning." };
+    private readonly Option<bool> _keys = new("--keys") { Description = "List the keys of profiles with their range and meaning." };
 
     private readonly Option<string[]> _import = new("--import")
     {
-        Description = "Make a printer profile of G-code before and behind a print, such as the headers and footers of ExtruderTurtle; - for an empty footer.",
+        Description = "Make a printer profile from the G-code before and after a print, such as the headers and footers of ExtruderTurtle; - for no footer.",
         HelpName = "HEADER FOOTER",
         Arity = new ArgumentArity(2, 2),
         AllowMultipleArgumentsPerToken = true,
     };
 
-    private readonly Option<string?> _like = new("--like") { Description = "With --import: a similar printer for all that the files do not tell.",
+    private readonly Option<string?> _like = new("--like") { Description = "With --import: a similar printer for all that the files do not state.",
         HelpName = "NAME|FILE" };
 
-    private readonly Option<string> _output = new("--output", "-o") { Description = "Where the JSON goes; standard output without it.", HelpName = "FILE.json",
+    private readonly Option<string> _output = new("--output", "-o") { Description = "File for the JSON; standard output by default.", HelpName = "FILE.json",
         DefaultValueFactory = _ => "-" };
 
     private readonly Option<string?> _material =
         new("--material-output") { Description = "With --import: a material profile with the temperatures of the header.", HelpName = "FILE.json" };
 
     public PrintersVerb()
-        : base("printers", "Profiles of printers, materials and settings.")
+        : base("printers", "List or make profiles of printers, materials and settings.")
     {
         Arguments.Add(_name);
         Options.Add(_keys);
@@ -55,14 +55,14 @@ internal sealed class PrintersVerb : Verb
         if (arguments.GetValue(_import) is { Length: 2 } files) PrinterImport.Run(files[0], files[1], arguments.GetValue(_like), output,
             arguments.GetValue(_material), session);
         else if (arguments.GetValue(_like) is not null
-            || arguments.GetValue(_material) is not null) throw new CliException(ExitCode.Usage, "--like and --material-output go with --import.");
+            || arguments.GetValue(_material) is not null) throw new CliException(ExitCode.Usage, "--like and --material-output need --import.");
         else if (arguments.GetValue(_keys)) session.WriteText(output, WriteKeys);
         else if (name is not null) Show(name, output, session);
         else return List(output, session);
         return ExitCode.Done;
     }
 
-    // Bad profiles are reported; the others are listed all the same.
+    // Bad profiles are reported; the others are still listed.
     private static int List(string output, Session session)
     {
         var good = true;
@@ -116,7 +116,7 @@ internal sealed class PrintersVerb : Verb
         {
             if (rows.Count > 0) rows.Add([]);
             rows.Add([title, ""]);
-            rows.AddRange(keys.Select(k => new[] { k.Name, k.Summary + " (" + k.Room + ")" }));
+            rows.AddRange(keys.Select(k => new[] { k.Name, k.Summary + " (" + k.Range + ")" }));
         }
         TextTable.Write(text, rows);
     }
@@ -131,9 +131,9 @@ internal sealed class PrintersVerb : Verb
         else if (profiles.SettingsNames.Contains(name)) Settings(name);
         else Printer(name);
 
-        void Printer(string which) => Out(ProfileWriter.Write(session.Need(profiles.Printer(which), Code(which))));
-        void Material(string which) => Out(ProfileWriter.Write(session.Need(profiles.Material(which), Code(which))));
-        void Settings(string which) => Out(ProfileWriter.Write(session.Need(profiles.Settings(which), Code(which))));
+        void Printer(string which) => Out(ProfileWriter.Write(session.ValueOrFail(profiles.Printer(which), Code(which))));
+        void Material(string which) => Out(ProfileWriter.Write(session.ValueOrFail(profiles.Material(which), Code(which))));
+        void Settings(string which) => Out(ProfileWriter.Write(session.ValueOrFail(profiles.Settings(which), Code(which))));
         void Out(string json) => session.WriteText(output, text => text.Write(json));
         int Code(string which) => File.Exists(which) ? ExitCode.BadInput : ExitCode.Usage;
     }

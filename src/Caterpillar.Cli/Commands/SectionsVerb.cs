@@ -30,7 +30,7 @@ internal sealed class SectionsVerb : Verb
 
     private readonly Option<string> _gap = new("--gap")
     {
-        Description = "Close gaps in contours of dirty meshes up to this distance in mm.", HelpName = "MM",
+        Description = "Close gaps in the contours of broken meshes up to this distance in mm.", HelpName = "MM",
         DefaultValueFactory = _ => NumberFormatter.Format(new SectionOptions().GapMm, 9),
     };
 
@@ -42,7 +42,7 @@ internal sealed class SectionsVerb : Verb
     };
 
     public SectionsVerb()
-        : base("sections", "Exact plane sections of a model: length, area, contours.")
+        : base("sections", "Measure exact plane sections of a model: length, area, contours.")
     {
         Arguments.Add(_models);
         Options.Add(_heights);
@@ -64,8 +64,8 @@ internal sealed class SectionsVerb : Verb
         {
             var bytes = session.ReadBytes(model);
             var name = Session.NameOf(model);
-            var report = session.Long(name, progress => Measure(bytes, name, model, heights, every, options, progress, session));
-            reports.Add(session.Need(report));
+            var report = session.WithProgress(name, progress => Measure(bytes, name, model, heights, every, options, progress, session));
+            reports.Add(session.ValueOrFail(report));
         }
         session.WriteText(arguments.GetValue(_output)!, text =>
         {
@@ -95,7 +95,7 @@ internal sealed class SectionsVerb : Verb
 
     private double Every(ParseResult arguments)
     {
-        var text = arguments.GetValue(_every) ?? throw new CliException(ExitCode.Usage, "Say where to cut: --heights 0.1,0.3 or --every 0.2");
+        var text = arguments.GetValue(_every) ?? throw new CliException(ExitCode.Usage, "Choose the planes: --heights 0.1,0.3 or --every 0.2");
         var every = Number(text, "--every", 0);
         return every > 0 ? every : throw new CliException(ExitCode.Usage, "--every must be above 0.");
     }
@@ -115,7 +115,7 @@ internal sealed class SectionsVerb : Verb
     private static double Number(string? text, string option, double least)
     {
         if (NumberReader.TryParse(text, out var value) && value >= least) return value;
-        throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is not a number{(least >= 0 ? " from 0 on" : "")}.");
+        throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is not a number{(least >= 0 ? " of at least 0" : "")}.");
     }
 
     private static List<string[]> Table(List<SectionReport> reports)

@@ -12,18 +12,19 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>Meshes to G-code by planar layers.</summary>
+/// <summary>Slices meshes into G-code by planar layers.</summary>
 internal sealed class SliceVerb : Verb
 {
     private readonly Argument<string[]> _models = new("MODEL")
     {
-        Description = "Mesh files (STL, OBJ, PLY, 3MF, also packed with gzip), or - for standard input. Several are parts of one print and keep their places "
-            + "to each other.",
+        Description = "Mesh files (STL, OBJ, PLY, 3MF, also packed with gzip), or - for standard input. Several files are parts of one print and keep their "
+            + "places "
+            + "relative to each other.",
         Arity = ArgumentArity.OneOrMore,
     };
 
     private readonly Option<bool> _keepPosition =
-        new("--keep-position") { Description = "Print where the model stands in its file, instead of the middle of the bed." };
+        new("--keep-position") { Description = "Print at the model's position in its file instead of the middle of the bed." };
 
     private readonly Option<bool> _json = new("--json") { Description = "Print what was planned and written as JSON." };
     private readonly SetupOptions _setup = new();
@@ -51,19 +52,20 @@ internal sealed class SliceVerb : Verb
         if (json && output == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
         var setup = _setup.Resolve(arguments, session);
         var (steps, layers) = Sliced(files, arguments, setup, session);
-        var plan = session.Need(session.Long("Planning", progress => Planner.PlanWithReport(steps, setup, null, progress, session.Cancel)));
+        var plan = session.ValueOrFail(session.WithProgress("Planning", progress => Planner.PlanWithReport(steps, setup, null, progress, session.Cancel)));
         var written = _write.WriteGCode(arguments, session, plan.Toolpath, setup, output);
         if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson(files, output, [new("layers", layers)], plan, written)));
         return ExitCode.Done;
     }
 
-    // What each stage holds is free for the next one: models can be large.
+    // The memory of each stage is free for the next one: models can be large.
     private (IReadOnlyList<Step> Steps, int Layers) Sliced(string[] files, ParseResult arguments, PrintSetup setup, Session session)
     {
-        var models = session.Need(session.Long("Reading", progress => Meshes.Read(files, session, progress)));
+        var models = session.ValueOrFail(session.WithProgress("Reading", progress => Meshes.Read(files, session, progress)));
         if (!arguments.GetValue(_keepPosition)) models = ModelPlacement.OnBed(models, setup.Printer.BuildBounds.Center);
         var threads = arguments.GetValue(_threads);
-        var result = session.Need(session.Long("Slicing", progress => PlanarSlicer.Slice(models, setup.Settings, threads, progress, session.Cancel)));
+        var result = session.ValueOrFail(session.WithProgress("Slicing",
+            progress => PlanarSlicer.Slice(models, setup.Settings, threads, progress, session.Cancel)));
         return (result.ToSteps(), result.Layers.Count);
     }
 }

@@ -10,7 +10,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>Options that change what a decoded file prints. They act on the layers that are chosen; start and end code have none and stay.</summary>
+/// <summary>Options that change what a decoded file prints. They act on the chosen layers; start and end code belong to no layer and stay.</summary>
 internal sealed class ToolpathEditOptions
 {
     private readonly MoveFilterOptions _filter = new();
@@ -19,20 +19,20 @@ internal sealed class ToolpathEditOptions
     private readonly Option<string?> _scale = new("--scale") { Description = "Scale what is chosen about the middle of its foot.", HelpName = "FACTOR|X,Y,Z" };
     private readonly Option<double?> _turn = new("--turn") { Description = "Turn what is chosen about its middle, counter-clockwise from above.",
         HelpName = "DEGREES" };
-    private readonly Option<string?> _move = new("--move") { Description = "Move what is chosen.", HelpName = "X,Y,Z" };
-    private readonly Option<string?> _deform = new("--deform") { Description = "Bend what is chosen: the new x, y, z in mm as formulas of the old.",
+    private readonly Option<string?> _move = new("--move") { Description = "Move the selection.", HelpName = "X,Y,Z" };
+    private readonly Option<string?> _deform = new("--deform") { Description = "Deform the selection: the new x, y, z in mm as formulas of the old.",
         HelpName = "FORMULAS" };
-    private readonly Option<string?> _axis = new("--axis") { Description = "The formulas are of r, theta (degrees), z about this vertical axis.",
+    private readonly Option<string?> _axis = new("--axis") { Description = "Formulas in r, theta (degrees) and z about this vertical axis.",
         HelpName = "X,Y|middle" };
-    private readonly Option<bool> _remove = new("--remove") { Description = "Cut out what is chosen." };
-    private readonly Option<int[]> _pauses = new("--pause-at-layer") { Description = "Put a pause in front of a layer; may be repeated.", HelpName = "N" };
-    private readonly Option<string[]> _tools = new("--tool-at-layer") { Description = "Change the tool in front of a layer; may be repeated.",
+    private readonly Option<bool> _remove = new("--remove") { Description = "Remove the selection." };
+    private readonly Option<int[]> _pauses = new("--pause-at-layer") { Description = "Insert a pause before a layer; may be repeated.", HelpName = "N" };
+    private readonly Option<string[]> _tools = new("--tool-at-layer") { Description = "Change the tool before a layer; may be repeated.",
         HelpName = "N=TOOL" };
-    private readonly Option<string[]> _lines = new("--line-at-layer") { Description = "Put a line of G-code in front of a layer; may be repeated.",
+    private readonly Option<string[]> _lines = new("--line-at-layer") { Description = "Insert a line of G-code before a layer; may be repeated.",
         HelpName = "N=LINE" };
-    private readonly Option<string?> _start = new("--start-code") { Description = "File with lines in place of everything before the first layer.",
+    private readonly Option<string?> _start = new("--start-code") { Description = "File with lines that replace everything before the first layer.",
         HelpName = "FILE" };
-    private readonly Option<string?> _end = new("--end-code") { Description = "File with lines in place of everything behind the last layer.",
+    private readonly Option<string?> _end = new("--end-code") { Description = "File with lines that replace everything after the last layer.",
         HelpName = "FILE" };
 
     public void AddTo(Verb verb)
@@ -42,8 +42,8 @@ internal sealed class ToolpathEditOptions
             _end }) verb.Options.Add(option);
     }
 
-    /// <summary>The edited toolpath; the same one where nothing is asked for.</summary>
-    /// <exception cref="CliException">An option is wrong, or a formula gives no place.</exception>
+    /// <summary>The edited toolpath; the same one if no edit is asked for.</summary>
+    /// <exception cref="CliException">An option is wrong, or a formula gives no point.</exception>
     public Toolpath Edit(Toolpath toolpath, double tolerance, ParseResult arguments, Session session)
     {
         var filter = _filter.Of(toolpath, arguments);
@@ -52,12 +52,12 @@ internal sealed class ToolpathEditOptions
             session.Print([new Diagnostic(Severity.Warning, "edit.nothing_selected", "What is selected prints nothing in this file, so nothing is edited.")]);
         if (arguments.GetValue(_speed) is { } speed) toolpath = toolpath.ScaleSpeed(strands, Numbers.Factor(speed, "--speed", 1e-6));
         if (arguments.GetValue(_flow) is { } flow) toolpath = toolpath.ScaleFlow(strands, Numbers.Factor(flow, "--flow", 0));
-        if (Map(toolpath, strands, arguments) is { } map) toolpath = toolpath.Transformed(filter, map, tolerance);
+        if (Map(toolpath, strands, arguments) is { } map) toolpath = toolpath.Transform(filter, map, tolerance);
         if (arguments.GetValue(_deform) is { } formulas)
         {
             if (formulas.Trim().Length == 0) throw new CliException(ExitCode.Usage, "--deform needs formulas, for example \"x + 0.1*z, y, z\".");
-            var deformation = session.Need(Deformation(toolpath, strands, formulas, arguments.GetValue(_axis)), ExitCode.Usage);
-            toolpath = session.Need(toolpath.Deform(filter, deformation, tolerance));
+            var deformation = session.ValueOrFail(Deformation(toolpath, strands, formulas, arguments.GetValue(_axis)), ExitCode.Usage);
+            toolpath = session.ValueOrFail(toolpath.Deform(filter, deformation, tolerance));
         }
         else if (arguments.GetValue(_axis) is not null)
         {
@@ -68,7 +68,7 @@ internal sealed class ToolpathEditOptions
         {
             var (layer, tool) = Numbers.Pair(text, "--tool-at-layer");
             if (Numbers.Whole(tool) is not (>= 0 and < 100 and var number)) throw new CliException(ExitCode.Usage,
-                $"--tool-at-layer: \"{tool}\" is no number of a tool.");
+                $"--tool-at-layer: \"{tool}\" is not the number of a tool.");
             toolpath = AtLayer(toolpath, layer, new ToolEvent(number));
         }
         foreach (var text in arguments.GetValue(_lines) ?? [])
@@ -99,7 +99,7 @@ internal sealed class ToolpathEditOptions
         return changed.Value ?? throw new CliException(ExitCode.Usage, changed.Diagnostics[0].Message);
     }
 
-    // Null where nothing is moved.
+    // Null if nothing is moved.
     private Affine? Map(Toolpath toolpath, MoveFilter strands, ParseResult arguments)
     {
         var scale = arguments.GetValue(_scale) is { } scales ? Numbers.Scale(scales) : (Vec3?)null;
@@ -111,7 +111,7 @@ internal sealed class ToolpathEditOptions
         if (scale is { } s) map = map.Then(Affine.Scale(s.X, s.Y, s.Z));
         if (turn is { } degrees) map =
             map.Then(Affine.Rotate(Vec3.UnitZ, double.IsFinite(degrees) ? degrees
-            : throw new CliException(ExitCode.Usage, "--turn needs a number of degrees.")));
+            : throw new CliException(ExitCode.Usage, "--turn needs an angle in degrees.")));
         return scale is null && turn is null ? Affine.Move(move!.Value) : map.Then(Affine.Move(foot + (move ?? Vec3.Zero)));
     }
 

@@ -12,14 +12,14 @@ namespace Caterpillar.Cli.Commands;
 internal sealed class TurtleVerb : Verb
 {
     private readonly Argument<string> _script =
-        new("SCRIPT") { Description = "Turtle program (docs/turtle.md is the manual of the language); - is standard input." };
+        new("SCRIPT") { Description = "Turtle program (the language is in docs/turtle.md); - is standard input." };
 
-    private readonly Option<string[]> _values = new("--var") { Description = "Value of a parameter of the script (param NAME = …).", HelpName = "NAME=VALUE" };
+    private readonly Option<string[]> _values = new("--var") { Description = "Value for a parameter of the script (param NAME = …).", HelpName = "NAME=VALUE" };
 
     private readonly Option<int> _seed = new("--seed") { Description = "Seed of random().", DefaultValueFactory = _ => 0 };
 
     private readonly Option<string> _plan =
-        new("--plan") { Description = "\"drawn\": exactly what the turtle did; \"printer\": with the printer's retraction and lifts.",
+        new("--plan") { Description = "\"drawn\": exactly what the turtle does; \"printer\": with the printer's retraction and lifts.",
         DefaultValueFactory = _ => "drawn" };
 
     private readonly Option<bool> _commands = new("--commands") { Description = "List the commands of the language." };
@@ -29,7 +29,7 @@ internal sealed class TurtleVerb : Verb
     private readonly SetupOptions _setup = new();
 
     public TurtleVerb()
-        : base("turtle", "A turtle program or L-system to G-code.")
+        : base("turtle", "Turn a turtle program or L-system into G-code.")
     {
         _script.Arity = ArgumentArity.ZeroOrOne;
         _plan.AcceptOnlyFromAmong("drawn", "printer");
@@ -56,13 +56,13 @@ internal sealed class TurtleVerb : Verb
         var target = _write.FileFor(arguments, file);
         var variables = Variables(arguments.GetValue(_values) ?? []);
         var setup = _setup.Resolve(arguments, session);
-        var script = session.Need(TurtleScript.Compile(Encoding.UTF8.GetString(session.ReadBytes(file)), Session.NameOf(file)));
+        var script = session.ValueOrFail(TurtleScript.Compile(Encoding.UTF8.GetString(session.ReadBytes(file)), Session.NameOf(file)));
         var options = new TurtleOptions { Extrusion = setup.Extrusion };
-        var turtle = session.Long("Turtle",
-            progress => session.Need(script.Run(options, variables, arguments.GetValue(_seed), null, progress, session.Cancel)));
+        var turtle = session.WithProgress("Turtle",
+            progress => session.ValueOrFail(script.Run(options, variables, arguments.GetValue(_seed), null, progress, session.Cancel)));
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;
-        var toolpath = session.Long("Planning",
-            progress => session.Need(Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = policy }, progress, session.Cancel)));
+        var toolpath = session.WithProgress("Planning",
+            progress => session.ValueOrFail(Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = policy }, progress, session.Cancel)));
         if (toolpath.Count == 0) throw new CliException(ExitCode.BadInput, $"{Session.NameOf(file)}: the program draws nothing.");
         return _write.Write(arguments, session, toolpath, setup, target);
     }
@@ -74,8 +74,8 @@ internal sealed class TurtleVerb : Verb
         {
             var cut = text.IndexOf('=');
             if (cut < 1 || !NumberReader.TryParse(text[(cut + 1)..].Trim(), out var value)) throw new CliException(ExitCode.Usage,
-                $"--var {text}: write NAME=VALUE with a number.");
-            if (!variables.TryAdd(text[..cut].Trim(), value)) throw new CliException(ExitCode.Usage, $"--var {text}: this name has a value already.");
+                $"--var {text}: expected NAME=VALUE with a number.");
+            if (!variables.TryAdd(text[..cut].Trim(), value)) throw new CliException(ExitCode.Usage, $"--var {text}: this name already has a value.");
         }
         return variables;
     }

@@ -44,7 +44,7 @@ public static class Angle
     /// <summary>Cosine of an angle in degrees.</summary>
     public static double Cos(double degrees) => SinCos(degrees).Cos;
 
-    /// <summary>Angle of the vector (x, y) against +X in degrees, −180 to 180; 0 for the zero vector.</summary>
+    /// <summary>Angle of the vector (x, y) from +X in degrees, −180 to 180; 0 for the zero vector.</summary>
     public static double Atan2(double y, double x)
     {
         var ax = Math.Abs(x);

@@ -2,20 +2,20 @@ using System.Text;
 
 namespace Caterpillar.Basics;
 
-/// <summary>How much a <see cref="Diagnostic"/> matters.</summary>
+/// <summary>How serious a <see cref="Diagnostic"/> is.</summary>
 public enum Severity
 {
     /// <summary>Worth knowing; the result is complete.</summary>
     Remark,
 
-    /// <summary>The result exists, but read this first.</summary>
+    /// <summary>There is a result, but it needs attention.</summary>
     Warning,
 
     /// <summary>There is no result, or it must not be used.</summary>
     Error,
 }
 
-/// <summary>Where a <see cref="Diagnostic"/> comes from. Every part may be missing; lines and columns count from 1, steps and moves from 0.</summary>
+/// <summary>Where a <see cref="Diagnostic"/> comes from. Any part may be missing; lines and columns count from 1, steps and moves from 0.</summary>
 public sealed record SourceLocation(
     string? File = null, int? Line = null, int? Column = null, string? Key = null, int? Step = null, int? Move = null)
 {
@@ -33,10 +33,10 @@ public sealed record SourceLocation(
 }
 
 /// <summary>A problem in the input, as data: what is wrong and where. Problems of one kind are reported once, with a count.</summary>
-/// <param name="Severity">How much it matters.</param>
-/// <param name="Code">Kind of the problem as <c>room.problem</c>, for example <c>bed.outside</c> or <c>mesh.open_edges</c>.</param>
-/// <param name="Message">A sentence for people, with units.</param>
-/// <param name="Source">Where it was found first.</param>
+/// <param name="Severity">How serious it is.</param>
+/// <param name="Code">Kind of the problem as <c>subject.problem</c>, for example <c>bed.outside</c> or <c>mesh.open_edges</c>.</param>
+/// <param name="Message">A sentence, with units.</param>
+/// <param name="Source">Where it was first found.</param>
 /// <param name="Count">How often it was found.</param>
 public sealed record Diagnostic(Severity Severity, string Code, string Message, SourceLocation? Source = null, int Count = 1)
 {

@@ -5,17 +5,17 @@ namespace Caterpillar.Basics;
 
 /// <summary>
 /// Collects diagnostics while something is read or computed. Problems of one kind (same code and severity) are kept once,
-/// with the message and place of the first and a count, in the order of their first appearance. Not thread-safe.
+/// with the message and location of the first and a count, in the order of first appearance. Not thread-safe.
 /// </summary>
 public sealed class DiagnosticList
 {
     private readonly List<Diagnostic> _items = [];
     private readonly Dictionary<(string Code, Severity Severity), int> _index = [];
 
-    /// <summary>True when at least one error was added.</summary>
+    /// <summary>True if at least one error was added.</summary>
     public bool HasErrors { get; private set; }
 
-    /// <summary>Adds one finding, or counts it where its kind is known already.</summary>
+    /// <summary>Adds a finding, or counts it if one of its kind is there already.</summary>
     public void Add(Severity severity, string code, string message, SourceLocation? source = null, int count = 1)
         => Add(new Diagnostic(severity, code, message, source, count));
 
@@ -40,9 +40,9 @@ public sealed class DiagnosticList
         foreach (var diagnostic in diagnostics) Add(diagnostic);
     }
 
-    /// <summary>True when a finding of this kind was added, so that its message need not be made again.</summary>
+    /// <summary>True if a finding of this kind was added, so that its message need not be built again.</summary>
     public bool Contains(string code, Severity severity) => _index.ContainsKey((code, severity));
 
-    /// <summary>What was collected so far, as an immutable copy.</summary>
+    /// <summary>The findings so far, as an immutable copy.</summary>
     public IReadOnlyList<Diagnostic> ToList() => _items.ToArray();
 }

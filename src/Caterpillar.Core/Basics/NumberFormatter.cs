@@ -5,12 +5,12 @@ using System.Numerics;
 namespace Caterpillar.Basics;
 
 /// <summary>
-/// Writes numbers for every text the project makes: the same bytes on every runtime and culture. Never an exponent, never <c>-0</c>,
-/// trailing zeros dropped, ties away from zero.
+/// Formats numbers for all text the project writes: the same bytes on every runtime and culture. Never an exponent, never <c>-0</c>,
+/// no trailing zeros, ties rounded away from zero.
 /// </summary>
 public static class NumberFormatter
 {
-    /// <summary>The most decimals that can be asked for.</summary>
+    /// <summary>The maximum number of decimals.</summary>
     public const int MaxDecimals = 15;
 
     private const double ExactLimit = 9e15;
@@ -19,14 +19,14 @@ public static class NumberFormatter
         [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
     /// <summary>
-    /// The printed number as a count of units of the last decimal: <c>ToUnits(1.0005, 3)</c> is 1001. Two values that print alike
+    /// The formatted number as a count of units of the last decimal: <c>ToUnits(1.0005, 3)</c> is 1001. Two values that print the same
     /// have equal units, so "no move" is decided with them.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or its units exceed 9·10¹⁵, or decimals are not 0 to 15.</exception>
     public static long ToUnits(double value, int decimals)
     {
         var scaled = Scale(value, decimals);
-        if (Math.Abs(scaled) > ExactLimit) throw new ArgumentOutOfRangeException(nameof(value), "Number too large to print with so many decimals.");
+        if (Math.Abs(scaled) > ExactLimit) throw new ArgumentOutOfRangeException(nameof(value), "The number is too large for that many decimals.");
         return Round(scaled);
     }
 
@@ -47,12 +47,12 @@ public static class NumberFormatter
         return new string(buffer, start, end - start);
     }
 
-    /// <summary>Formats a whole number.</summary>
+    /// <summary>Formats an integer.</summary>
     public static string Format(long value) => value.ToString(CultureInfo.InvariantCulture);
 
     /// <summary>
     /// Writes <paramref name="units"/> of the last decimal as ASCII into <paramref name="buffer"/> from <paramref name="at"/> on and returns the index
-    /// behind it. At most 24 bytes are written; the caller provides the room.
+    /// after it. At most 24 bytes are written; the caller provides the space.
     /// </summary>
     public static int WriteUnits(byte[] buffer, int at, long units, int decimals)
     {

@@ -4,7 +4,7 @@ using System.Numerics;
 namespace Caterpillar.Basics;
 
 /// <summary>
-/// Reads decimal numbers from text: correctly rounded, the same value on every runtime and culture (the runtimes' own parsers disagree
+/// Reads decimal numbers from text: correctly rounded, the same value on every runtime and culture (the parsers of the runtimes disagree
 /// in the last bit). The decimal point is <c>.</c>, there are no group separators.
 /// </summary>
 public static class NumberReader
@@ -32,7 +32,7 @@ public static class NumberReader
     public static bool TryParse(byte[] text, int start, int end, out double value)
         => Scan(text, start, end, true, out value) == end && end > start && !double.IsInfinity(value);
 
-    /// <summary>Reads a whole number (sign and digits only) that fits into an int.</summary>
+    /// <summary>Reads an integer (sign and digits only) that fits into an int.</summary>
     public static bool TryParseInt(string? text, out int value)
     {
         value = 0;
@@ -53,8 +53,8 @@ public static class NumberReader
     }
 
     /// <summary>
-    /// Reads the number that begins at <paramref name="start"/> and returns the index behind it, or <paramref name="start"/> where there is none.
-    /// Accepts <c>+5</c>, <c>.5</c> and <c>5.</c>; an exponent only where <paramref name="exponent"/> is set and a digit follows it.
+    /// Reads the number that begins at <paramref name="start"/> and returns the index after it, or <paramref name="start"/> if there is none.
+    /// Accepts <c>+5</c>, <c>.5</c> and <c>5.</c>; an exponent only if <paramref name="exponent"/> is set and a digit follows.
     /// A number beyond the range of double gives an infinity.
     /// </summary>
     public static int Scan(byte[] text, int start, int end, bool exponent, out double value)
@@ -122,7 +122,7 @@ public static class NumberReader
         for (var i = from; i < to; i++)
         {
             if (text[i] == '.') continue;
-            // 800 digits decide every rounding; what follows can only break a tie, which a last 1 keeps.
+            // 800 digits decide every rounding; further ones can only break a tie, which a final 1 does as well.
             if (used >= 800)
             {
                 scale++;
@@ -160,7 +160,7 @@ public static class NumberReader
         else denominator <<= -shift;
         var quotient = BigInteger.DivRem(number, denominator, out var remainder);
         var length = BitLength(quotient);
-        // value = quotient × 2^-shift; its highest bit stands at 2^(length - 1 - shift).
+        // value = quotient × 2^-shift; its highest bit is at 2^(length - 1 - shift).
         var exponent = length - 1 - shift;
         var bits = exponent >= -1022 ? 53 : 53 - (-1022 - exponent);
         if (bits < 0) return 0;

@@ -4,14 +4,14 @@ using System.Linq;
 
 namespace Caterpillar.Basics;
 
-/// <summary>A value, or none, and what was noticed on the way. Without a value there is at least one error.</summary>
+/// <summary>A value, or none, and the diagnostics. Without a value there is at least one error.</summary>
 public sealed class Result<T>
     where T : class
 {
-    /// <summary>The value, or null where errors prevented one.</summary>
+    /// <summary>The value, or null if errors prevented one.</summary>
     public T? Value { get; }
 
-    /// <summary>What was noticed, one entry per kind, in the order of first appearance.</summary>
+    /// <summary>The diagnostics, one entry per kind, in the order of first appearance.</summary>
     public IReadOnlyList<Diagnostic> Diagnostics { get; }
 
     public Result(T? value, IReadOnlyList<Diagnostic> diagnostics)
@@ -20,6 +20,6 @@ public sealed class Result<T>
         Diagnostics = diagnostics ?? throw new ArgumentNullException(nameof(diagnostics));
     }
 
-    /// <summary>True when a diagnostic is an error.</summary>
+    /// <summary>True if a diagnostic is an error.</summary>
     public bool HasErrors => Diagnostics.Any(d => d.Severity == Severity.Error);
 }

@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Display;
 
-/// <summary>The colors of roles and scales, the same in pictures, pages and on the canvas.</summary>
+/// <summary>The colors of roles and scales, the same in pictures, web pages and on the canvas.</summary>
 public static class Palette
 {
     private static readonly Rgb[] Scale =

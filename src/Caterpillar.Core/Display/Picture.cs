@@ -7,7 +7,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Display;
 
-/// <summary>What colors mean in a picture.</summary>
+/// <summary>What the colors of a picture show.</summary>
 public enum ColorBy
 {
     Role,
@@ -17,14 +17,14 @@ public enum ColorBy
     Progress,
 }
 
-/// <summary>How a picture is drawn.</summary>
+/// <summary>Options of a picture.</summary>
 public sealed record PictureOptions
 {
     public int Width { get; init; } = 960;
 
     public int Height { get; init; } = 720;
 
-    public View View { get; init; } = View.Perspective;
+    public View View { get; init; } = View.ThreeQuarter;
 
     public ColorBy ColorBy { get; init; } = ColorBy.Role;
 
@@ -34,10 +34,10 @@ public sealed record PictureOptions
     /// <summary>Draw what start and end code print.</summary>
     public bool Purge { get; init; }
 
-    /// <summary>Only moves of these layers (indices into the layers of the toolpath), or null for all.</summary>
-    public (int First, int Last)? Layers { get; init; }
+    /// <summary>The moves to draw, for example those of some layers; all by default.</summary>
+    public MoveFilter Filter { get; init; } = new();
 
-    /// <summary>Width in mm of strands whose area is not known.</summary>
+    /// <summary>Width in mm of strands whose area is unknown.</summary>
     public double DefaultWidth { get; init; } = 0.4;
 
     /// <summary>The bed to draw, or empty.</summary>
@@ -67,7 +67,7 @@ public static class Picture
                 cancel.ThrowIfCancellationRequested();
                 progress?.Report((double)move.Index / toolpath.Count);
             }
-            if (!IsShown(move, options)) continue;
+            if (!IsShown(toolpath, move, options)) continue;
             var print = move.Kind == MoveKind.Print;
             var length = move.Length;
             if (length == 0) continue;
@@ -80,10 +80,10 @@ public static class Picture
         return canvas.Finish();
     }
 
-    private static bool IsShown(Move move, PictureOptions options)
+    private static bool IsShown(Toolpath toolpath, Move move, PictureOptions options)
         => ((move.Kind == MoveKind.Print && (options.Purge || move.Role != Role.Purge))
             || (options.Travel && move.Kind is MoveKind.Travel or MoveKind.Wipe or MoveKind.MovingRestore))
-            && (options.Layers is not { } layers || (move.Layer >= layers.First && move.Layer <= layers.Last));
+            && options.Filter.Matches(toolpath, move);
 
     private static (Bounds Box, double Slow, double Fast, int LastLayer) Ranges(Toolpath toolpath, PictureOptions options)
     {
@@ -91,7 +91,7 @@ public static class Picture
         double slow = double.MaxValue, fast = 0;
         foreach (var move in toolpath.Moves())
         {
-            if (move.Kind != MoveKind.Print || !IsShown(move, options)) continue;
+            if (move.Kind != MoveKind.Print || !IsShown(toolpath, move, options)) continue;
             box = box.Include(move.Start).Include(move.End);
             slow = Math.Min(slow, move.Speed);
             fast = Math.Max(fast, move.Speed);

@@ -4,10 +4,10 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Display;
 
-/// <summary>Draws round strands with depth and shading into an image of twice the wanted size.</summary>
+/// <summary>Draws round strands with depth and shading into an image of twice the requested size.</summary>
 internal sealed class StrandCanvas
 {
-    // Light from the upper left, towards the eye: right, up and near on the picture.
+    // Light from the upper left, toward the eye: right, up and toward the viewer in the picture.
     private static readonly Vec3 Light = new Vec3(-0.45, 0.6, 0.66).Unit();
 
     private readonly RasterImage _image;

@@ -9,8 +9,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Points in rows: x, y and optionally z, or a line with the names of the columns first. Rows with another value in the column <c>curve</c>, or behind an empty
-/// line, begin a new curve. Lines with <c>#</c> are comments. Cells are separated by commas, semicolons, tabs or blanks; with semicolons and tabs a decimal
+/// Points in rows: x, y and optionally z, or a line with the names of the columns first. Rows with another value in the column <c>curve</c>, or after an empty
+/// line, begin a new curve. Lines with <c>#</c> are comments. Cells are separated by commas, semicolons, tabs or spaces; with semicolons and tabs a decimal
 /// comma is understood.
 /// </summary>
 internal sealed class CsvCurves
@@ -78,7 +78,7 @@ internal sealed class CsvCurves
         return Row(cells);
     }
 
-    // True when the row holds values already: then the columns are x, y and z.
+    // True if the row already holds values: then the columns are x, y and z.
     private bool Names(int cells)
     {
         var words = false;
@@ -90,7 +90,7 @@ internal sealed class CsvCurves
                 _columns = cells == 2 ? [CurveColumn.X, CurveColumn.Y] : [CurveColumn.X, CurveColumn.Y, CurveColumn.Z];
                 return true;
             }
-            Fail("curves.csv", "Rows have x, y and z; other columns need a first line with their names, for example x,y,z,width,speed.", _starts[0]);
+            Fail("curves.csv", "Expected rows of x, y and z; other columns need a first line with their names, for example x,y,z,width,speed.", _starts[0]);
             return false;
         }
         _columns = new CurveColumn[cells];
@@ -102,12 +102,12 @@ internal sealed class CsvCurves
             _columns[i] = column;
             if (column == CurveColumn.Ignored)
             {
-                _source.Diagnostics.Add(Severity.Warning, "curves.ignored", $"The column \"{Short(name)}\" is not known and is left out.", At(_starts[i]));
+                _source.Diagnostics.Add(Severity.Warning, "curves.ignored", $"The column \"{Short(name)}\" is unknown and is ignored.", At(_starts[i]));
                 continue;
             }
             if (seen[(int)column])
             {
-                Fail("curves.csv", $"The column \"{Short(name)}\" is there twice.", _starts[i]);
+                Fail("curves.csv", $"The column \"{Short(name)}\" occurs twice.", _starts[i]);
                 return false;
             }
             seen[(int)column] = true;
@@ -138,10 +138,10 @@ internal sealed class CsvCurves
         {
             var column = columns[i];
             if (column is CurveColumn.Key or CurveColumn.Ignored) continue;
-            if (!TryNumber(i, out var value, out var percent)) return Fail("curves.number", $"\"{Short(Cell(i))}\" is no number.", _starts[i]);
+            if (!TryNumber(i, out var value, out var percent)) return Fail("curves.number", $"\"{Short(Cell(i))}\" is not a number.", _starts[i]);
             if (double.IsNaN(value - value)) return Fail("curves.not_finite", "Values must be finite.", _starts[i]);
             if (percent && !Resolve(column, ref value)) return Fail("curves.percent",
-                "A percentage makes no sense here, or nothing was said that it refers to.", _starts[i]);
+                "A percentage is not possible here, or there is no value it refers to.", _starts[i]);
             if (column > CurveColumn.Z && value < 0
                 && column != CurveColumn.Layer) return Fail("curves.bead", "Settings of a strand must be 0 or more.", _starts[i]);
             switch (column)
@@ -169,7 +169,7 @@ internal sealed class CsvCurves
                     break;
             }
         }
-        if (_tool is > 1000 || _layer is > 1e8 or < -1e8) return Fail("curves.number", "Numbers of tools and layers must be small.", _starts[0]);
+        if (_tool is > 1000 || _layer is > 1e8 or < -1e8) return Fail("curves.number", "The number of the tool or layer is out of range.", _starts[0]);
         if (_count == _points.Length) Array.Resize(ref _points, _count * 2);
         var unit = _source.Options.UnitLength;
         _points[_count++] = new Vec3(x * unit, y * unit, z * unit);
@@ -271,7 +271,7 @@ internal sealed class CsvCurves
         return NumberReader.TryParse(copy, 0, copy.Length, out value);
     }
 
-    // "nan" and "inf" are told from words: they are values, but bad ones.
+    // "nan" and "inf" differ from words: they are values, but invalid ones.
     private bool NotFinite(int start, int end, out double value)
     {
         value = double.NaN;

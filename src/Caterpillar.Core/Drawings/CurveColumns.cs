@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>What a column of values means.</summary>
+/// <summary>The meaning of a column of values.</summary>
 internal enum CurveColumn
 {
     Ignored = -1,
@@ -19,13 +19,13 @@ internal enum CurveColumn
     Key,
 }
 
-/// <summary>The names of columns and keys, and settings that belong to points while they are read.</summary>
+/// <summary>The names of columns and keys, and the settings of points while they are read.</summary>
 internal static class CurveColumns
 {
-    /// <summary>Settings of points in a row, from <see cref="CurveColumn.Area"/>.</summary>
+    /// <summary>Number of settings of points, from <see cref="CurveColumn.Area"/>.</summary>
     public const int Settings = 4;
 
-    /// <summary>The column that a name means, in any case and with units like <c>width_mm</c>, <c>speed (mm/s)</c>; Ignored where it is not known.</summary>
+    /// <summary>The column of a name, ignoring case, and with units like <c>width_mm</c>, <c>speed (mm/s)</c>; Ignored if it is unknown.</summary>
     public static CurveColumn Of(string name)
     {
         var plain = name.Trim().Trim('"', '\'').ToLowerInvariant();
@@ -53,7 +53,7 @@ internal static class CurveColumns
     }
 
     /// <summary>
-    /// The curve with settings from columns over its points (area, width, height, speed; null where not given): a column of equal values becomes a setting of
+    /// The curve with settings from columns over its points (area, width, height, speed; null if not given): a column of equal values becomes a setting of
     /// the whole curve.
     /// </summary>
     public static UserCurve WithValues(UserCurve curve, double[]?[] columns)

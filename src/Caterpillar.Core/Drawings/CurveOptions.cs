@@ -5,20 +5,20 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>Which user curves planning may exchange.</summary>
+/// <summary>Which user curves planning may reorder.</summary>
 public enum CurveSorting : byte
 {
-    /// <summary>None: they are printed in the order given.</summary>
+    /// <summary>None: they are printed in the given order.</summary>
     None,
 
     /// <summary>Those of the same layer; layers keep the order in which they first appear.</summary>
     WithinLayers,
 
-    /// <summary>All of them, for rules that order layers or heights themselves.</summary>
+    /// <summary>All of them, for rules that order by layer or height themselves.</summary>
     All,
 }
 
-/// <summary>How user curves become paths, and the settings of curves that have none of their own.</summary>
+/// <summary>How user curves become paths, and the settings of curves without their own.</summary>
 public sealed record CurveOptions
 {
     /// <summary>Width of the strand, mm.</summary>
@@ -39,19 +39,19 @@ public sealed record CurveOptions
     /// <summary>True draws all curves without extrusion: pen, brush, bare hot tool.</summary>
     public bool Strokes { get; init; }
 
-    /// <summary>Division of curved parts; linear parts keep their end points only.</summary>
+    /// <summary>Division of curved parts; linear parts keep only their end points.</summary>
     public SubdivisionOptions Subdivision { get; init; } = SubdivisionOptions.ByDistance(1);
 
-    /// <summary>Where area or speed change along a curve, segments are split so that from one to the next they change by no more than this share.</summary>
+    /// <summary>Where area or speed change along a curve, segments are split so that from one to the next they change by no more than this fraction.</summary>
     public double RampStep { get; init; } = 0.1;
 
     /// <summary>Tolerance in mm of arcs fitted to the result; 0 for none.</summary>
     public double FitArcs { get; init; }
 
-    /// <summary>Paths whose ends are nearer than this, in mm, are joined where everything else about them is equal; 0 for none.</summary>
+    /// <summary>Paths whose ends are closer than this, in mm, are joined if everything else about them is equal; 0 for none.</summary>
     public double MergeTolerance { get; init; }
 
-    /// <summary>What planning may sort; curves are printed in their order unless asked otherwise.</summary>
+    /// <summary>What planning may sort; by default curves are printed in their order.</summary>
     public CurveSorting Sorting { get; init; }
 
     /// <summary>The settings of a profile: width, height, shape and subdivision distance.</summary>

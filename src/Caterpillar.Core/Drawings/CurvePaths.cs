@@ -7,15 +7,15 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>User-defined toolpaths (Caterpillar 2019, section 3.3): any 3D curves, printed exactly along and in the order given.</summary>
+/// <summary>User-defined toolpaths (Caterpillar 2019, section 3.3): any 3D curves, printed exactly as drawn and in the given order.</summary>
 public static class CurvePaths
 {
     // Points of all curves together; each takes some hundred bytes until it is written.
     private const int MaxPoints = 20_000_000;
 
     /// <summary>
-    /// The steps that print curves in their order. Curves without length are left out with a warning. Errors (codes <c>curves.*</c>) are strands with negative
-    /// or endless settings; parts below the bed are a warning.
+    /// The steps that print curves in their order. Curves without length are ignored with a warning. Errors (codes <c>curves.*</c>) are strands with negative
+    /// or infinite settings; parts below the bed are a warning.
     /// </summary>
     /// <exception cref="ArgumentException">The subdivision is out of range, or a curve is null.</exception>
     public static Result<IReadOnlyList<Step>> ToSteps(

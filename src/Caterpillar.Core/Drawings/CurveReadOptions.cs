@@ -1,6 +1,6 @@
 namespace Caterpillar.Drawings;
 
-/// <summary>What percentages in curve files refer to; 0 where nothing was said, and percentages are then errors.</summary>
+/// <summary>What percentages in curve files refer to; 0 if unknown, so that percentages are errors.</summary>
 public sealed record CurveReadOptions
 {
     /// <summary>100 % of a width, mm: the diameter of the nozzle.</summary>
@@ -12,6 +12,6 @@ public sealed record CurveReadOptions
     /// <summary>100 % of a speed, mm/s.</summary>
     public double SpeedReference { get; init; }
 
-    /// <summary>mm for one unit of CSV, JSON and OBJ, which state none (JSON may: <c>"units"</c>).</summary>
+    /// <summary>mm per unit of CSV, JSON and OBJ, which state none (JSON may: <c>"units"</c>).</summary>
     public double UnitLength { get; init; } = 1;
 }

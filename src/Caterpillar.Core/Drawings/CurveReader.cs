@@ -9,8 +9,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Reads files of curves: points as CSV (comma, semicolon, tab or blanks) or JSON with optional settings, the line elements of OBJ, and the paths and basic
-/// shapes of SVG; all of them also packed with gzip. The format is found from the name, else from the bytes. Bytes that cannot be read give errors with line
+/// Reads files of curves: points as CSV (comma, semicolon, tab or spaces) or JSON with optional settings, the line elements of OBJ, and the paths and basic
+/// shapes of SVG; all of them also packed with gzip. The format is taken from the name, else from the bytes. Bytes that cannot be read give errors with line
 /// and column, never exceptions.
 /// </summary>
 public static class CurveReader
@@ -25,7 +25,7 @@ public static class CurveReader
         return Read(File.ReadAllBytes(path), path, options, progress, cancel);
     }
 
-    /// <summary>Reads the bytes of a file; <paramref name="name"/> stands in messages, and its ending may tell the format.</summary>
+    /// <summary>Reads the bytes of a file; <paramref name="name"/> is used in messages, and its extension may determine the format.</summary>
     public static Result<IReadOnlyList<UserCurve>> Read(
         byte[] bytes, string name, CurveReadOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -50,7 +50,7 @@ public static class CurveReader
                 CsvCurves.Read(source);
                 break;
         }
-        if (!diagnostics.HasErrors && source.Curves.Count == 0) diagnostics.Add(Severity.Error, "curves.empty", "There is no curve in the file.",
+        if (!diagnostics.HasErrors && source.Curves.Count == 0) diagnostics.Add(Severity.Error, "curves.empty", "There are no curves in the file.",
             new SourceLocation(name));
         progress?.Report(1);
         return new Result<IReadOnlyList<UserCurve>>(diagnostics.HasErrors ? null : source.Curves, diagnostics.ToList());

@@ -6,7 +6,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>The bytes of a curve file while it is read, the curves found so far, and where to report to.</summary>
+/// <summary>The bytes of a curve file while it is read, the curves found so far, and the diagnostics.</summary>
 internal sealed class CurveSource(
     byte[] bytes, string name, CurveReadOptions options, DiagnosticList diagnostics, IProgress<double>? progress, CancellationToken cancel)
 {
@@ -32,9 +32,9 @@ internal sealed class CurveSource(
 
     /// <summary>A curve of fewer than two different points.</summary>
     public void TooShort(SourceLocation place)
-        => Diagnostics.Add(Severity.Warning, "curves.too_short", "Curves of fewer than two different points are left out.", place);
+        => Diagnostics.Add(Severity.Warning, "curves.too_short", "Curves of fewer than two different points are ignored.", place);
 
-    /// <summary>A polyline; null, reported, where it has no length. The points are finite. A last point equal to the first closes it.</summary>
+    /// <summary>A polyline; null, and reported, if it has no length. The points are finite. A last point equal to the first closes it.</summary>
     public PolylineCurve? Polyline(Vec3[] points, bool closed, SourceLocation place, out bool endDropped)
     {
         endDropped = false;

@@ -18,7 +18,7 @@ namespace Caterpillar.Drawings;
 /// <c>points</c>, <c>closed</c>; or <c>degree</c>, <c>points</c>, <c>knots</c>, <c>weights</c>, <c>periodic</c> for NURBS; or <c>center</c>, <c>radius</c>,
 /// <c>start</c>, <c>sweep</c> for a horizontal arc or circle; or <c>pieces</c> for joined curves; with <c>name</c>, <c>area</c>, <c>width</c>, <c>height</c>,
 /// <c>multiplier</c>, <c>speed</c>, <c>tool</c> and <c>layer</c>. Settings outside of
-/// <c>curves</c> hold for all. A point is a list of two or three numbers, or an object with x, y, z and its own area, width, height and speed. Percentages are
+/// <c>curves</c> apply to all. A point is a list of two or three numbers, or an object with x, y, z and its own area, width, height and speed. Percentages are
 /// texts like <c>"80%"</c>.
 /// </summary>
 internal sealed class JsonCurves
@@ -50,7 +50,7 @@ internal sealed class JsonCurves
             root = JToken.Load(reader, new JsonLoadSettings { LineInfoHandling = LineInfoHandling.Load });
             while (reader.Read())
             {
-                if (reader.TokenType != JsonToken.Comment) throw new JsonReaderException("There is more behind the end of the data.", "", reader.LineNumber,
+                if (reader.TokenType != JsonToken.Comment) throw new JsonReaderException("There is more after the end of the data.", "", reader.LineNumber,
                     reader.LinePosition, null);
             }
         }
@@ -61,7 +61,7 @@ internal sealed class JsonCurves
         }
         catch (Exception e) when (e is OverflowException or FormatException or ArgumentException or InvalidCastException)
         {
-            // The library lets numbers without end through its own checks.
+            // The library does not check the range of numbers.
             source.Error("curves.json", "A number is out of range.", source.Place(Math.Max(1, reader.LineNumber), Math.Max(1, reader.LinePosition)));
             return;
         }
@@ -105,7 +105,7 @@ internal sealed class JsonCurves
             "in" or "inch" => 25.4,
             _ => 0,
         };
-        if (length == 0) Fail("curves.json", "Units are \"mm\", \"cm\", \"m\" or \"in\".", token);
+        if (length == 0) Fail("curves.json", "Units must be \"mm\", \"cm\", \"m\" or \"in\".", token);
         else _unit = length;
     }
 
@@ -127,7 +127,7 @@ internal sealed class JsonCurves
         if (_source.Diagnostics.HasErrors && !problems) return false;
         if (curve is null) return true;
         var user = new UserCurve(curve) { Source = place };
-        // From the outside in: what stands nearer wins.
+        // From the outside in: inner settings win.
         foreach (var holder in token is JObject own ? outer.Concat([own]) : outer)
         {
             if (Apply(user, holder) is not { } applied) return false;
@@ -158,12 +158,12 @@ internal sealed class JsonCurves
         if (holder["name"] is { Type: JTokenType.String } name) user = user with { Name = (string)name! };
         if (holder["tool"] is { } tool)
         {
-            if (Number(tool) is not (>= 0 and <= 1000 and var number)) return Fail<UserCurve>("curves.json", "A tool is a number from 0 to 1000.", tool);
+            if (Number(tool) is not (>= 0 and <= 1000 and var number)) return Fail<UserCurve>("curves.json", "A tool must be a number from 0 to 1000.", tool);
             user = user with { Tool = (int)number };
         }
         if (holder["layer"] is { } layer)
         {
-            if (Number(layer) is not (>= -1e8 and <= 1e8 and var number)) return Fail<UserCurve>("curves.json", "A layer is a whole number.", layer);
+            if (Number(layer) is not (>= -1e8 and <= 1e8 and var number)) return Fail<UserCurve>("curves.json", "A layer must be a whole number.", layer);
             user = user with { Layer = new Toolpaths.Layer((int)number, user.Curve.Bounds.Max.Z) };
         }
         return user;
@@ -172,7 +172,7 @@ internal sealed class JsonCurves
     private Curve? Shape(JToken token, double[]?[]? values, int depth)
     {
         if (token is JArray list) return Polyline(list, false, values, token);
-        if (token is not JObject curve) return Fail<Curve>("curves.json", "A curve is a list of points or an object.", token);
+        if (token is not JObject curve) return Fail<Curve>("curves.json", "A curve must be a list of points or an object.", token);
         try
         {
             if (curve["pieces"] is JArray pieces) return depth > 8 ? Fail<Curve>("curves.json", "Pieces are nested too deeply.", token) : Joined(pieces, depth);
@@ -271,7 +271,7 @@ internal sealed class JsonCurves
         }
         else
         {
-            Fail("curves.json", "A point is a list of two or three numbers, or an object with x and y.", token);
+            Fail("curves.json", "A point must be a list of two or three numbers, or an object with x and y.", token);
             return null;
         }
         var placed = new Vec3(x * _unit, y * _unit, z * _unit);
@@ -315,7 +315,7 @@ internal sealed class JsonCurves
             };
             if (!(reference > 0))
             {
-                Fail("curves.percent", "A percentage makes no sense here, or nothing was said that it refers to.", token);
+                Fail("curves.percent", "A percentage is not possible here, or there is no value it refers to.", token);
                 return null;
             }
             value = percent / 100 * reference;
@@ -350,7 +350,7 @@ internal sealed class JsonCurves
         {
             if (Array.IndexOf(Known, property.Name) < 0)
                 _source.Diagnostics.Add(Severity.Warning, "curves.ignored",
-                    $"The key \"{(property.Name.Length > 30 ? property.Name.Substring(0, 30) : property.Name)}\" is not known and is left out.",
+                    $"The key \"{(property.Name.Length > 30 ? property.Name.Substring(0, 30) : property.Name)}\" is unknown and is ignored.",
                     Place(property));
         }
     }

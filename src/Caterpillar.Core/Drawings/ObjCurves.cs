@@ -43,7 +43,7 @@ internal sealed class ObjCurves
             else if (_cursor.WordIs(start, "o") || _cursor.WordIs(start, "g")) good = Name();
             else Other(start);
             if (!good) return;
-            while (_cursor.SkipBlanks()) _cursor.SkipWord();
+            while (_cursor.SkipSpaces()) _cursor.SkipWord();
             _cursor.SkipLine();
         }
     }
@@ -51,7 +51,7 @@ internal sealed class ObjCurves
     private bool Vertex()
     {
         double x = 0, y = 0, z = 0;
-        var good = _cursor.SkipBlanks() && _cursor.ReadNumber(out x) && _cursor.SkipBlanks() && _cursor.ReadNumber(out y) && _cursor.SkipBlanks()
+        var good = _cursor.SkipSpaces() && _cursor.ReadNumber(out x) && _cursor.SkipSpaces() && _cursor.ReadNumber(out y) && _cursor.SkipSpaces()
             && _cursor.ReadNumber(out z);
         if (!good)
         {
@@ -65,7 +65,7 @@ internal sealed class ObjCurves
     private bool Line(int lineAt)
     {
         var points = new List<Vec3>();
-        while (_cursor.SkipBlanks())
+        while (_cursor.SkipSpaces())
         {
             if (_cursor.Bytes[_cursor.At] == '#') break;
             var start = _cursor.SkipWord();
@@ -78,7 +78,7 @@ internal sealed class ObjCurves
             var index = number < 0 ? _vertices.Count + number : number - 1;
             if (!(index >= 0 && index < _vertices.Count))
             {
-                _source.Error("curves.obj", $"A line uses a vertex that is not there before it: {NumberFormatter.Format(number, 0)}.", At(start));
+                _source.Error("curves.obj", $"A line uses a vertex that is not defined before it: {NumberFormatter.Format(number, 0)}.", At(start));
                 return false;
             }
             var point = _vertices[(int)index];
@@ -99,7 +99,7 @@ internal sealed class ObjCurves
     private bool Name()
     {
         var at = _cursor.At;
-        _name = _cursor.SkipBlanks() ? _cursor.RestOfLine() : "";
+        _name = _cursor.SkipSpaces() ? _cursor.RestOfLine() : "";
         _cursor.At = at;
         return true;
     }
@@ -107,9 +107,9 @@ internal sealed class ObjCurves
     private void Other(int start)
     {
         if (_cursor.Bytes[start] == '#') return;
-        if (_cursor.WordIs(start, "f")) _source.Diagnostics.Add(Severity.Remark, "curves.faces", "Faces are not curves and are left out.", At(start));
+        if (_cursor.WordIs(start, "f")) _source.Diagnostics.Add(Severity.Remark, "curves.faces", "Faces are not curves and are ignored.", At(start));
         else if (_cursor.WordIs(start, "curv") || _cursor.WordIs(start, "cstype"))
-            _source.Diagnostics.Add(Severity.Warning, "curves.unsupported", "Free-form curves of OBJ are left out; only l elements are read.", At(start));
+            _source.Diagnostics.Add(Severity.Warning, "curves.unsupported", "Free-form curves of OBJ are ignored; only l elements are read.", At(start));
     }
 
     private SourceLocation At(int offset) => _source.Place(_line, offset - _lineStart + 1);

@@ -10,7 +10,7 @@ namespace Caterpillar.Drawings;
 /// <summary>Makes the path of one user curve.</summary>
 internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics, CancellationToken cancel)
 {
-    // Segments that stand for one ramp, at most.
+    // Maximum number of segments of one ramp.
     private const int MaxRampParts = 256;
 
     /// <summary>The path, or null where there is none; the reason is a diagnostic.</summary>
@@ -35,7 +35,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         var path = curve.Along is { Count: > 0 } along ? Ramps(curve, along, source) : Uniform(curve.Curve, whole.Value);
         if (path is null)
         {
-            diagnostics.Add(Severity.Warning, "curves.too_short", "Curves without length are left out.", source);
+            diagnostics.Add(Severity.Warning, "curves.too_short", "Curves without length are ignored.", source);
             return null;
         }
         Watch(path, source);
@@ -56,17 +56,17 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
 
     private PrintPath? Ramps(UserCurve curve, PointValues along, SourceLocation source)
     {
-        var (points, places, closed) = Vertices(curve.Curve, along);
+        var (points, positions, closed) = Vertices(curve.Curve, along);
         var beads = new Bead[points.Count];
         for (var i = 0; i < beads.Length; i++)
         {
             var bead = BeadOf(
-                At(along.Areas, places[i]) ?? curve.Area, At(along.Widths, places[i]) ?? curve.Width, At(along.Heights, places[i]) ?? curve.Height,
-                At(along.Speeds, places[i]) ?? curve.Speed, curve, source);
+                At(along.Areas, positions[i]) ?? curve.Area, At(along.Widths, positions[i]) ?? curve.Width, At(along.Heights, positions[i]) ?? curve.Height,
+                At(along.Speeds, positions[i]) ?? curve.Speed, curve, source);
             if (bead is null) return null;
             beads[i] = bead.Value;
         }
-        var way = new List<Vec3> { points[0] };
+        var vertices = new List<Vec3> { points[0] };
         var strands = new List<Bead>();
         for (var i = 1; i < points.Count; i++)
         {
@@ -76,30 +76,30 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
             for (var k = 0; k < parts; k++)
             {
                 var t = (k + 0.5) / parts;
-                way.Add(Vec3.Lerp(points[i - 1], points[i], (k + 1.0) / parts));
+                vertices.Add(Vec3.Lerp(points[i - 1], points[i], (k + 1.0) / parts));
                 strands.Add(new Bead(Mix(a.Area, b.Area, t), Mix(a.Height, b.Height, t), Mix(a.Speed, b.Speed, t)));
             }
         }
         if (strands.Count == 0) return null;
-        DropInnerPoints(ref way, ref strands);
-        if (closed && way.Count > 3) way.RemoveAt(way.Count - 1);
+        DropInnerPoints(ref vertices, ref strands);
+        if (closed && vertices.Count > 3) vertices.RemoveAt(vertices.Count - 1);
         else closed = false;
-        return new PrintPath(way, strands, closed);
+        return new PrintPath(vertices, strands, closed);
     }
 
-    // The vertices with the end repeated, and their places in the columns of values.
-    private (List<Vec3> Points, List<double> PathSamples, bool Closed) Vertices(Curve curve, PointValues along)
+    // The vertices with the end repeated, and their positions in the columns of values.
+    private (List<Vec3> Points, List<double> Positions, bool Closed) Vertices(Curve curve, PointValues along)
     {
         var points = new List<Vec3>();
-        var places = new List<double>();
+        var positions = new List<double>();
         if (curve is PolylineCurve { Polyline: var polyline } && along.Count == polyline.Count)
         {
             for (var i = 0; i <= polyline.SegmentCount; i++)
             {
                 points.Add(polyline[i == polyline.Count ? 0 : i]);
-                places.Add(i == polyline.Count ? 0 : i);
+                positions.Add(i == polyline.Count ? 0 : i);
             }
-            return (points, places, curve.IsClosed);
+            return (points, positions, curve.IsClosed);
         }
         var divided = CurveSubdivider.Subdivide(curve, options.Subdivision with { KeepArcs = false }, cancel);
         points.AddRange(divided.Points);
@@ -107,28 +107,28 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         var lengths = new double[points.Count];
         for (var i = 1; i < lengths.Length; i++) lengths[i] = lengths[i - 1] + points[i - 1].DistanceTo(points[i]);
         var total = lengths[lengths.Length - 1];
-        foreach (var length in lengths) places.Add(total > 0 ? length / total * (along.Count - 1) : 0);
-        return (points, places, divided.IsClosed);
+        foreach (var length in lengths) positions.Add(total > 0 ? length / total * (along.Count - 1) : 0);
+        return (points, positions, divided.IsClosed);
     }
 
-    // Of straight runs with one bead only the ends stay.
-    private void DropInnerPoints(ref List<Vec3> way, ref List<Bead> strands)
+    // Straight runs with one bead keep only their ends.
+    private void DropInnerPoints(ref List<Vec3> points, ref List<Bead> strands)
     {
         var kept = new List<int>();
-        var keptWay = new List<Vec3> { way[0] };
+        var keptPoints = new List<Vec3> { points[0] };
         var keptStrands = new List<Bead>();
         for (int i = 0, end; i < strands.Count; i = end)
         {
             for (end = i + 1; end < strands.Count && strands[end] == strands[i];) end++;
             kept.Clear();
-            LinearRuns.Keep(way, i, end, options.Subdivision.LinearTolerance, kept);
+            LinearRuns.Keep(points, i, end, options.Subdivision.LinearTolerance, kept);
             foreach (var k in kept)
             {
-                keptWay.Add(way[k]);
+                keptPoints.Add(points[k]);
                 keptStrands.Add(strands[i]);
             }
         }
-        (way, strands) = (keptWay, keptStrands);
+        (points, strands) = (keptPoints, keptStrands);
     }
 
     private Bead? BeadOf(double? area, double? width, double? height, double? speed, UserCurve curve, SourceLocation source)

@@ -5,8 +5,8 @@ using System.Linq;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Settings that change along a curve: for a polyline one value for each vertex, for other curves values at equal steps of its length. Between them they change
-/// linearly. A column that is null is not given.
+/// Settings that vary along a curve: for a polyline one value per vertex, for other curves values at equal steps of length. Between them they vary
+/// linearly. A null column is not given.
 /// </summary>
 public sealed class PointValues
 {
@@ -21,7 +21,7 @@ public sealed class PointValues
         {
             if (column is null) continue;
             if (Count != 0 && Count != column.Length) throw new ArgumentException("All columns need the same number of values.");
-            if (column.Length < 2) throw new ArgumentException("Values along a curve are at least two.");
+            if (column.Length < 2) throw new ArgumentException("There must be at least two values along a curve.");
             Count = column.Length;
         }
     }

@@ -29,7 +29,7 @@ internal sealed class SvgPath
         for (var i = 0; i < data.Length; i++) _text[i] = data[i] < 128 ? (byte)data[i] : (byte)'?';
     }
 
-    /// <summary>The subpaths; where the data is wrong the error and the place in the text. Subpaths without length are counted.</summary>
+    /// <summary>The subpaths; if the data is wrong, the error and its position in the text. Subpaths without length are counted.</summary>
     public static (IReadOnlyList<Curve> Subpaths, int Empty, string? Error, int At) Parse(string data)
     {
         var path = new SvgPath(data);
@@ -44,7 +44,7 @@ internal sealed class SvgPath
         Skip();
         if (_at < _text.Length && _text[_at] is not ((byte)'M' or (byte)'m'))
         {
-            _error = "The data of a path begins with M.";
+            _error = "The data of a path must begin with M.";
             return;
         }
         while (_error is null)
@@ -77,7 +77,7 @@ internal sealed class SvgPath
             {
                 Skip();
                 if (_at >= _text.Length || !StartsNumber(_text[_at])) return;
-                // Pairs behind a move are lines.
+                // Pairs after a move are lines.
                 if (command == 'M') command = 'L';
                 if (command == 'm') command = 'l';
             }
@@ -164,7 +164,7 @@ internal sealed class SvgPath
         var squared = px * px + py * py;
         if (squared > 1)
         {
-            // Radii too small for the way are grown (F.6.6).
+            // Radii too small for the distance are scaled up (F.6.6).
             var grow = Math.Sqrt(squared);
             (rx, ry, px, py) = (rx * grow, ry * grow, px / grow, py / grow);
             squared = 1;
@@ -187,7 +187,7 @@ internal sealed class SvgPath
         }
         var unit = new ArcCurve(Frame.FromAxes(new Vec3(cx, cy), new Vec3(c, s), new Vec3(-s, c)), 1, sweep);
         var map = new Affine(axisX, axisY, Vec3.UnitZ, middle);
-        // A circle keeps its frame exactly; its image under unequal radii is no circle.
+        // A circle keeps its frame exactly; its image under unequal radii is not a circle.
         Add(rx == ry ? new ArcCurve(Frame.FromAxes(map.Apply(unit.Center), map.ApplyDirection(unit.Frame.X), map.ApplyDirection(unit.Frame.Y)), rx, sweep)
             : unit.Transformed(map));
         _here = to;
@@ -264,7 +264,7 @@ internal sealed class SvgPath
         return value;
     }
 
-    // 0 or 1, which need no separator behind them.
+    // 0 or 1, which need no separator after them.
     private bool Flag()
     {
         if (_error is not null) return false;

@@ -15,7 +15,7 @@ namespace Caterpillar.Drawings;
 /// Paths and basic shapes of SVG, in the order of the file, as curves in mm: transforms of groups, units and viewBox are applied, and the page stands upright
 /// with its lower left corner at the origin. Attributes <c>data-width</c>, <c>data-height</c>, <c>data-area</c>, <c>data-speed</c>, <c>data-multiplier</c>,
 /// <c>data-z</c>, <c>data-tool</c> and <c>data-layer</c> (mm, mm², mm/s) on shapes or groups give settings; widths, heights and speeds also as percentages.
-/// What is hidden or only defined is left out.
+/// Hidden elements and definitions are ignored.
 /// </summary>
 internal sealed class SvgReader
 {
@@ -67,8 +67,8 @@ internal sealed class SvgReader
         }
         catch (Exception e) when (e is ArgumentException or InvalidOperationException or IndexOutOfRangeException)
         {
-            // Damaged text that the XML reader trips over.
-            source.Error("curves.svg", "This is no well-formed XML.", source.Place(1));
+            // Damaged text that makes the XML reader throw.
+            source.Error("curves.svg", "This is not well-formed XML.", source.Place(1));
         }
     }
 
@@ -87,7 +87,7 @@ internal sealed class SvgReader
             _source.Pulse(LineStart(Line.LineNumber), _text.Length);
             if (!root && _xml.LocalName != "svg")
             {
-                _source.Error("curves.svg", "An SVG file begins with an element svg.", Here());
+                _source.Error("curves.svg", "An SVG file must begin with an svg element.", Here());
                 return;
             }
             var outer = root ? scopes.Peek() : new Scope(Affine.Identity, new UserCurveSettings(new double?[5], 0, 0, null, ""), 0, 0);
@@ -100,7 +100,7 @@ internal sealed class SvgReader
             }
             if (Hidden())
             {
-                _source.Diagnostics.Add(Severity.Remark, "curves.hidden", "Hidden elements are left out.", Here());
+                _source.Diagnostics.Add(Severity.Remark, "curves.hidden", "Hidden elements are ignored.", Here());
                 SkipContent();
                 continue;
             }
@@ -121,12 +121,12 @@ internal sealed class SvgReader
         {
             if (name is "use" or "text" or "image")
             {
-                _source.Diagnostics.Add(Severity.Warning, "curves.svg_" + name, $"Elements \"{name}\" are left out; convert them to paths.", Here());
+                _source.Diagnostics.Add(Severity.Warning, "curves.svg_" + name, $"Elements \"{name}\" are ignored; convert them to paths.", Here());
             }
             else if (_xml.NamespaceURI is "" or "http://www.w3.org/2000/svg")
             {
                 _source.Diagnostics.Add(Severity.Remark, "curves.ignored",
-                    $"Elements that hold no curves are left out, the first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", Here());
+                    $"Elements without curves are ignored, the first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", Here());
             }
             SkipContent();
             return true;
@@ -153,7 +153,7 @@ internal sealed class SvgReader
         var (width, height) = (outer.Width, outer.Height);
         if (_xml.GetAttribute("transform") is { } transform && !isRoot)
         {
-            if (SvgValues.Transform(transform) is not { } own) return Fail<Scope>("transform", "This is no list of transforms.");
+            if (SvgValues.Transform(transform) is not { } own) return Fail<Scope>("transform", "This is not a list of transforms.");
             map = own.Then(map);
         }
         if (isSvg)
@@ -171,11 +171,11 @@ internal sealed class SvgReader
         {
             box = SvgValues.Numbers(text);
             if (box is not { Length: 4 } || !(box[2] > 0 && box[3] > 0)) return FailValue<Affine>("viewBox",
-                "A viewBox has four numbers, the last two positive.");
+                "A viewBox needs four numbers, the last two positive.");
         }
         var ownWidth = Extent("width", box is null ? (isRoot ? 0 : width) : box[2], width, isRoot, out var badWidth);
         var ownHeight = Extent("height", box is null ? (isRoot ? 0 : height) : box[3], height, isRoot, out var badHeight);
-        if (badWidth || badHeight) return FailValue<Affine>(badWidth ? "width" : "height", "This is no length.");
+        if (badWidth || badHeight) return FailValue<Affine>(badWidth ? "width" : "height", "This is not a length.");
         double x = 0, y = 0;
         if (!isRoot)
         {
@@ -190,7 +190,7 @@ internal sealed class SvgReader
         return box is null ? Affine.Move(new Vec3(x, y)) : SvgValues.ViewBox(box, x, y, ownWidth, ownHeight, _xml.GetAttribute("preserveAspectRatio"));
     }
 
-    // Of the root a share of the unknown window means the size of its viewBox.
+    // For the root, a percentage of the unknown window means the size of its viewBox.
     private double Extent(string name, double missing, double whole, bool isRoot, out bool bad)
     {
         bad = false;
@@ -206,7 +206,7 @@ internal sealed class SvgReader
     {
         const double S = 1 / SvgValues.PixelsPerMm;
         if (_pageHeight == 0) _source.Diagnostics.Add(Severity.Remark, "curves.svg_page",
-            "The file states no height of its page: curves lie below the X axis as drawn.", Here());
+            "The file states no page height: curves lie below the X axis as drawn.", Here());
         return new Affine(new Vec3(S, 0), new Vec3(0, -S), Vec3.UnitZ, new Vec3(0, _pageHeight * S));
     }
 
@@ -225,17 +225,17 @@ internal sealed class SvgReader
         var (z, tool, layer) = (outer.Z, outer.Tool, outer.Layer);
         if (_xml.GetAttribute("data-z") is { } height)
         {
-            if (Value(height, 0) is not { } value) return Fail<UserCurveSettings>("data-z", "A height is a number in mm.");
+            if (Value(height, 0) is not { } value) return Fail<UserCurveSettings>("data-z", "A height must be a number in mm.");
             z = value;
         }
         if (_xml.GetAttribute("data-tool") is { } toolText)
         {
             if (!NumberReader.TryParseInt(toolText.Trim(), out tool)
-                || tool is < 0 or > 1000) return Fail<UserCurveSettings>("data-tool", "A tool is a number from 0 to 1000.");
+                || tool is < 0 or > 1000) return Fail<UserCurveSettings>("data-tool", "A tool must be a number from 0 to 1000.");
         }
         if (_xml.GetAttribute("data-layer") is { } layerText)
         {
-            if (!NumberReader.TryParseInt(layerText.Trim(), out var number)) return Fail<UserCurveSettings>("data-layer", "A layer is a whole number.");
+            if (!NumberReader.TryParseInt(layerText.Trim(), out var number)) return Fail<UserCurveSettings>("data-layer", "A layer must be a whole number.");
             layer = number;
         }
         return new UserCurveSettings(values, z, tool, layer, _xml.GetAttribute("data-name") ?? _xml.GetAttribute("id") ?? "");
@@ -346,7 +346,7 @@ internal sealed class SvgReader
 
     private int LineStart(int line) => line >= 1 && line <= _lines.Length ? _lines[line - 1] : 0;
 
-    // The place of a character of an attribute's value in the file.
+    // The position of a character of an attribute's value in the file.
     private SourceLocation InAttribute(string name, int index)
     {
         if (!_xml.MoveToAttribute(name)) return Here();

@@ -5,7 +5,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>The basic shapes of SVG as curves in user units; null where an attribute is wrong, none where the shape is empty.</summary>
+/// <summary>The basic shapes of SVG as curves in user units; null if an attribute is wrong, none if the shape is empty.</summary>
 internal static class SvgShapes
 {
     public static IReadOnlyList<Curve>? Line(Func<string, double?> length)

@@ -6,10 +6,10 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>Lengths, lists of numbers and transforms as SVG writes them. Null where the text is wrong.</summary>
+/// <summary>Lengths, lists of numbers and transforms as SVG writes them. Null if the text is wrong.</summary>
 internal static class SvgValues
 {
-    /// <summary>CSS pixels for a mm.</summary>
+    /// <summary>CSS pixels per mm.</summary>
     public const double PixelsPerMm = 96 / 25.4;
 
     /// <summary>A length in CSS pixels; a percentage of <paramref name="whole"/>.</summary>
@@ -35,7 +35,7 @@ internal static class SvgValues
         return value * factor;
     }
 
-    /// <summary>Numbers separated by blanks or commas.</summary>
+    /// <summary>Numbers separated by spaces or commas.</summary>
     public static double[]? Numbers(string text)
     {
         var bytes = new byte[text.Length];

@@ -6,7 +6,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// A curve that is to be printed as drawn, with its own settings; what is null comes from <see cref="CurveOptions"/>. The area of the strand is given as such,
+/// A curve to print as drawn, with its own settings; null settings come from <see cref="CurveOptions"/>. The area of the strand is given directly,
 /// or as width × height × multiplier in the shape of the options. An area of 0 makes a stroke without extrusion (pen, brush, bare hot tool).
 /// </summary>
 public sealed record UserCurve
@@ -15,7 +15,7 @@ public sealed record UserCurve
 
     public Curve Curve { get; init; }
 
-    /// <summary>A name for people, or empty.</summary>
+    /// <summary>Display name, or empty.</summary>
     public string Name { get; init; } = "";
 
     /// <summary>Area of the strand, mm².</summary>
@@ -33,7 +33,7 @@ public sealed record UserCurve
     /// <summary>mm/s; 0 for the speed of the print settings.</summary>
     public double? Speed { get; init; }
 
-    /// <summary>Settings that change along the curve; they come before those of the whole curve.</summary>
+    /// <summary>Settings that vary along the curve; they take precedence over those of the whole curve.</summary>
     public PointValues? Along { get; init; }
 
     public Role Role { get; init; }

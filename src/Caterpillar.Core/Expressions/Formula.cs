@@ -9,7 +9,7 @@ namespace Caterpillar.Expressions;
 /// A formula in text, compiled once to delegates. It has numbers, variables, <c>+ - * / % ^</c>, comparisons, <c>and or not</c>, <c>a ? b : c</c>, the
 /// constants <c>pi</c> and <c>tau</c> and
 /// the functions of <see cref="Functions"/>. Angles are degrees. True is 1, false is 0. The same text gives the same bits on every runtime.
-/// Division by zero and the like give infinities or NaN, as in all double arithmetic; who uses the value checks it.
+/// Division by zero and the like give infinities or NaN, as in all double arithmetic; the caller checks the value.
 /// </summary>
 public sealed class Formula
 {
@@ -30,10 +30,10 @@ public sealed class Formula
     /// <summary>Names of the variables by slot.</summary>
     public IReadOnlyList<string> Variables { get; }
 
-    /// <summary>True when the value depends on nothing.</summary>
+    /// <summary>True if the value does not depend on variables.</summary>
     public bool IsConstant { get; }
 
-    /// <summary>True when it draws from <see cref="FormulaContext.Random"/>, so that the order of evaluations matters.</summary>
+    /// <summary>True if it draws from <see cref="FormulaContext.Random"/>, so that the order of evaluations matters.</summary>
     public bool UsesRandom { get; }
 
     /// <summary>Names of all functions, in the order of the manual.</summary>
@@ -41,8 +41,8 @@ public sealed class Formula
 
     /// <summary>Compiles a formula.</summary>
     /// <param name="text">For example <c>10 + 2 * sin(3 * t)</c>.</param>
-    /// <param name="variables">Names that it may use, by slot.</param>
-    /// <param name="source">Where the text stands; its file and key are kept in diagnostics, line and column come from the text.</param>
+    /// <param name="variables">Names it may use, by slot.</param>
+    /// <param name="source">Where the text comes from; its file and key are kept in diagnostics, line and column come from the text.</param>
     public static Result<Formula> Compile(string text, IReadOnlyList<string>? variables = null, SourceLocation? source = null)
     {
         if (text is null) throw new ArgumentNullException(nameof(text));
@@ -68,7 +68,7 @@ public sealed class Formula
     /// <exception cref="ArgumentException">Fewer values than variables.</exception>
     public double Evaluate(params double[] values) => Evaluate(new FormulaContext(values));
 
-    /// <summary>The value in a context that may be used again: nothing is allocated.</summary>
+    /// <summary>The value in a reusable context: nothing is allocated.</summary>
     /// <exception cref="ArgumentException">Fewer values than variables.</exception>
     public double Evaluate(FormulaContext context)
     {

@@ -25,7 +25,7 @@ public sealed class FormulaContext
     // First slot of the procedure that runs; scripts only.
     internal int Base { get; set; }
 
-    // Who runs a script; scripts only.
+    // The runner of a script; scripts only.
     internal object? Host { get; set; }
 
     internal double[]?[] Arrays { get; set; } = [];

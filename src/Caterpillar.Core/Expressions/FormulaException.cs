@@ -2,7 +2,7 @@ using System;
 
 namespace Caterpillar.Expressions;
 
-/// <summary>Ends the reading or running of a formula or a script; the facades turn it into a diagnostic.</summary>
+/// <summary>Stops the compilation or run of a formula or a script; the public classes turn it into a diagnostic.</summary>
 internal sealed class FormulaException(string code, string message, int line, int column) : Exception(message)
 {
     public string Code { get; } = code;

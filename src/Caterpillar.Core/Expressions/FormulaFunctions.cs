@@ -122,7 +122,7 @@ internal static class FormulaFunctions
 
     private static double Integer(double low, double high, double u) => low > high ? double.NaN : low + Math.Min(Math.Floor(u * (high - low + 1)), high - low);
 
-    // Halves go away from zero, as in printed numbers.
+    // Halves are rounded away from zero, as in formatted numbers.
     private static double Round(double x)
     {
         var size = Math.Abs(x);
@@ -134,8 +134,8 @@ internal static class FormulaFunctions
     private static string Count(string name) => name switch
     {
         "random" => "no value (the next number), one (a seed) or two (from, to)",
-        "min" or "max" => "one value or more",
-        "log" => "one value or two (value, base)",
+        "min" or "max" => "at least one value",
+        "log" => "one or two values (value, base)",
         "atan2" or "pow" or "mod" or "hypot" or "step" or "randint" => "two values",
         "clamp" or "lerp" or "smoothstep" => "three values",
         _ => "one value",

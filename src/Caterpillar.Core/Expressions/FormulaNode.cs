@@ -29,7 +29,7 @@ internal sealed class FormulaNode
 
     public double Value { get; }
 
-    /// <summary>How deep evaluations nest.</summary>
+    /// <summary>Nesting depth of the evaluation.</summary>
     public int Depth { get; }
 
     public static FormulaNode Of(FormulaNode a, Func<double, double> function)
@@ -87,7 +87,7 @@ internal sealed class FormulaNode
     private static int Deeper(FormulaNode a, FormulaNode b) => Math.Max(a.Depth, b.Depth) + 1;
 }
 
-/// <summary>Gives names of a formula their meaning.</summary>
+/// <summary>Resolves the names in a formula.</summary>
 internal interface IFormulaScope
 {
     /// <summary>All names, for suggestions.</summary>

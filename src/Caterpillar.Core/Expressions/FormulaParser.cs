@@ -3,10 +3,10 @@ using System.Linq;
 
 namespace Caterpillar.Expressions;
 
-/// <summary>Recursive descent over tokens. Scripts let it begin anywhere; it stops behind the formula.</summary>
+/// <summary>Recursive descent over tokens. Scripts may start it anywhere; it stops after the formula.</summary>
 internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope scope)
 {
-    // Keeps parsing and evaluation clear of the end of any thread's stack.
+    // Keeps parsing and evaluation from overflowing any thread's stack.
     private const int MaxDepth = 250;
 
     private static readonly string[] Words = ["and", "or", "not"];
@@ -24,19 +24,19 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
     private Token Next => tokens[At];
 
     /// <summary>One formula.</summary>
-    public FormulaNode Parse() => Whole(argument: false);
+    public FormulaNode Parse() => Complete(argument: false);
 
     /// <summary>
-    /// One of several arguments that are separated by blanks: a minus or plus with a blank before but none behind begins the next argument, as in Logo.
+    /// One of several arguments separated by spaces: a minus or plus with a space before but none after begins the next argument, as in Logo.
     /// </summary>
-    public FormulaNode ParseArgument() => Whole(argument: true);
+    public FormulaNode ParseArgument() => Complete(argument: true);
 
     public void ExpectEnd()
     {
-        if (Next.Kind != TokenKind.End) throw Unexpected(Next, "an operator or the end");
+        if (Next.Kind != TokenKind.End) throw Unexpected(Next, "an operator or the end of the formula");
     }
 
-    private FormulaNode Whole(bool argument)
+    private FormulaNode Complete(bool argument)
     {
         var before = _argument;
         _argument = argument;
@@ -92,7 +92,7 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
     private FormulaNode Comparison()
     {
         var node = Sum();
-        if (Next.Is("=")) throw new FormulaException("formula.syntax", "A single '=' does not compare; write '=='.", Next.Line, Next.Column);
+        if (Next.Is("=")) throw new FormulaException("formula.syntax", "A single '=' does not compare; use '=='.", Next.Line, Next.Column);
         if (!IsComparison(Next)) return node;
         node = Binary(Next.Text, node, 3);
         if (IsComparison(Next)) throw new FormulaException("formula.syntax", "Comparisons do not chain; join them with 'and'.", Next.Line, Next.Column);
@@ -102,7 +102,7 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
     private FormulaNode Sum()
     {
         var node = Product();
-        while ((Next.Is("+") || Next.Is("-")) && !(_argument && Next.BlankBefore && !Next.BlankAfter)) node = Binary(Next.Text, node, 4);
+        while ((Next.Is("+") || Next.Is("-")) && !(_argument && Next.SpaceBefore && !Next.SpaceAfter)) node = Binary(Next.Text, node, 4);
         return node;
     }
 
@@ -155,7 +155,7 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
                 return new FormulaNode(token.Value);
             case TokenKind.Symbol when token.Text == "(":
                 At++;
-                var inner = Whole(argument: false);
+                var inner = Complete(argument: false);
                 Close(")", token);
                 return inner;
             case TokenKind.Name when !Words.Contains(token.Text):
@@ -168,18 +168,18 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
 
     private FormulaNode Named(Token name)
     {
-        if (scope.IsArray(name.Text) && Next.Is("[") && !Next.BlankBefore)
+        if (scope.IsArray(name.Text) && Next.Is("[") && !Next.SpaceBefore)
         {
             var open = Next;
             At++;
-            var index = Whole(argument: false);
+            var index = Complete(argument: false);
             Close("]", open);
             return Checked(scope.Element(name.Text, index, name)!, name);
         }
-        // A variable hides a function or constant of its name.
+        // A variable hides a function or constant of the same name.
         if (scope.Variable(name.Text, name) is { } variable)
         {
-            if (Next.Is("(") && !Next.BlankBefore) throw new FormulaException("formula.unknown", $"'{name.Text}' is a variable, not a function.", name.Line,
+            if (Next.Is("(") && !Next.SpaceBefore) throw new FormulaException("formula.unknown", $"'{name.Text}' is a variable, not a function.", name.Line,
                 name.Column);
             return variable;
         }
@@ -187,9 +187,9 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
         if (name.Text == "pi") return new FormulaNode(System.Math.PI);
         if (name.Text == "tau") return new FormulaNode(2 * System.Math.PI);
         if (FormulaFunctions.Knows(name.Text)) throw new FormulaException("formula.syntax", $"The function '{name.Text}' needs '('.", name.Line, name.Column);
-        if (scope.IsArray(name.Text)) throw new FormulaException("formula.syntax", $"'{name.Text}' is an array; write {name.Text}[index].", name.Line,
+        if (scope.IsArray(name.Text)) throw new FormulaException("formula.syntax", $"'{name.Text}' is an array; use {name.Text}[index].", name.Line,
             name.Column);
-        var function = Next.Is("(") && !Next.BlankBefore;
+        var function = Next.Is("(") && !Next.SpaceBefore;
         var known = function ? FormulaFunctions.Names : scope.Names.Concat(["pi", "tau"]).Concat(FormulaFunctions.Names);
         throw new FormulaException("formula.unknown",
             $"There is no {(function ? "function" : "variable")} '{name.Text}'.{SpellingSuggestion.Hint(name.Text, known)}", name.Line, name.Column);
@@ -202,11 +202,11 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
         var arguments = new List<FormulaNode>();
         if (!Next.Is(")"))
         {
-            arguments.Add(Whole(argument: false));
+            arguments.Add(Complete(argument: false));
             while (Next.Is(","))
             {
                 At++;
-                arguments.Add(Whole(argument: false));
+                arguments.Add(Complete(argument: false));
             }
         }
         Close(")", open);
@@ -221,7 +221,7 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
         {
             var what = Next.Kind is TokenKind.End or TokenKind.NewLine || Next.Is(";") || Next.Is("[")
                 ? $"'{open.Text}' is never closed by '{bracket}'."
-                : $"{Next} stands where '{bracket}' was expected.";
+                : $"Found {Next}, expected '{bracket}'.";
             var where = what.StartsWith("'" + open.Text + "' is", System.StringComparison.Ordinal) ? open : Next;
             throw new FormulaException("formula.bracket", what, where.Line, where.Column);
         }
@@ -235,6 +235,6 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
     private static FormulaException TooDeep(Token at) => new("formula.too_long", "The formula is too long or too deeply nested.", at.Line, at.Column);
 
     private static FormulaException Unexpected(Token token, string expected)
-        => new("formula.syntax", $"{char.ToUpperInvariant(token.ToString()[0])}{token.ToString().Substring(1)} stands where {expected} was expected.",
+        => new("formula.syntax", $"Found {token}, expected {expected}.",
             token.Line, token.Column);
 }

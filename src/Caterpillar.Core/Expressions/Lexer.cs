@@ -14,7 +14,7 @@ internal enum TokenKind : byte
 }
 
 /// <summary>A word of a formula or a script. Lines and columns count from 1.</summary>
-internal readonly struct Token(TokenKind kind, string text, double value, int line, int column, bool blankBefore, bool blankAfter)
+internal readonly struct Token(TokenKind kind, string text, double value, int line, int column, bool spaceBefore, bool spaceAfter)
 {
     public TokenKind Kind { get; } = kind;
 
@@ -26,9 +26,9 @@ internal readonly struct Token(TokenKind kind, string text, double value, int li
 
     public int Column { get; } = column;
 
-    public bool BlankBefore { get; } = blankBefore;
+    public bool SpaceBefore { get; } = spaceBefore;
 
-    public bool BlankAfter { get; } = blankAfter;
+    public bool SpaceAfter { get; } = spaceAfter;
 
     public bool Is(string symbol) => Kind == TokenKind.Symbol && Text == symbol;
 
@@ -51,37 +51,37 @@ internal static class Lexer
     // One-letter texts without an allocation each.
     private static readonly string[] Singles = MakeSingles();
 
-    /// <exception cref="FormulaException">A character that no formula has, an open string, a number out of range.</exception>
+    /// <exception cref="FormulaException">An invalid character, an unclosed string, a number out of range.</exception>
     public static List<Token> Read(string text)
     {
         var tokens = new List<Token>();
         var line = 1;
         var lineStart = 0;
-        var blank = true;
+        var space = true;
         var i = 0;
         while (i < text.Length)
         {
             var c = text[i];
             if (c is '\n' or '\r')
             {
-                tokens.Add(new Token(TokenKind.NewLine, "\n", 0, line, i - lineStart + 1, blank, true));
+                tokens.Add(new Token(TokenKind.NewLine, "\n", 0, line, i - lineStart + 1, space, true));
                 if (c == '\r' && i + 1 < text.Length && text[i + 1] == '\n') i++;
                 i++;
                 line++;
                 lineStart = i;
-                blank = true;
+                space = true;
                 continue;
             }
             if (char.IsWhiteSpace(c) || c == '\uFEFF')
             {
                 i++;
-                blank = true;
+                space = true;
                 continue;
             }
             if (c == '#' || (c == '/' && i + 1 < text.Length && text[i + 1] == '/'))
             {
                 while (i < text.Length && text[i] is not ('\n' or '\r')) i++;
-                blank = true;
+                space = true;
                 continue;
             }
             var column = i - lineStart + 1;
@@ -96,7 +96,7 @@ internal static class Lexer
                 word = text.Substring(start, i - start);
                 if (!NumberReader.TryParse(word, out value)) throw new FormulaException("formula.number", $"'{word}' is not a number.", line, column);
                 if (i < text.Length && (char.IsLetter(text[i]) || text[i] == '_'))
-                    throw new FormulaException("formula.number", $"A letter stands directly behind the number {word}; write * to multiply.", line, column);
+                    throw new FormulaException("formula.number", $"A letter directly follows the number {word}; use * to multiply.", line, column);
             }
             else if (char.IsLetter(c) || c == '_')
             {
@@ -118,10 +118,10 @@ internal static class Lexer
                 word = Symbol(text, ref i, line, column);
             }
             var after = i >= text.Length || char.IsWhiteSpace(text[i]);
-            tokens.Add(new Token(kind, word, value, line, column, blank, after));
-            blank = false;
+            tokens.Add(new Token(kind, word, value, line, column, space, after));
+            space = false;
         }
-        tokens.Add(new Token(TokenKind.End, "", 0, line, text.Length - lineStart + 1, blank, true));
+        tokens.Add(new Token(TokenKind.End, "", 0, line, text.Length - lineStart + 1, space, true));
         return tokens;
     }
 
@@ -138,7 +138,7 @@ internal static class Lexer
             }
         }
         i++;
-        // The minus sign of typesetting, as texts from the web have it.
+        // The typographic minus sign, as in text from the web.
         if (c == '\u2212') return "-";
         if (c is '\u00D7' or '\u00B7') return "*";
         if (c < 128 && Singles[c].Length > 0) return Singles[c];

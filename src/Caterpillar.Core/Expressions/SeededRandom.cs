@@ -3,8 +3,8 @@ using System;
 namespace Caterpillar.Expressions;
 
 /// <summary>
-/// A random generator with a seed that gives the same numbers on every runtime and for ever (SplitMix64: Steele, Lea, Flood, "Fast splittable pseudorandom
-/// number generators", OOPSLA 2014). Not thread-safe.
+/// A random generator with a seed that gives the same numbers on every runtime and in every version (SplitMix64: Steele, Lea, Flood, "Fast splittable
+/// pseudorandom number generators", OOPSLA 2014). Not thread-safe.
 /// </summary>
 public sealed class SeededRandom
 {
@@ -14,18 +14,18 @@ public sealed class SeededRandom
 
     public SeededRandom(int seed = 0) => _state = Mix(unchecked((ulong)seed * Golden + Golden));
 
-    /// <summary>The next number, 0 or more and below 1.</summary>
+    /// <summary>The next number, at least 0 and below 1.</summary>
     public double NextDouble()
     {
         _state = unchecked(_state + Golden);
         return ToUnit(Mix(_state));
     }
 
-    /// <summary>The next whole number from <paramref name="low"/> to <paramref name="high"/>, both included.</summary>
+    /// <summary>The next integer from <paramref name="low"/> to <paramref name="high"/>, both included.</summary>
     /// <exception cref="ArgumentOutOfRangeException">High is below low.</exception>
     public long NextInteger(long low, long high)
     {
-        if (high < low) throw new ArgumentOutOfRangeException(nameof(high), "The upper end is below the lower.");
+        if (high < low) throw new ArgumentOutOfRangeException(nameof(high), "The upper limit is below the lower one.");
         return low + (long)Math.Min(Math.Floor(NextDouble() * ((double)high - low + 1)), (double)high - low);
     }
 

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Expressions;
 
-/// <summary>Finds the word that was probably meant.</summary>
+/// <summary>Suggests the word that was probably meant.</summary>
 public static class SpellingSuggestion
 {
-    /// <summary>The nearest of the known words (fewest changed, missing, added or swapped letters; the first of equals), or null when none is near.</summary>
+    /// <summary>The nearest of the known words (fewest changed, missing, added or swapped letters; the first of equals), or null if none is close.</summary>
     public static string? Nearest(string word, IEnumerable<string> known)
     {
         string? best = null;

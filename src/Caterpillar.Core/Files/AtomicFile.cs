@@ -4,19 +4,19 @@ using System.IO;
 namespace Caterpillar.Files;
 
 /// <summary>
-/// A file that is written whole or not at all: bytes go to a temporary file beside it, which takes its name in <see cref="Commit"/>. Disposed before that, it
-/// leaves nothing behind and an older file as it was. A link stays a link to a file that is replaced, and the new file gets the rights of the older one. What
-/// is no regular file (a device, a pipe) is written directly.
+/// A file that is written completely or not at all: bytes go to a temporary file beside it, which takes its name in <see cref="Commit"/>. Disposed before that,
+/// it leaves no trace and an older file as it was. A link stays a link to a file that is replaced, and the new file gets the permissions of the older one. What
+/// is not a regular file (a device, a pipe) is written directly.
 /// </summary>
 public sealed class AtomicFile : IDisposable
 {
     // Names may have 255 bytes.
-    private const int LongestName = 60;
+    private const int MaxNameLength = 60;
     private readonly string _target;
     private readonly string? _temporary;
     private FileStream? _stream;
 
-    /// <exception cref="IOException">The folder is not there or cannot be written, or the path is a folder.</exception>
+    /// <exception cref="IOException">The folder does not exist or cannot be written, or the path is a folder.</exception>
     /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
     public AtomicFile(string path)
     {
@@ -25,14 +25,14 @@ public sealed class AtomicFile : IDisposable
         _stream = FileLinks.Special(_target);
         if (_stream is not null) return;
         var name = Path.GetFileName(_target);
-        if (name.Length > LongestName) name = name.Substring(0, LongestName);
+        if (name.Length > MaxNameLength) name = name.Substring(0, MaxNameLength);
         _temporary = Path.Combine(Path.GetDirectoryName(_target)!, "." + name + "." + Path.GetRandomFileName());
         _stream = FileLinks.Create(_temporary, _target);
     }
 
     public Stream Stream => _stream ?? throw new ObjectDisposedException(nameof(AtomicFile));
 
-    /// <summary>Puts the file in its place.</summary>
+    /// <summary>Moves the file into place.</summary>
     /// <exception cref="IOException">The disk is full, or the older file cannot be replaced; it is as it was.</exception>
     /// <exception cref="UnauthorizedAccessException">The older file may not be replaced.</exception>
     public void Commit()

@@ -1,6 +1,6 @@
 namespace Caterpillar.Files;
 
-/// <summary>The checksum CRC-32 of gzip, PNG and binary G-code (polynomial EDB88320), eight bytes a step.</summary>
+/// <summary>The checksum CRC-32 of gzip, PNG and binary G-code (polynomial EDB88320), eight bytes per step.</summary>
 internal static class Crc32
 {
     private static readonly uint[] Table = MakeTable();
@@ -22,7 +22,7 @@ internal static class Crc32
         return ~crc;
     }
 
-    // Row k: a byte that k others follow.
+    // Row k: a byte followed by k others.
     private static uint[] MakeTable()
     {
         var table = new uint[8 * 256];

@@ -7,15 +7,15 @@ using System.Text;
 
 namespace Caterpillar.Files;
 
-/// <summary>Links, devices and rights of files, on Windows and on Unix.</summary>
+/// <summary>Links, devices and permissions of files, on Windows and Unix.</summary>
 internal static class FileLinks
 {
     private const int Buffer = 1 << 16;
 
     private static bool IsUnix => Path.DirectorySeparatorChar == '/';
 
-    /// <summary>The file that a path means in the end, whether it is there or not.</summary>
-    /// <exception cref="IOException">Links go in a circle.</exception>
+    /// <summary>The file that a path refers to after following links, whether it exists or not.</summary>
+    /// <exception cref="IOException">The links form a cycle.</exception>
     public static string Target(string path)
     {
 #if NET8_0_OR_GREATER
@@ -30,7 +30,7 @@ internal static class FileLinks
 #endif
     }
 
-    /// <summary>What must not be replaced by a regular file (a device, a pipe), to be written directly; null where it is none.</summary>
+    /// <summary>A file that must not be replaced by a regular file (a device, a pipe), opened to be written directly; null for any other.</summary>
     /// <exception cref="IOException">It cannot be written.</exception>
     /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
     public static FileStream? Special(string file)
@@ -42,7 +42,7 @@ internal static class FileLinks
         FileStream stream;
         try
         {
-            // A pipe waits here for its reader, who must not be left again.
+            // A pipe waits here for its reader, which must stay connected.
             stream = Open(file);
         }
         catch (UnauthorizedAccessException)
@@ -54,11 +54,11 @@ internal static class FileLinks
         return null;
     }
 
-    /// <summary>A new file that is to take the place of another one.</summary>
+    /// <summary>A new file that is going to replace another one.</summary>
     public static FileStream Create(string file, string target)
     {
 #if !NET8_0_OR_GREATER
-        // Mono has no call for rights; a copy has them.
+        // Mono has no call for permissions; a copy keeps them.
         if (IsUnix && File.Exists(target))
         {
             try
@@ -75,7 +75,7 @@ internal static class FileLinks
         return new FileStream(file, FileMode.CreateNew, FileAccess.Write, FileShare.None, Buffer);
     }
 
-    /// <summary>Gives a file the place of the other one, and its rights.</summary>
+    /// <summary>Replaces the other file and takes its permissions.</summary>
     public static void Replace(string file, string target)
     {
         if (!File.Exists(target))

@@ -8,12 +8,12 @@ namespace Caterpillar.Files;
 /// <summary>Unpacks gzip in memory.</summary>
 internal static class GzipBytes
 {
-    /// <summary>The bytes, unpacked where they are packed; null with an error where they are damaged, cut off or too many.</summary>
+    /// <summary>The bytes, decompressed if they are compressed; null with an error if they are damaged, cut off or too many.</summary>
     /// <param name="bytes">The file.</param>
-    /// <param name="name">Stands in messages.</param>
+    /// <param name="name">Name for messages.</param>
     /// <param name="code">Code of the diagnostics.</param>
-    /// <param name="diagnostics">Takes what was noticed.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="diagnostics">Receives the diagnostics.</param>
+    /// <param name="cancel">Cancels the work.</param>
     public static byte[]? Unpack(byte[] bytes, string name, string code, DiagnosticList diagnostics, CancellationToken cancel)
     {
         if (!GzipReader.IsPacked(bytes, bytes.Length)) return bytes;
@@ -25,13 +25,13 @@ internal static class GzipBytes
             for (int read; (read = stream.Read(block, 0, block.Length)) > 0;)
             {
                 cancel.ThrowIfCancellationRequested();
-                if (memory.Length + read > int.MaxValue - 1024) throw new InvalidDataException("It unpacks to more than 2 GB.");
+                if (memory.Length + read > int.MaxValue - 1024) throw new InvalidDataException("It decompresses to more than 2 GB.");
                 memory.Write(block, 0, read);
             }
         }
         catch (InvalidDataException broken)
         {
-            diagnostics.Add(Severity.Error, code, "The gzip file cannot be unpacked. " + broken.Message, new SourceLocation(name));
+            diagnostics.Add(Severity.Error, code, "The gzip file cannot be decompressed. " + broken.Message, new SourceLocation(name));
             return null;
         }
         if (stream.HasTrailingBytes) diagnostics.Add(GzipReader.TrailingBytes(code, name));

@@ -4,14 +4,14 @@ using System.IO;
 namespace Caterpillar.Files;
 
 /// <summary>
-/// The packed bytes of a gzip stream, handed to the inflater in small pieces. It takes whole pieces and does not say how much of the last one it used; the
-/// checksum and the length that must stand behind the data say it: eight bytes that are known once all is unpacked.
+/// The packed bytes of a gzip stream, handed to the inflater in small pieces. It takes whole pieces and does not report how much of the last one it used; the
+/// checksum and the length after the data tell: eight bytes that are known once everything is decompressed.
 /// </summary>
 internal sealed class GzipInput(Stream source) : ReadStream
 {
     private const int Piece = 8192;
 
-    // The data ends in the last piece, or in the one before where the inflater asked before it looked.
+    // The data ends in the last piece, or in the one before if the inflater read ahead.
     private const int Kept = 2 * Piece;
     private readonly byte[] _bytes = new byte[Kept + 8 * Piece];
     private int _memberStart;
@@ -23,10 +23,10 @@ internal sealed class GzipInput(Stream source) : ReadStream
     /// <summary>Bytes read from the source.</summary>
     public long Taken { get; private set; }
 
-    /// <summary>True when the inflater asked for more than there was.</summary>
+    /// <summary>True if the inflater asked for more than there was.</summary>
     public bool RanDry { get; private set; }
 
-    /// <summary>True when the source could not be read.</summary>
+    /// <summary>True if the source could not be read.</summary>
     public bool Failed { get; private set; }
 
     public override int Read(byte[] buffer, int offset, int count)
@@ -42,7 +42,7 @@ internal sealed class GzipInput(Stream source) : ReadStream
         return part;
     }
 
-    /// <summary>A byte ahead, or −1 behind the end.</summary>
+    /// <summary>A byte ahead, or −1 beyond the end.</summary>
     public int Peek(int ahead) => Have(ahead + 1) ? _bytes[_at + ahead] : -1;
 
     public void Skip() => _at++;
@@ -58,7 +58,7 @@ internal sealed class GzipInput(Stream source) : ReadStream
         RanDry = false;
     }
 
-    /// <summary>Goes behind the checksum and the length that end a member; false when they are not there.</summary>
+    /// <summary>Skips the checksum and the length that end a member; false if they are missing.</summary>
     public bool SkipTrailer(uint sum, uint length)
     {
         Have(8);
@@ -66,7 +66,7 @@ internal sealed class GzipInput(Stream source) : ReadStream
         var first = Math.Max(_memberStart, _at - Kept);
         if (length == 0)
         {
-            // Nothing has checksum 0, and zeros are everywhere: the end is looked up.
+            // Empty data has checksum 0, and zeros are everywhere: the end is looked up.
             first = EmptyEnd();
             last = Math.Min(last, first);
         }
@@ -79,7 +79,7 @@ internal sealed class GzipInput(Stream source) : ReadStream
         return false;
     }
 
-    // Behind data that is nothing, as packers write it: flushes (empty stored blocks), and a last block that is empty, too.
+    // Empty data as compressors write it: flushes (empty stored blocks), and a last block that is empty, too.
     private int EmptyEnd()
     {
         var at = _memberStart;

@@ -6,20 +6,20 @@ using Caterpillar.Basics;
 namespace Caterpillar.Files;
 
 /// <summary>
-/// Unpacks gzip (RFC 1952) while it is read: all members one after the other, each held against the checksum and the length at its end, so that a file that was
-/// cut off or damaged anywhere is never taken for a whole one. Zeros behind the last member are padding; other bytes there are left alone, as gzip does. What
-/// is unpacked is bounded: 250 times what is packed, or 64 MB. Every problem is an <see cref="InvalidDataException"/>, on .NET and on Mono.
+/// Decompresses gzip (RFC 1952) while it is read: all members one after the other, each compared with the checksum and the length at its end, so that a file
+/// that was cut off or damaged anywhere is never taken for a complete one. Zeros after the last member are padding; other bytes there are ignored, as gzip
+/// does. The output is bounded: 250 times the input, or 64 MB. Every problem is an <see cref="InvalidDataException"/>, on .NET and on Mono.
 /// </summary>
 public sealed class GzipReader : ReadStream
 {
-    /// <summary>Largest factor by which packed data may grow; meshes and G-code grow 3 to 20 times.</summary>
+    /// <summary>Maximum growth of compressed data; meshes and G-code grow 3 to 20 times.</summary>
     private const long MaxFactor = 250;
 
-    /// <summary>What may always be unpacked, bytes.</summary>
+    /// <summary>Output that is always allowed, bytes.</summary>
     private const long MinLimit = 64L << 20;
 
     internal const string CutOff = "It is cut off.";
-    internal const string TooLarge = "It unpacks to more than 250 times its size.";
+    internal const string TooLarge = "It decompresses to more than 250 times its size.";
     private readonly GzipInput _input;
     private readonly bool _leaveOpen;
     private DeflateStream? _member;
@@ -29,24 +29,24 @@ public sealed class GzipReader : ReadStream
     private bool _ended;
     private bool _any;
 
-    /// <param name="packed">Stands at the beginning of the first member.</param>
-    /// <param name="leaveOpen">True leaves it open when this stream is closed.</param>
+    /// <param name="packed">A stream at the beginning of the first member.</param>
+    /// <param name="leaveOpen">True to leave it open when this stream is closed.</param>
     public GzipReader(Stream packed, bool leaveOpen = false)
     {
         _input = new GzipInput(packed ?? throw new ArgumentNullException(nameof(packed)));
         _leaveOpen = leaveOpen;
     }
 
-    /// <summary>True when, at the end, bytes were met behind the last member that are neither zeros nor another member; they were not read.</summary>
+    /// <summary>True if, at the end, the last member was followed by bytes that are neither zeros nor another member; they were not read.</summary>
     public bool HasTrailingBytes { get; private set; }
 
-    /// <summary>Largest size to which packed data of this length is unpacked, bytes.</summary>
+    /// <summary>Maximum decompressed size for this length, bytes.</summary>
     public static long Limit(long packed) => Math.Max(MinLimit, MaxFactor * packed);
 
     /// <summary>True for the first bytes of a gzip file.</summary>
     public static bool IsPacked(byte[] head, int count) => count >= 2 && head[0] == 0x1F && head[1] == 0x8B;
 
-    /// <summary>The stream itself, or where it begins like gzip what is packed in it.</summary>
+    /// <summary>The stream itself, or its decompressed content if it begins like gzip.</summary>
     /// <exception cref="IOException">The stream cannot be read.</exception>
     public static Stream Open(Stream stream, bool leaveOpen = false)
     {
@@ -55,12 +55,12 @@ public sealed class GzipReader : ReadStream
         return IsPacked(head, count) ? new GzipReader(whole, leaveOpen) : whole;
     }
 
-    /// <summary>The warning that such bytes were met.</summary>
+    /// <summary>The warning about such bytes.</summary>
     public static Diagnostic TrailingBytes(string code, string name)
-        => new(Severity.Warning, code, "Behind the end of the gzip data are bytes that belong to nothing; they were not read.", name.Length > 0
+        => new(Severity.Warning, code, "The gzip data is followed by other bytes, which were not read.", name.Length > 0
             ? new SourceLocation(name) : null);
 
-    /// <exception cref="InvalidDataException">The data is cut off, damaged, or grows out of all proportion.</exception>
+    /// <exception cref="InvalidDataException">The data is cut off, damaged, or grows beyond the limit.</exception>
     public override int Read(byte[] buffer, int offset, int count)
     {
         if (count == 0) return 0;
@@ -131,8 +131,8 @@ public sealed class GzipReader : ReadStream
     private void Header()
     {
         const int Extra = 4, Name = 8, Comment = 16, HeaderSum = 2;
-        if (Byte() != 0x1F || Byte() != 0x8B) throw new InvalidDataException("It is no gzip data.");
-        if (Byte() != 8) throw new InvalidDataException("Its compression is not known.");
+        if (Byte() != 0x1F || Byte() != 0x8B) throw new InvalidDataException("It is not gzip data.");
+        if (Byte() != 8) throw new InvalidDataException("Its compression method is unknown.");
         var flags = Byte();
         for (var i = 0; i < 6; i++) Byte();
         if ((flags & Extra) != 0)

@@ -3,7 +3,7 @@ using System.IO;
 
 namespace Caterpillar.Files;
 
-/// <summary>A stream that can only be read, from its beginning to its end.</summary>
+/// <summary>A stream that can only be read, from beginning to end.</summary>
 public abstract class ReadStream : Stream
 {
     public override bool CanRead => true;
@@ -30,7 +30,7 @@ public abstract class ReadStream : Stream
 
     public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
-    /// <summary>Reads until the buffer is full or the stream ends; how far it is full then.</summary>
+    /// <summary>Reads until the buffer is full or the stream ends; returns how far it is filled.</summary>
     internal static int Fill(Stream stream, byte[] buffer, int from, int to)
     {
         while (from < to)
@@ -43,7 +43,7 @@ public abstract class ReadStream : Stream
     }
 }
 
-/// <summary>A stream whose first bytes were looked at: one that cannot go back gets them handed on.</summary>
+/// <summary>A stream whose first bytes were read in advance and are returned again.</summary>
 internal sealed class PeekedStream : ReadStream
 {
     private readonly byte[] _head;
@@ -58,7 +58,7 @@ internal sealed class PeekedStream : ReadStream
         _rest = rest;
     }
 
-    /// <summary>Reads the first bytes into <paramref name="head"/>; the stream that is returned begins with them all the same.</summary>
+    /// <summary>Reads the first bytes into <paramref name="head"/>; the returned stream still begins with them.</summary>
     public static Stream Peek(Stream stream, byte[] head, out int count)
     {
         count = Fill(stream, head, 0, head.Length);

@@ -4,7 +4,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Files;
 
-/// <summary>Walks over the words and lines of a text file held as bytes.</summary>
+/// <summary>Walks over the words and lines of a text file in memory.</summary>
 internal sealed class TextCursor(byte[] bytes, int at, int end)
 {
     public byte[] Bytes { get; } = bytes;
@@ -15,7 +15,7 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
 
     public bool AtEnd => At >= End;
 
-    /// <summary>Skips blanks and line ends. False at the end of the file.</summary>
+    /// <summary>Skips spaces and line ends. False at the end of the file.</summary>
     public bool SkipSpace()
     {
         // Locals, because fields would be written at every byte.
@@ -25,8 +25,8 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
         return p < stop;
     }
 
-    /// <summary>Skips blanks within the line; a backslash at the end of a line continues it. False at the end of the line.</summary>
-    public bool SkipBlanks()
+    /// <summary>Skips spaces within the line; a backslash at the end of a line continues it. False at the end of the line.</summary>
+    public bool SkipSpaces()
     {
         for (; At < End; At++)
         {
@@ -42,14 +42,14 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
         return false;
     }
 
-    /// <summary>Goes behind the next line end.</summary>
+    /// <summary>Moves after the next line end.</summary>
     public void SkipLine()
     {
         var found = At < End ? Array.IndexOf(Bytes, (byte)'\n', At, End - At) : -1;
         At = found < 0 ? End : found + 1;
     }
 
-    /// <summary>Goes behind the word at the cursor and returns where it began.</summary>
+    /// <summary>Moves after the word at the cursor and returns its start.</summary>
     public int SkipWord()
     {
         var (text, p, stop) = (Bytes, At, End);
@@ -59,7 +59,7 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
         return start;
     }
 
-    /// <summary>True when the word from <paramref name="start"/> to the cursor is this one, in any case (given in lower case).</summary>
+    /// <summary>True if the word from <paramref name="start"/> to the cursor is this one, ignoring case (given in lower case).</summary>
     public bool WordIs(int start, string lower)
     {
         if (At - start != lower.Length) return false;
@@ -73,7 +73,7 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
     }
 
     /// <summary>
-    /// Reads the word at the cursor as a number; <c>nan</c> and <c>inf</c> in any spelling give NaN. False (and the cursor stays) where it is none.
+    /// Reads the word at the cursor as a number; <c>nan</c> and <c>inf</c> in any spelling give NaN. False (and the cursor stays) if it is not a number.
     /// </summary>
     public bool ReadNumber(out double value)
     {
@@ -87,10 +87,10 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
         return ReadNan(out value);
     }
 
-    /// <summary>The rest of the line without blanks around it, as text; at most 200 characters.</summary>
+    /// <summary>The rest of the line, trimmed, as text; at most 200 characters.</summary>
     public string RestOfLine()
     {
-        SkipBlanks();
+        SkipSpaces();
         var start = At;
         SkipLine();
         var stop = At;

@@ -4,13 +4,13 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Files;
 
-/// <summary>UTF-16 with a byte order mark (as some editors save text) as one byte a character; characters beyond Latin-1 become question marks.</summary>
+/// <summary>UTF-16 with a byte order mark (as some editors save text) as one byte per character; characters beyond Latin-1 become question marks.</summary>
 internal sealed class Utf16Stream(Stream wide) : ReadStream
 {
     private readonly StreamReader _reader = new(wide, Encoding.Unicode, true, 1 << 16, true);
     private readonly char[] _characters = new char[1 << 16];
 
-    /// <summary>True for the mark of either order and a character that is no NUL.</summary>
+    /// <summary>True for the mark of either byte order followed by a character other than NUL.</summary>
     public static bool IsWide(byte[] head, int count)
         => count >= 4 && ((head[0] == 0xFF && head[1] == 0xFE && (head[2] | head[3]) != 0) || (head[0] == 0xFE && head[1] == 0xFF && (head[2] | head[3]) != 0));
 

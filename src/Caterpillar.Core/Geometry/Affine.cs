@@ -31,7 +31,7 @@ public readonly struct Affine : IEquatable<Affine>
 
     public static Affine Identity => new(Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ, Vec3.Zero);
 
-    /// <summary>Volume factor of the map; negative where it mirrors, zero where it flattens.</summary>
+    /// <summary>Volume factor of the map; negative if it mirrors, zero if it flattens.</summary>
     public double Determinant => Vec3.Dot(XAxis, Vec3.Cross(YAxis, ZAxis));
 
     public static Affine Move(Vec3 shift) => new(Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ, shift);
@@ -42,7 +42,7 @@ public readonly struct Affine : IEquatable<Affine>
     public static Affine Scale(double x, double y, double z) => new(new Vec3(x, 0), new Vec3(0, y), new Vec3(0, 0, z), Vec3.Zero);
 
     /// <summary>
-    /// A turn about an axis through the origin, in degrees, counter-clockwise where the axis points at the viewer. Multiples of 90° about a world
+    /// A rotation about an axis through the origin, in degrees, counterclockwise when the axis points at the viewer. Multiples of 90° about a world
     /// axis are exact.
     /// </summary>
     /// <exception cref="ArgumentException">The axis has no direction.</exception>

@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Plane of an arc, as in G17, G18 and G19. The first two letters turn counter-clockwise into each other.</summary>
+/// <summary>Plane of an arc, as in G17, G18 and G19. The first two letters turn counterclockwise into each other.</summary>
 public enum ArcPlane : byte
 {
     /// <summary>G17: X to Y, helix along Z.</summary>
@@ -18,14 +18,14 @@ public enum ArcPlane : byte
 
 /// <summary>
 /// An arc or helix between two points that are known from elsewhere: center, plane and sweep. The coordinate across the plane changes linearly. The radius is
-/// taken at the start; an end slightly off the circle is met by a linear change of the radius.
+/// taken at the start; an end slightly off the circle is reached by a linear change of the radius.
 /// </summary>
 /// <param name="Center">Center in mm; the coordinate across the plane has no meaning.</param>
-/// <param name="Sweep">Degrees, positive counter-clockwise; ±360 is a full turn and more are allowed.</param>
+/// <param name="Sweep">Degrees, positive counterclockwise; ±360 is a full turn and more are allowed.</param>
 /// <param name="Plane">Plane in which it turns.</param>
 public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = ArcPlane.XY)
 {
-    /// <summary>Turns that are begun: 1 up to a full circle, 2 beyond; at most 10⁶.</summary>
+    /// <summary>Number of turns, rounded up: 1 up to a full circle, 2 beyond; at most 10⁶.</summary>
     public int Turns => (int)Math.Min(Math.Max(Math.Ceiling(Math.Abs(Sweep) / 360 - 1e-6), 1), 1e6);
 
     /// <summary>Radius in mm at the start.</summary>
@@ -71,7 +71,7 @@ public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = Ar
         return bounds;
     }
 
-    /// <summary>How many equal chords keep within <paramref name="tolerance"/> mm of the arc; at least 1.</summary>
+    /// <summary>Number of equal chords that deviate at most <paramref name="tolerance"/> mm from the arc; at least 1.</summary>
     public int ChordCount(Vec3 start, double tolerance)
     {
         if (!(tolerance > 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance must be positive.");
@@ -82,7 +82,7 @@ public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = Ar
         return (int)Math.Min(Math.Max(count, 1), 1_000_000);
     }
 
-    /// <summary>The same where the end may lie on a larger circle.</summary>
+    /// <summary>The same if the end may lie on a larger circle.</summary>
     public int ChordCount(Vec3 start, Vec3 end, double tolerance) => Math.Max(ChordCount(start, tolerance), ChordCount(end, tolerance));
 
     /// <summary>The arc from end to start.</summary>

@@ -50,7 +50,7 @@ public readonly struct Bounds : IEquatable<Bounds>
     /// <summary>The box grown by <paramref name="margin"/> mm on every side; empty stays empty.</summary>
     public Bounds Grow(double margin) => _any ? new Bounds(Min - new Vec3(margin, margin, margin), Max + new Vec3(margin, margin, margin)) : this;
 
-    /// <summary>True when the point lies inside or on the box, within <paramref name="tolerance"/> mm.</summary>
+    /// <summary>True if the point lies inside or on the box, within <paramref name="tolerance"/> mm.</summary>
     public bool Contains(Vec3 p, double tolerance = 0) => _any
         && p.X >= Min.X - tolerance && p.X <= Max.X + tolerance
         && p.Y >= Min.Y - tolerance && p.Y <= Max.Y + tolerance

@@ -4,7 +4,7 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A place with three perpendicular unit axes, right-handed. For a turtle X is forward, Y left and Z up. Rotations act about the frame's own axes and
+/// A point with three perpendicular unit axes, right-handed. For a turtle X is forward, Y left and Z up. Rotations act about the frame's own axes and
 /// re-orthonormalize, so that a million turns do not drift.
 /// </summary>
 public readonly struct Frame : IEquatable<Frame>
@@ -54,21 +54,21 @@ public readonly struct Frame : IEquatable<Frame>
         return new Vec3(Vec3.Dot(d, X), Vec3.Dot(d, Y), Vec3.Dot(d, Z));
     }
 
-    /// <summary>Turns about Z by degrees; positive from X towards Y (a turtle turns left).</summary>
+    /// <summary>Turns about Z by degrees; positive from X toward Y (a turtle turns left).</summary>
     public Frame Yaw(double degrees)
     {
         var (sin, cos) = Angle.SinCos(degrees);
         return Orthonormal(X * cos + Y * sin, Y * cos - X * sin);
     }
 
-    /// <summary>Turns about Y by degrees; positive from X towards Z (nose up). This is left-handed about Y.</summary>
+    /// <summary>Turns about Y by degrees; positive from X toward Z (nose up). This is left-handed about Y.</summary>
     public Frame Pitch(double degrees)
     {
         var (sin, cos) = Angle.SinCos(degrees);
         return Orthonormal(X * cos + Z * sin, Y);
     }
 
-    /// <summary>Turns about X by degrees; positive from Y towards Z (the left side rises).</summary>
+    /// <summary>Turns about X by degrees; positive from Y toward Z (the left side rises).</summary>
     public Frame Roll(double degrees)
     {
         var (sin, cos) = Angle.SinCos(degrees);

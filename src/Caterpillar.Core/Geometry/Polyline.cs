@@ -45,13 +45,13 @@ public sealed class Polyline
 
     public Bounds Bounds => Bounds.Of(_points);
 
-    /// <summary>Signed area of the projection on XY in mm²: positive when counter-clockwise seen from above.</summary>
+    /// <summary>Signed area of the projection on XY in mm²: positive when counterclockwise seen from above.</summary>
     public double SignedAreaXY
     {
         get
         {
             if (_points.Length < 3) return 0;
-            // Relative to the first point, so that far from the origin no digits are lost.
+            // Relative to the first point, so that no digits are lost far from the origin.
             var o = _points[0];
             var sum = 0.0;
             for (var i = 1; i + 1 < _points.Length; i++)
@@ -64,7 +64,7 @@ public sealed class Polyline
         }
     }
 
-    /// <summary>The same points in the other direction; a closed one keeps its first point.</summary>
+    /// <summary>The same points in reverse; a closed one keeps its first point.</summary>
     public Polyline Reversed()
     {
         var points = (Vec3[])_points.Clone();
@@ -72,7 +72,7 @@ public sealed class Polyline
         return new Polyline(points, IsClosed);
     }
 
-    /// <summary>Takes the array over without a copy; for code that has just made it.</summary>
+    /// <summary>Takes ownership of the array without a copy; for code that has just made it.</summary>
     internal static Polyline Own(Vec3[] points, bool closed) => new(points, closed);
 
     internal Vec3[] Raw => _points;

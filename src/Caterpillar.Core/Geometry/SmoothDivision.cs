@@ -4,26 +4,26 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Divides a line or arc until its image under a map is smooth: met within a tolerance by straight segments between the images of the dividing points.
+/// Divides a line or arc until its image under a map is smooth: until straight segments between the images of the points match it within a tolerance.
 /// </summary>
 internal static class SmoothDivision
 {
     private const int MaxDepth = 14;
 
-    // The image of a piece is tested at these places; the odd spacing keeps periodic maps from hiding between them.
+    // The image of a piece is tested at these parameters; the uneven spacing keeps periodic maps from hiding between them.
     private static readonly double[] Tests = [0.19, 0.37, 0.5, 0.68, 0.83];
 
     /// <summary>
-    /// Appends the dividing points behind <paramref name="start"/>, the last of which is <paramref name="end"/>, and for each the share of the segment that
+    /// Appends the points after <paramref name="start"/>, the last of which is <paramref name="end"/>, and for each the share of the segment that
     /// leads to it.
     /// </summary>
-    /// <param name="start">Where the segment begins, mm.</param>
-    /// <param name="end">Where it ends, mm.</param>
-    /// <param name="arc">Its geometry where it is not straight.</param>
+    /// <param name="start">Start of the segment, mm.</param>
+    /// <param name="end">End of the segment, mm.</param>
+    /// <param name="arc">Its geometry if it is not straight.</param>
     /// <param name="tolerance">mm; positive.</param>
     /// <param name="map">Maps a run of points along the segment.</param>
-    /// <param name="points">Gets the points, before the mapping.</param>
-    /// <param name="shares">Gets the shares, whose sum is 1; null where nobody asks.</param>
+    /// <param name="points">Receives the points, before the mapping.</param>
+    /// <param name="shares">Receives the shares, whose sum is 1; null if not needed.</param>
     public static void Divide(Vec3 start, Vec3 end, Arc? arc, double tolerance, Func<Vec3[], Vec3[]> map, List<Vec3> points, List<double>? shares = null)
         => Split(new Piece(start, end, arc), 0, 1, tolerance, map, 0, points, shares);
 

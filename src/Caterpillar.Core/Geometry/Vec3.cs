@@ -36,7 +36,7 @@ public readonly struct Vec3 : IEquatable<Vec3>
     /// <summary>Length of the projection on the XY plane, mm.</summary>
     public double LengthXY => Math.Sqrt(X * X + Y * Y);
 
-    /// <summary>True when no coordinate is NaN or infinite.</summary>
+    /// <summary>True if no coordinate is NaN or infinite.</summary>
     public bool IsFinite => !double.IsNaN(X - X) && !double.IsNaN(Y - Y) && !double.IsNaN(Z - Z);
 
     public static Vec3 operator +(Vec3 a, Vec3 b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);

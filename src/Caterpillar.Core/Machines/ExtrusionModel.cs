@@ -3,10 +3,10 @@ using System;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// The law of E: the one place where amounts of E, areas of strands and the three notations of extrusion meet. Internally everything is the area of the strand
-/// in mm².
+/// The extrusion model: the one place that converts between amounts of E, areas of strands and the three notations of extrusion. Internally everything is the
+/// area of the strand in mm².
 /// <list type="bullet">
-/// <item>E factor (ExtruderTurtle): mm of filament for one mm of path, <c>E = L · k</c>.</item>
+/// <item>E factor (ExtruderTurtle): mm of filament per mm of path, <c>E = L · k</c>.</item>
 /// <item>Area (Kanada): <c>E = L · A / (π (D/2)²)</c>.</item>
 /// <item>Width × height × multiplier (Caterpillar 2019): <c>E = H · W · L · M / ((D/2)² π)</c>.</item>
 /// </list>
@@ -17,7 +17,7 @@ public sealed record ExtrusionModel
     /// <summary>Default of ExtruderTurtle's E factor.</summary>
     public const double DefaultFactor = 0.05;
 
-    /// <param name="unit">What one unit of E is.</param>
+    /// <param name="unit">Unit of E.</param>
     /// <param name="filamentDiameter">Diameter of filament or plunger, mm.</param>
     /// <param name="multiplier">Scales all E.</param>
     /// <exception cref="ArgumentOutOfRangeException">The diameter or the multiplier is not positive and finite.</exception>
@@ -33,13 +33,13 @@ public sealed record ExtrusionModel
     /// <summary>mm.</summary>
     public double FilamentDiameter { get; }
 
-    /// <summary>Scales E, not the strand that is meant: <see cref="E"/> asks the machine for this many times the volume.</summary>
+    /// <summary>Scales E, not the intended strand: <see cref="E"/> asks the machine for this many times the volume.</summary>
     public double Multiplier { get; }
 
     /// <summary>Cross-section of the filament or plunger, mm².</summary>
     public double FilamentArea => FilamentAreaOf(FilamentDiameter);
 
-    /// <summary>mm³ that the machine feeds for one unit of E; null where there is no E.</summary>
+    /// <summary>mm³ that the machine feeds per unit of E; null if there is no E.</summary>
     public double? FedVolumePerE => Unit switch
     {
         ExtrusionUnit.Mm => FilamentArea,
@@ -48,24 +48,24 @@ public sealed record ExtrusionModel
     };
 
     /// <summary>
-    /// mm³ of strand for one unit of E, the multiplier taken into account (as <c>ToolpathTool.VolumePerE</c> has it); null where there is no E.
+    /// mm³ of strand per unit of E, with the multiplier (as in <c>ToolpathTool.VolumePerE</c>); null if there is no E.
     /// </summary>
     public double? VolumePerE => FedVolumePerE / Multiplier;
 
-    /// <summary>mm of filament for one unit of E; 1 for a pen.</summary>
+    /// <summary>mm of filament per unit of E; 1 for a pen.</summary>
     public double FilamentPerE => Unit == ExtrusionUnit.Mm3 ? 1 / FilamentArea : 1;
 
     /// <summary>
-    /// E for a length of path in mm with a strand of some area in mm²; 0 where there is no E. Backward moves extrude too, so the length counts without its
+    /// E for a length of path in mm with a strand of some area in mm²; 0 where there is no E. Backward moves extrude too: the length counts without its
     /// sign.
     /// </summary>
     public double E(double length, double area) => VolumePerE is { } volume ? Math.Abs(length) * area / volume : 0;
 
-    /// <summary>Area in mm² of the strand that an amount of E makes over a length of path in mm; 0 where there is no E.</summary>
+    /// <summary>Area in mm² of the strand that an amount of E gives over a length of path in mm; 0 where there is no E.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The length is not positive.</exception>
     public double Area(double e, double length) => VolumePerE is { } volume ? e * volume / Positive(length, nameof(length)) : 0;
 
-    /// <summary>Amount of E for some mm of filament, as retractions are given.</summary>
+    /// <summary>Amount of E for mm of filament, the unit of retractions.</summary>
     public double EOfFilament(double millimeters) => Unit switch
     {
         ExtrusionUnit.Mm => millimeters,
@@ -73,10 +73,10 @@ public sealed record ExtrusionModel
         _ => 0,
     };
 
-    /// <summary>Area in mm² of the strand that ExtruderTurtle's E factor (mm of filament for one mm of path) makes.</summary>
+    /// <summary>Area in mm² of the strand that ExtruderTurtle's E factor (mm of filament per mm of path) makes.</summary>
     public double AreaOfFactor(double factor) => factor * FilamentArea / Multiplier;
 
-    /// <summary>ExtruderTurtle's E factor (mm of filament for one mm of path) for a strand of some area in mm².</summary>
+    /// <summary>ExtruderTurtle's E factor (mm of filament per mm of path) for a strand of some area in mm².</summary>
     public double FactorOfArea(double area) => area * Multiplier / FilamentArea;
 
     /// <summary>Cross-section in mm² of a filament or plunger of a diameter in mm.</summary>
@@ -85,10 +85,10 @@ public sealed record ExtrusionModel
     /// <summary>Area in mm² of Caterpillar's width × height × multiplier.</summary>
     public static double AreaOfWidth(double width, double height, double multiplier = 1) => width * height * multiplier;
 
-    /// <summary>Width in mm from percent of the nozzle's diameter, as the paper's settings have it.</summary>
+    /// <summary>Width in mm from percent of the nozzle's diameter, as in the settings of the paper.</summary>
     public static double WidthOfPercent(double percent, double nozzleDiameter) => percent / 100 * nozzleDiameter;
 
-    /// <summary>Speed in mm/s from percent of a reference speed in mm/s, as the paper's settings have it.</summary>
+    /// <summary>Speed in mm/s from percent of a reference speed in mm/s, as in the settings of the paper.</summary>
     public static double SpeedOfPercent(double percent, double reference) => percent / 100 * reference;
 
     private static double Positive(double value, string name)

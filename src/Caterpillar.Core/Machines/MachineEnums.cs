@@ -15,7 +15,7 @@ public enum BedShape : byte
 {
     Rectangle,
 
-    /// <summary>A circle, or an ellipse where the build volume is not square.</summary>
+    /// <summary>A circle, or an ellipse if the build volume is not square.</summary>
     Round,
 }
 
@@ -29,10 +29,10 @@ public enum ExtrusionMode : byte
     Absolute,
 }
 
-/// <summary>What one unit of E is.</summary>
+/// <summary>Unit of E.</summary>
 public enum ExtrusionUnit : byte
 {
-    /// <summary>One mm of filament, or of the way of a plunger.</summary>
+    /// <summary>One mm of filament, or of the travel of a plunger.</summary>
     Mm,
 
     /// <summary>One mm³ of material (volumetric firmware).</summary>
@@ -45,7 +45,7 @@ public enum ExtrusionUnit : byte
 /// <summary>How the firmware limits the speed in corners.</summary>
 public enum CornerRule : byte
 {
-    /// <summary>By the jump of the speed of each axis (Marlin's classic jerk, RepRapFirmware's M566).</summary>
+    /// <summary>By the sudden change of the speed of each axis (Marlin's classic jerk, RepRapFirmware's M566).</summary>
     Jerk,
 
     /// <summary>By the deviation from the corner that an arc of constant acceleration would need (Marlin 2, Grbl).</summary>
@@ -55,24 +55,24 @@ public enum CornerRule : byte
     SquareCornerVelocity,
 }
 
-/// <summary>How high the head goes for a travel.</summary>
+/// <summary>How high the head lifts for travels.</summary>
 public enum TravelLift : byte
 {
     /// <summary>Above the highest point printed so far.</summary>
     PrintedTop,
 
-    /// <summary>Above what lies under the way.</summary>
+    /// <summary>Above what lies under the path of the travel.</summary>
     Corridor,
 
-    /// <summary>It does not: travels are straight lines.</summary>
+    /// <summary>No lift: travels are straight lines.</summary>
     None,
 }
 
-/// <summary>A number for each axis.</summary>
+/// <summary>One number per axis.</summary>
 public readonly record struct AxisValues(double X, double Y, double Z, double E);
 
 /// <summary>
-/// A point of the outline of a head: nothing of the head within <paramref name="Radius"/> mm of its axis is lower than <paramref name="Height"/> mm above the
+/// A point of the outline of a head: no part of the head within <paramref name="Radius"/> mm of its axis is lower than <paramref name="Height"/> mm above the
 /// tip.
 /// </summary>
 public readonly record struct HeadPoint(double Radius, double Height);

@@ -1,7 +1,7 @@
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// What is extruded. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's room throws an
+/// What is extruded. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's range throws an
 /// <see cref="System.ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
 public sealed record Material
@@ -9,10 +9,10 @@ public sealed record Material
     /// <summary>Name of the profile.</summary>
     public string Name { get; init; } = "pla";
 
-    /// <summary>Name for people.</summary>
+    /// <summary>Display name.</summary>
     public string Title { get; init => field = MaterialKeys.Title.Check(value); } = "PLA";
 
-    /// <summary>Diameter of the filament, or of the plunger whose way E counts, mm.</summary>
+    /// <summary>Diameter of the filament, or of the plunger whose travel E measures, mm.</summary>
     public double FilamentDiameter { get; init => field = MaterialKeys.FilamentDiameter.Check(value); } = 1.75;
 
     /// <summary>°C; 0 = off.</summary>
@@ -24,22 +24,22 @@ public sealed record Material
     /// <summary>°C; 0 = off.</summary>
     public double BedTemperature { get; init => field = MaterialKeys.BedTemperature.Check(value); } = 60;
 
-    /// <summary>Scales all E: 1 for material that fills exactly the bead that was asked for.</summary>
+    /// <summary>Scales all E: 1 for material that fills exactly the requested bead.</summary>
     public double FlowMultiplier { get; init => field = MaterialKeys.FlowMultiplier.Check(value); } = 1;
 
     /// <summary>Part cooling, 0 to 100 %.</summary>
     public double FanPercent { get; init => field = MaterialKeys.FanPercent.Check(value); } = 100;
 
-    /// <summary>Layers from the bed on that are printed without part cooling.</summary>
+    /// <summary>Number of first layers that are printed without part cooling.</summary>
     public int FanOffLayers { get; init => field = MaterialKeys.FanOffLayers.Check(value); } = 1;
 
     /// <summary>g/cm³.</summary>
     public double Density { get; init => field = MaterialKeys.Density.Check(value); } = 1.24;
 
-    /// <summary>Price of a kilogram in any currency; 0 where it is not known.</summary>
+    /// <summary>Price of a kilogram in any currency; 0 if unknown.</summary>
     public double CostPerKg { get; init => field = MaterialKeys.CostPerKg.Check(value); }
 
-    /// <summary>mm³/s; 0 where it is not known.</summary>
+    /// <summary>mm³/s; 0 if unknown.</summary>
     public double MaxFlow { get; init => field = MaterialKeys.MaxFlow.Check(value); }
 
     public override string ToString() => Title;

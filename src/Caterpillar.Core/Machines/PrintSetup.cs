@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Everything that planning, writing and checking need to know: the machine, the material and how to print. Immutable.</summary>
+/// <summary>Everything that planning, writing and checking need: printer, material and settings. Immutable.</summary>
 public sealed record PrintSetup
 {
     /// <summary>The generic printer with PLA and standard settings, without start and end code.</summary>
@@ -27,10 +27,10 @@ public sealed record PrintSetup
 
     public PrintSettings Settings { get; init; }
 
-    /// <summary>How amounts of E follow from strands.</summary>
+    /// <summary>Converts strands to amounts of E.</summary>
     public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowMultiplier);
 
-    /// <summary>What machine and material can push, mm³/s; infinite where neither says.</summary>
+    /// <summary>Maximum flow of machine and material, mm³/s; infinite if both are unknown.</summary>
     public double MaxFlow
     {
         get
@@ -43,23 +43,23 @@ public sealed record PrintSetup
 
     /// <summary>
     /// The setup with other values, each as <c>key=value</c> with any key of the three profiles: <c>layer_height_mm=0.3</c>,
-    /// <c>build_volume_mm=300,300,400</c>. Unknown keys and bad values are errors that name the key; there is no setup then.
+    /// <c>build_volume_mm=300,300,400</c>. Unknown keys and bad values are errors that name the key; then there is no setup.
     /// </summary>
     public Result<PrintSetup> With(params string[] values) => With((IEnumerable<string>)values);
 
     /// <inheritdoc cref="With(string[])"/>
     public Result<PrintSetup> With(IEnumerable<string> values) => SetupValues.Apply(this, values ?? throw new ArgumentNullException(nameof(values)));
 
-    /// <summary>What does not go together in this setup. Errors make it unusable.</summary>
+    /// <summary>Finds values of this setup that conflict. Errors make it unusable.</summary>
     public IReadOnlyList<Diagnostic> Check()
     {
         var diagnostics = new DiagnosticList();
         if (Settings.BeadShape == BeadShape.Stadium && Settings.LineWidth < Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight))
             diagnostics.Add(Severity.Error, "setup.narrow_bead",
-                "line_width_mm is less than the height of a layer: such a strand has no bead_shape stadium; use rectangle or circle.",
+                "line_width_mm is less than the layer height, which bead_shape stadium does not allow; use rectangle or circle.",
                 new SourceLocation(Key: "line_width_mm"));
         if (Printer.ExtrusionUnit != ExtrusionUnit.None && Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight) > Printer.NozzleDiameter)
-            diagnostics.Add(Severity.Warning, "setup.high_layer", "A layer is higher than the nozzle is wide: strands will hardly stick to each other.",
+            diagnostics.Add(Severity.Warning, "setup.high_layer", "The layer height exceeds the nozzle diameter: strands will hardly bond to each other.",
                 new SourceLocation(Key: "layer_height_mm"));
         if (Printer.FirmwareRetraction && !Printer.Dialect.FirmwareRetraction)
             diagnostics.Add(Severity.Error, "setup.no_firmware_retraction", $"{Printer.Dialect.Title} has no firmware retraction.",

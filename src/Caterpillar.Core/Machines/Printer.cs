@@ -5,21 +5,21 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// A machine: its space, its limits, how it wants its G-code. Lengths in mm, speeds in mm/s, accelerations in mm/s². The keys of profiles are in
-/// <see cref="ProfileKeys"/>; a value outside its key's room throws an <see cref="ArgumentOutOfRangeException"/>. Immutable.
+/// A printer: its build volume, its limits and its style of G-code. Lengths in mm, speeds in mm/s, accelerations in mm/s². The keys of profiles are in
+/// <see cref="ProfileKeys"/>; a value outside its key's range throws an <see cref="ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
 public sealed record Printer
 {
     /// <summary>Name of the profile.</summary>
     public string Name { get; init; } = "generic";
 
-    /// <summary>Name for people.</summary>
+    /// <summary>Display name.</summary>
     public string Title { get; init => field = PrinterKeys.Title.Check(value); } = "Generic printer";
 
-    /// <summary>The firmware's reading of G-code.</summary>
+    /// <summary>The rules by which the firmware reads G-code.</summary>
     public DialectRules Dialect { get; init => field = value ?? throw new ArgumentNullException(nameof(value)); } = DialectTable.Marlin2;
 
-    /// <summary>Extent of the space that the nozzle can reach, mm.</summary>
+    /// <summary>Size of the space that the nozzle can reach, mm.</summary>
     public Vec3 BuildVolume { get; init => field = PrinterKeys.BuildVolume.Check(value); } = new(220, 220, 250);
 
     public BedOrigin Origin { get; init; } = BedOrigin.Corner;
@@ -29,10 +29,10 @@ public sealed record Printer
     /// <summary>mm.</summary>
     public double NozzleDiameter { get; init => field = PrinterKeys.NozzleDiameter.Check(value); } = 0.4;
 
-    /// <summary>Material that is taken where none is named.</summary>
+    /// <summary>Material that is used if none is given.</summary>
     public string DefaultMaterial { get; init => field = PrinterKeys.DefaultMaterial.Check(value); } = "pla";
 
-    /// <summary>Settings that are taken where none are named.</summary>
+    /// <summary>Settings that are used if none are given.</summary>
     public string DefaultSettings { get; init => field = PrinterKeys.DefaultSettings.Check(value); } = "standard";
 
     public ExtrusionMode ExtrusionMode { get; init; } = ExtrusionMode.Relative;
@@ -48,19 +48,19 @@ public sealed record Printer
     /// <summary>Decimals of F (mm/min).</summary>
     public int DecimalsF { get; init => field = PrinterKeys.DecimalsF.Check(value); }
 
-    /// <summary>Filament pulled back before a travel, mm; 0 for none.</summary>
+    /// <summary>Filament retracted before a travel, mm; 0 for none.</summary>
     public double RetractionDistance { get; init => field = PrinterKeys.RetractionDistance.Check(value); } = 0.8;
 
     /// <summary>mm/s of filament.</summary>
     public double RetractionSpeed { get; init => field = PrinterKeys.RetractionSpeed.Check(value); } = 35;
 
-    /// <summary>mm/s of filament when it is pushed forward again; 0 for <see cref="RetractionSpeed"/>.</summary>
+    /// <summary>Speed of restoring, mm/s of filament; 0 for <see cref="RetractionSpeed"/>.</summary>
     public double RestoreSpeed { get; init => field = PrinterKeys.RestoreSpeed.Check(value); }
 
-    /// <summary>Filament pushed out beyond what was pulled back, mm.</summary>
+    /// <summary>Extra filament when restoring, beyond what was retracted, mm.</summary>
     public double RestoreExtra { get; init => field = PrinterKeys.RestoreExtra.Check(value); }
 
-    /// <summary>The firmware retracts (G10, G11), by its own distance and speed.</summary>
+    /// <summary>Retraction by the firmware (G10, G11), with its own distance and speed.</summary>
     public bool FirmwareRetraction { get; init; }
 
     /// <summary>Clearance of travels above what was printed, mm.</summary>
@@ -69,10 +69,10 @@ public sealed record Printer
     /// <summary>Speed of moves straight up and down, mm/s.</summary>
     public double LiftSpeed { get; init => field = PrinterKeys.LiftSpeed.Check(value); } = 10;
 
-    /// <summary>Highest speed of each axis, mm/s.</summary>
+    /// <summary>Maximum speed of each axis, mm/s.</summary>
     public AxisValues MaxSpeed { get; init => field = PrinterKeys.MaxSpeed.Check(value); } = new(300, 300, 12, 60);
 
-    /// <summary>Highest acceleration of each axis, mm/s².</summary>
+    /// <summary>Maximum acceleration of each axis, mm/s².</summary>
     public AxisValues MaxAcceleration { get; init => field = PrinterKeys.MaxAcceleration.Check(value); } = new(1000, 1000, 100, 5000);
 
     /// <summary>Acceleration of printing moves, mm/s².</summary>
@@ -86,7 +86,7 @@ public sealed record Printer
 
     public CornerRule CornerRule { get; init; } = CornerRule.JunctionDeviation;
 
-    /// <summary>For <see cref="CornerRule.Jerk"/>: jump of the speed of each axis without braking, mm/s.</summary>
+    /// <summary>For <see cref="CornerRule.Jerk"/>: sudden change of speed allowed for each axis, mm/s.</summary>
     public AxisValues Jerk { get; init => field = PrinterKeys.Jerk.Check(value); } = new(8, 8, 0.4, 5);
 
     /// <summary>For <see cref="CornerRule.JunctionDeviation"/>, mm.</summary>
@@ -101,19 +101,19 @@ public sealed record Printer
     /// <summary>Moves that the firmware plans ahead; 0 for all.</summary>
     public int PlannerQueue { get; init => field = PrinterKeys.PlannerQueue.Check(value); } = 16;
 
-    /// <summary>Offsets of the tools against the first, mm; as many as there are tools.</summary>
+    /// <summary>Offsets of the tools from the first, mm; one for each tool.</summary>
     public ValueList<Vec3> ToolOffsets { get; init => field = PrinterKeys.ToolOffsets.Check(value); } = new(Vec3.Zero);
 
-    /// <summary>Outline of nozzle and head around their axis, from the tip outwards; radius and height ascend.</summary>
+    /// <summary>Outline of nozzle and head around their axis, from the tip outward; radius and height ascend.</summary>
     public ValueList<HeadPoint> HeadOutline { get; init => field = PrinterKeys.HeadOutline.Check(value); } = new(new HeadPoint(0.5, 0), new(4, 6), new(20, 12));
 
-    /// <summary>Parts of the head or the gantry that are not round, as boxes relative to the tip of the nozzle, mm.</summary>
+    /// <summary>Boxes around parts of the head and the gantry that are not round, relative to the tip of the nozzle, mm.</summary>
     public ValueList<Bounds> HeadBoxes { get; init => field = PrinterKeys.HeadBoxes.Check(value); } = ValueList<Bounds>.Empty;
 
-    /// <summary>Material that the hot end or pump can push, mm³/s; 0 where it is not known.</summary>
+    /// <summary>Material that the hot end or pump can push, mm³/s; 0 if unknown.</summary>
     public double MaxFlow { get; init => field = PrinterKeys.MaxFlow.Check(value); } = 12;
 
-    /// <summary>Below this nozzle temperature nothing may be extruded, °C; 0 for materials that are not heated.</summary>
+    /// <summary>Minimum nozzle temperature for extrusion, °C; 0 for materials that are not heated.</summary>
     public double MinExtrusionTemperature { get; init => field = PrinterKeys.MinExtrusionTemperature.Check(value); } = 170;
 
     /// <summary>Highest temperature that the hot end stands, °C; 0 for a nozzle that cannot be heated.</summary>
@@ -128,13 +128,13 @@ public sealed record Printer
     /// <summary>Lines before the print.</summary>
     public ValueList<string> StartTemplate { get; init => field = PrinterKeys.StartTemplate.Check(value); } = ValueList<string>.Empty;
 
-    /// <summary>Lines behind the print.</summary>
+    /// <summary>Lines after the print.</summary>
     public ValueList<string> EndTemplate { get; init => field = PrinterKeys.EndTemplate.Check(value); } = ValueList<string>.Empty;
 
-    /// <summary>Lines before each layer but the first.</summary>
+    /// <summary>Lines before each layer except the first.</summary>
     public ValueList<string> LayerTemplate { get; init => field = PrinterKeys.LayerTemplate.Check(value); } = ValueList<string>.Empty;
 
-    /// <summary>Lines for a change of the tool; without them the writer states the tool's number alone.</summary>
+    /// <summary>Lines for a tool change; without them the writer emits only the tool number.</summary>
     public ValueList<string> ToolChangeTemplate { get; init => field = PrinterKeys.ToolChangeTemplate.Check(value); } = ValueList<string>.Empty;
 
     /// <summary>Number of tools.</summary>
@@ -150,7 +150,7 @@ public sealed record Printer
         }
     }
 
-    /// <summary>True where the nozzle can go, within <paramref name="tolerance"/> mm.</summary>
+    /// <summary>True if the nozzle can reach it, within <paramref name="tolerance"/> mm.</summary>
     public bool CanReach(Vec3 point, double tolerance = 0)
     {
         var bounds = BuildBounds;

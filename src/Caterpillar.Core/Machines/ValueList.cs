@@ -5,7 +5,7 @@ using System.Linq;
 
 namespace Caterpillar.Machines;
 
-/// <summary>A list that never changes and equals every list with equal items, so that records that hold it compare by value.</summary>
+/// <summary>An immutable list that equals every list with equal items, so that records that hold it compare by value.</summary>
 public sealed class ValueList<T> : IReadOnlyList<T>, IEquatable<ValueList<T>>
 {
     private readonly T[] _items;

@@ -6,8 +6,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Ways around what is printed, at one height: A* (Hart, Nilsson and Raphael 1968) on a lattice around the start, whose edges are tested only when they are
-/// taken; then every corner that can be cut is cut. The search stays within the ellipse of ways that are not longer than a bound, and within a number of nodes.
+/// Paths around what is printed, at one height: A* (Hart, Nilsson and Raphael 1968) on a lattice around the start, whose edges are tested only when they are
+/// taken; then corners are cut where possible. The search stays within the ellipse of paths not longer than a bound, and within a number of nodes.
 /// </summary>
 internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
 {
@@ -20,13 +20,13 @@ internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
 
     private sealed class Node
     {
-        public double Way;
+        public double Length;
         public (int X, int Y) From;
         public bool Done;
     }
 
     /// <summary>
-    /// Points after the start, the last is the end; null where no free way within the bound was found. Both ends are at the height of the way.
+    /// Points after the start, the last is the end; null if no free path within the bound was found. Both ends are at the height of the path.
     /// </summary>
     public List<Vec3>? Find(Vec3 start, Vec3 end, double maxLength)
     {
@@ -40,42 +40,42 @@ internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
         {
             var (_, _, x, y) = Pop();
             var node = _nodes[(x, y)];
-            if (node.Done || double.IsInfinity(node.Way)) continue;
+            if (node.Done || double.IsInfinity(node.Length)) continue;
             visited++;
             var at = Place(start, x, y);
             if ((x, y) != (0, 0) && !IsFree(Place(start, node.From.X, node.From.Y), at))
             {
                 // Another neighbor may still reach it.
-                node.Way = double.PositiveInfinity;
+                node.Length = double.PositiveInfinity;
                 continue;
             }
             node.Done = true;
-            if (at.DistanceTo(end) <= 1.5 * _step && node.Way + at.DistanceTo(end) <= maxLength && IsFree(at, end)) return Points(start, end, (x, y));
+            if (at.DistanceTo(end) <= 1.5 * _step && node.Length + at.DistanceTo(end) <= maxLength && IsFree(at, end)) return Points(start, end, (x, y));
             for (var dx = -1; dx <= 1; dx++)
             {
                 for (var dy = -1; dy <= 1; dy++)
                 {
                     if (dx == 0 && dy == 0) continue;
-                    Reach(start, end, maxLength, (x, y), (x + dx, y + dy), node.Way + (dx != 0 && dy != 0 ? Math.Sqrt(2) : 1) * _step);
+                    Reach(start, end, maxLength, (x, y), (x + dx, y + dy), node.Length + (dx != 0 && dy != 0 ? Math.Sqrt(2) : 1) * _step);
                 }
             }
         }
         return null;
     }
 
-    private void Reach(Vec3 start, Vec3 end, double maxLength, (int X, int Y) from, (int X, int Y) to, double way)
+    private void Reach(Vec3 start, Vec3 end, double maxLength, (int X, int Y) from, (int X, int Y) to, double length)
     {
-        var cost = way + Place(start, to.X, to.Y).DistanceTo(end);
+        var cost = length + Place(start, to.X, to.Y).DistanceTo(end);
         if (cost > maxLength) return;
         if (_nodes.TryGetValue(to, out var known))
         {
-            if (known.Done || known.Way <= way) return;
-            known.Way = way;
+            if (known.Done || known.Length <= length) return;
+            known.Length = length;
             known.From = from;
         }
         else
         {
-            _nodes[to] = new Node { Way = way, From = from };
+            _nodes[to] = new Node { Length = length, From = from };
         }
         Push(cost, to.X, to.Y);
     }
@@ -86,20 +86,20 @@ internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
         for (var at = last; at != (0, 0); at = _nodes[at].From) points.Add(Place(start, at.X, at.Y));
         points.Add(start);
         points.Reverse();
-        var way = new List<Vec3>();
+        var path = new List<Vec3>();
         for (var i = 0; i < points.Count - 1;)
         {
             var next = points.Count - 1;
             while (next > i + 1 && !IsFree(points[i], points[next])) next--;
-            way.Add(points[next]);
+            path.Add(points[next]);
             i = next;
         }
-        return way;
+        return path;
     }
 
     private Vec3 Place(Vec3 start, int x, int y) => new(start.X + x * _step, start.Y + y * _step, start.Z);
 
-    private bool IsFree(Vec3 a, Vec3 b) => head.Needed(deposit, a, b, a.Z) <= a.Z + Flush;
+    private bool IsFree(Vec3 a, Vec3 b) => head.RequiredHeight(deposit, a, b, a.Z) <= a.Z + Flush;
 
     private void Push(double cost, int x, int y)
     {

@@ -4,8 +4,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Nearest of many points of which ever fewer are left: a k-d tree (Bentley 1975, 1990) with a count of the living in every node. Among equally near points
-/// the one with the lowest number wins, so that the answer does not depend on the shape of the tree.
+/// The nearest among points that are removed one by one: a k-d tree (Bentley 1975, 1990) with a count of the remaining points in every node. Among equally near
+/// points the one with the lowest number wins, so that the answer does not depend on the shape of the tree.
 /// </summary>
 internal sealed class EntryTree
 {
@@ -32,7 +32,7 @@ internal sealed class EntryTree
         Build(1, 0, count);
     }
 
-    /// <summary>Number of points that are left.</summary>
+    /// <summary>Number of remaining points.</summary>
     public int Count => _alive[1];
 
     public void Remove(int point)
@@ -49,7 +49,7 @@ internal sealed class EntryTree
         for (var node = _nodeOf[point]; node > 0; node /= 2) _alive[node]++;
     }
 
-    /// <summary>Number of the nearest point that is left, or −1.</summary>
+    /// <summary>Index of the nearest remaining point, or −1.</summary>
     public int Nearest(Vec3 from)
     {
         if (_alive[1] == 0) return -1;
@@ -131,7 +131,7 @@ internal sealed class EntryTree
         Build(node * 2 + 1, middle, end);
     }
 
-    // Quickselect: afterwards no point before the middle comes after one behind it, along the axis and then by number.
+    // Quickselect: afterwards no point before the middle is greater than one after it, along the axis and then by number.
     private void Split(int first, int end, int middle, int axis)
     {
         int low = first, high = end - 1;

@@ -6,28 +6,28 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// The room that the head takes along a travel: rings around its axis, each with the least height of the head inside it above the tip. A print may be as high
-/// as the ring it comes under.
+/// The space that the head sweeps along a travel: rings around its axis, each with the minimum height of the head above the tip inside it. A print may be as
+/// high as the ring it comes under.
 /// </summary>
 internal sealed class HeadCorridor
 {
     private readonly (double Radius, double Height)[] _rings;
 
-    /// <param name="rings">Outer radius and least height above the tip, mm; from the tip outwards, the first at height 0.</param>
+    /// <param name="rings">Outer radius and minimum height above the tip, mm; from the tip outward, the first at height 0.</param>
     public HeadCorridor(IEnumerable<(double Radius, double Height)> rings) => _rings = new List<(double, double)>(rings).ToArray();
 
-    /// <summary>A tip of some radius and nothing above it.</summary>
+    /// <summary>A tip of a radius with nothing above it.</summary>
     public HeadCorridor(double radius) => _rings = [(radius, 0)];
 
     /// <summary>Radius of the tip, mm.</summary>
     public double TipRadius => _rings[0].Radius;
 
     /// <summary>
-    /// Least height of the tip, mm, at which the head passes from a to b with nothing of the print inside it; negative infinity where nothing is near. Answers
+    /// Minimum height of the tip, mm, at which the head passes from a to b without touching the print; negative infinity if nothing is near. Results
     /// below
-    /// <paramref name="level"/>, the height that the way has anyhow, are not refined.
+    /// <paramref name="level"/>, the height that the travel has anyway, are not refined.
     /// </summary>
-    public double Needed(Deposit deposit, Vec3 a, Vec3 b, double level)
+    public double RequiredHeight(Deposit deposit, Vec3 a, Vec3 b, double level)
     {
         var needed = double.NegativeInfinity;
         foreach (var (radius, height) in _rings)
@@ -38,7 +38,7 @@ internal sealed class HeadCorridor
         return needed;
     }
 
-    /// <summary>Rings of an outline whose points are joined by cones: each cone in some steps, at the height of its inner edge.</summary>
+    /// <summary>Rings of an outline whose points are joined by cones: each cone in several steps, at the height of its inner edge.</summary>
     public static IEnumerable<(double Radius, double Height)> Rings(IEnumerable<(double Radius, double Height)> outline, int steps = 4)
     {
         double radius = 0, height = 0;

@@ -6,22 +6,22 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Writes moves and keeps the books: where the head is, which tool works, how much filament of each tool is retracted, how high the print has grown. E beyond
-/// the balance is deposited, E below it only fills the nozzle.
+/// Writes moves and tracks the state: position of the head, current tool, retracted filament of each tool, height of the print. E beyond
+/// the balance is deposited, E below it only restores.
 /// </summary>
 internal sealed class MoveEmitter
 {
-    // Rounding of sums, not a length anybody can print.
+    // Rounding of sums, too small to print.
     private const double BalanceEpsilon = 1e-9;
     private readonly ToolpathBuilder _builder;
     private readonly PlanRules _rules;
-    private readonly PlanCounts _counts;
+    private readonly PlanReport _counts;
     private readonly double[] _retracted;
     private readonly Dictionary<Layer, int> _layers = [];
     private Layer? _layer;
     private int _layerIndex = -1;
 
-    public MoveEmitter(PlanRules rules, Vec3? start, PlanCounts counts)
+    public MoveEmitter(PlanRules rules, Vec3? start, PlanReport counts)
     {
         _rules = rules;
         _counts = counts;
@@ -32,7 +32,7 @@ internal sealed class MoveEmitter
 
     public Vec3 Position => _builder.Position;
 
-    /// <summary>False until the first move where the start is not known.</summary>
+    /// <summary>False until the first move if the start is unknown.</summary>
     public bool IsPlaced { get; private set; }
 
     public int Tool { get; private set; }
@@ -45,13 +45,13 @@ internal sealed class MoveEmitter
     /// <summary>Highest point printed so far, mm; negative infinity before.</summary>
     public double Highest { get; private set; } = double.NegativeInfinity;
 
-    /// <summary>Retracted E of the tool that works.</summary>
+    /// <summary>Retracted E of the current tool.</summary>
     public double Retracted => _retracted[Tool];
 
     /// <summary>Number of moves so far.</summary>
     public int Count => _builder.Count;
 
-    /// <summary>True when some printing E went into filling up what was retracted before.</summary>
+    /// <summary>True if some E of printing moves only restored earlier retraction.</summary>
     public bool PrintedRetracted { get; private set; }
 
     public Toolpath Build() => _builder.Build(Array.ConvertAll(_rules.Tools, t => new ToolpathTool(t.VolumePerE)));
@@ -80,7 +80,7 @@ internal sealed class MoveEmitter
         Add(to, 0, 0, speed, MoveKind.Travel, Role.Unspecified);
     }
 
-    /// <summary>A segment of a path: its volume in mm³ becomes E; what is retracted is filled up first.</summary>
+    /// <summary>A segment of a path: its volume in mm³ becomes E; retraction is restored first.</summary>
     public void Print(Vec3 to, double volume, double speed, Role role, Arc? arc)
     {
         var e = ToolRules.EOf(volume);
@@ -89,7 +89,7 @@ internal sealed class MoveEmitter
         Add(to, e, e - fill, speed, e > 0 && fill == e ? MoveKind.MovingRestore : MoveKind.Print, role, arc);
     }
 
-    /// <summary>The end of a path that is moved along after the extruder has stopped.</summary>
+    /// <summary>The end of a path that is traversed after the extruder has stopped.</summary>
     public void Coast(Vec3 to, double speed, Arc? arc) => Add(to, 0, 0, speed, MoveKind.Travel, Role.Unspecified, arc);
 
     public void Reached(double z) => Highest = Math.Max(Highest, z);
@@ -106,7 +106,7 @@ internal sealed class MoveEmitter
         Add(to, -e, 0, speed, MoveKind.Wipe, Role.Unspecified);
     }
 
-    /// <summary>Pushes back all that is retracted: in place, or on the way to a point.</summary>
+    /// <summary>Restores all retraction: in place, or during a move to a point.</summary>
     public void Restore(Vec3? during, double speed)
     {
         var e = _retracted[Tool];
@@ -128,7 +128,7 @@ internal sealed class MoveEmitter
         }
     }
 
-    /// <summary>Pushes E out in place; what is retracted is filled up first.</summary>
+    /// <summary>Extrudes in place; retraction is restored first.</summary>
     public void Prime(double e, double speed)
     {
         var fill = Fill(e);

@@ -4,11 +4,11 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Planning;
 
-/// <summary>Orders by the nearest start, and the measure of an order.</summary>
+/// <summary>Orders by the nearest start, and the travel of an order.</summary>
 internal static class NearestOrder
 {
     /// <summary>
-    /// From each end to the nearest start; the first path stays first where the head's place is not known. Where the order given is shorter, that one.
+    /// From each end to the nearest start; the first path stays first if the position of the head is unknown. The given order, if that is shorter.
     /// </summary>
     public static PathPlacement[] Find(SortItem[] items, Vec3? start, CancellationToken cancel)
     {
@@ -26,10 +26,10 @@ internal static class NearestOrder
             at = items[owner].Exit(order[n]);
         }
         var given = AsGiven(items.Length);
-        return Way(items, given, start) < Way(items, order, start) ? given : order;
+        return TravelLength(items, given, start) < TravelLength(items, order, start) ? given : order;
     }
 
-    /// <summary>The order given, each path from its nearest end or vertex.</summary>
+    /// <summary>The given order, each path from its nearest end or vertex.</summary>
     public static PathPlacement[] Orient(SortItem[] items, Vec3? start)
     {
         var order = new PathPlacement[items.Length];
@@ -48,8 +48,8 @@ internal static class NearestOrder
         return order;
     }
 
-    /// <summary>Length in mm of the ways between the paths.</summary>
-    public static double Way(SortItem[] items, PathPlacement[] order, Vec3? start)
+    /// <summary>Length in mm of the travel between the paths.</summary>
+    public static double TravelLength(SortItem[] items, PathPlacement[] order, Vec3? start)
     {
         var sum = 0.0;
         foreach (var place in order)

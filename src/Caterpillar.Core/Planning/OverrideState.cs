@@ -4,12 +4,12 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Temperature, fan and acceleration: what the design set, what a path wants for itself, and what is in force. Events are written only where these differ, so
-/// that neighboring paths with the same overrides do not switch to and fro.
+/// Temperature, fan and acceleration: what the design set, what a path overrides, and the current values. Events are written only if these differ, so
+/// that neighboring paths with the same overrides do not switch back and forth.
 /// </summary>
 internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
 {
-    // Set by the design; until then the rules say what is usual. The start code heats for the first layer and leaves the fan off.
+    // Set by the design; until then the rules give the usual values. The start code heats for the first layer and leaves the fan off.
     private double? _temperature, _temperatureNow = rules.FirstLayerNozzleTemperature ?? rules.NozzleTemperature;
     private double? _fan, _fanNow = rules.AddsNothing ? rules.Fan : 0;
     private double? _acceleration, _accelerationNow = rules.Acceleration;
@@ -17,10 +17,10 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     private readonly bool _layered = !rules.AddsNothing && (rules.Fan > 0 || rules.FirstLayerNozzleTemperature is not null);
     private bool _overridden;
 
-    /// <summary>True when something stayed overridden because nobody said what it was before.</summary>
+    /// <summary>True if a value stayed overridden because its previous value is unknown.</summary>
     public bool CouldNotRevert { get; private set; }
 
-    /// <summary>The design itself changed a setting: it becomes what paths without overrides use.</summary>
+    /// <summary>The design itself changed a setting: it becomes the value for paths without overrides.</summary>
     public void Note(PrinterEvent what)
     {
         switch (what)
@@ -45,7 +45,7 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration) emitter.Event(new AccelerationEvent(acceleration));
     }
 
-    // A path that names no layer counts by its highest point: a helix that begins on the bed is not of the first layer.
+    // A path without a layer counts by its highest point: a helix that starts on the bed does not belong to the first layer.
     private int LayerOf(PrintPath path)
     {
         if (path.Layer is { } layer) return layer.Index;

@@ -4,8 +4,8 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 
-/// <summary>Turns the segments of a path into printing moves, with the lag of the pressure at its ends.</summary>
-internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanCounts counts, Deposit? deposit)
+/// <summary>Turns the segments of a path into printing moves, with compensation for the pressure lag at its ends.</summary>
+internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanReport counts, Deposit? deposit)
 {
     /// <summary>Prints a path of some length in mm from its start, where the head is.</summary>
     public void Print(PrintPath path, double length)
@@ -28,23 +28,23 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanCoun
             var from = points[i];
             var to = i + 1 == points.Length ? points[0] : points[i + 1];
             var arc = path.ArcOf(i);
-            var way = arc is { } turn ? turn.Length(from, to) : from.DistanceTo(to);
-            if (!(way > 0))
+            var segment = arc is { } turn ? turn.Length(from, to) : from.DistanceTo(to);
+            if (!(segment > 0))
             {
                 counts.EmptySegments++;
                 continue;
             }
             var bead = path.BeadOf(i);
             var speed = bead.Speed > 0 ? bead.Speed : rules.LayerOf(path, Math.Max(from.Z, to.Z)) == 0 ? first : usual;
-            var printed = Math.Min(way, Math.Max(stopAt - done, 0));
-            done += way;
-            if (printed >= way)
+            var printed = Math.Min(segment, Math.Max(stopAt - done, 0));
+            done += segment;
+            if (printed >= segment)
             {
-                emitter.Print(to, way * bead.Area, speed, path.Role, arc);
+                emitter.Print(to, segment * bead.Area, speed, path.Role, arc);
             }
             else
             {
-                var t = printed / way;
+                var t = printed / segment;
                 var stop = arc is { } a ? a.PointAt(from, to, t) : Vec3.Lerp(from, to, t);
                 if (printed > 0) emitter.Print(stop, printed * bead.Area, speed, path.Role, Part(arc, t));
                 emitter.Coast(to, speed, Part(arc, 1 - t));

@@ -8,14 +8,14 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Puts paths into an order with short ways between them. All rules are deterministic: equal distances are decided by the order of the input.
+/// Sorts paths for short travel between them. All rules are deterministic: equal distances are decided by the order of the input.
 /// </summary>
 public static class PathSorter
 {
     // Paths whose lowest points differ by less lie at the same height, mm.
     private const double SameHeight = 1e-4;
 
-    /// <summary>The paths in the order wanted, turned and rotated where that is allowed. None is lost or doubled.</summary>
+    /// <summary>The paths in the requested order, reversed and rotated if allowed. None is lost or duplicated.</summary>
     /// <exception cref="ArgumentException">A path is null.</exception>
     public static IReadOnlyList<PrintPath> Sort(
         IReadOnlyList<PrintPath> paths, SortOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -30,7 +30,7 @@ public static class PathSorter
         return sorted;
     }
 
-    /// <summary>The same order as numbers of the paths, with what is to be done with each.</summary>
+    /// <summary>The same order as indices of the paths, with their direction and start.</summary>
     /// <exception cref="ArgumentException">A path is null.</exception>
     public static IReadOnlyList<PathPlacement> Order(
         IReadOnlyList<PrintPath> paths, SortOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -50,8 +50,8 @@ public static class PathSorter
         };
     }
 
-    /// <summary>Length in mm of the ways from the end of each path to the start of the next, for statistics.</summary>
-    public static double WayBetween(IReadOnlyList<PrintPath> paths)
+    /// <summary>Total distance in mm from the end of each path to the start of the next.</summary>
+    public static double TravelBetween(IReadOnlyList<PrintPath> paths)
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
         var sum = 0.0;

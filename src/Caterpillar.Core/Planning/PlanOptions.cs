@@ -5,23 +5,23 @@ namespace Caterpillar.Planning;
 /// <summary>What planning may add to a design.</summary>
 public enum PlanPolicy : byte
 {
-    /// <summary>Retraction, lifts and detours from the settings, and sorting where the groups of the steps allow it.</summary>
+    /// <summary>Retraction, lifts and detours from the settings, and sorting if the groups of the steps allow it.</summary>
     Printer,
 
     /// <summary>
-    /// Nothing: the moves are those drawn, a gap between paths is one straight travel, E is what the paths need and no more (the ExtruderTurtle way).
+    /// Nothing: the moves are as drawn, a gap between paths is one straight travel, E is only what the paths need (as in ExtruderTurtle).
     /// </summary>
     AsDrawn,
 }
 
-/// <summary>How planning turns steps into a toolpath. All numbers come from the settings of the printer, the material and the print.</summary>
+/// <summary>Options of planning. All numbers come from the settings of the printer, the material and the print.</summary>
 public sealed record PlanOptions
 {
     public PlanPolicy Policy { get; init; }
 
-    /// <summary>How paths are sorted inside their groups; not used as drawn.</summary>
+    /// <summary>How paths are sorted inside their groups; ignored as drawn.</summary>
     public SortOptions Sort { get; init; } = new(SortRule.Tour);
 
-    /// <summary>Where the head stands when the plan begins, mm; null where the start code does not say.</summary>
+    /// <summary>Position of the head at the start of the plan, mm; null if the start code does not state it.</summary>
     public Vec3? Start { get; init; }
 }

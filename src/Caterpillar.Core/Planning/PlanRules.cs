@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 
-/// <summary>From where the height of a travel is taken.</summary>
+/// <summary>How the height of a travel is determined.</summary>
 internal enum LiftRule : byte
 {
     None,
@@ -12,12 +12,12 @@ internal enum LiftRule : byte
 }
 
 /// <summary>A tool as planning needs it. Amounts of E are in its own unit.</summary>
-/// <param name="VolumePerE">mm³ for one unit of E; null for a tool without E.</param>
+/// <param name="VolumePerE">mm³ per unit of E; null for a tool without E.</param>
 /// <param name="RetractE">E of a retraction; 0 for none.</param>
 /// <param name="RetractSpeed">mm/s of filament.</param>
 /// <param name="RestoreSpeed">mm/s of filament.</param>
-/// <param name="ExtraE">E pushed out beyond the balance after each restore.</param>
-/// <param name="LengthPerE">mm of filament for one unit of E.</param>
+/// <param name="ExtraE">Extra E beyond the balance after each restore.</param>
+/// <param name="LengthPerE">mm of filament per unit of E.</param>
 internal sealed record ToolRules(double? VolumePerE, double RetractE, double RetractSpeed, double RestoreSpeed, double ExtraE, double LengthPerE = 1)
 {
     /// <summary>E for mm³ of material; 0 for a tool without E.</summary>
@@ -50,7 +50,7 @@ internal sealed record PlanRules
     /// <summary>Travels up to this length are made without a lift.</summary>
     public double MinLiftTravel { get; init; }
 
-    /// <summary>The room that the head needs along a travel, for the corridor.</summary>
+    /// <summary>The space that the head needs along a travel, for the corridor.</summary>
     public HeadCorridor Head { get; init; } = new(0.5);
 
     /// <summary>Side of the cells of what is printed so far.</summary>
@@ -66,7 +66,7 @@ internal sealed record PlanRules
 
     public double WipeDistance { get; init; }
 
-    /// <summary>The extruder pushes this length of bead before a path begins.</summary>
+    /// <summary>The extruder extrudes this length of bead before a path starts.</summary>
     public double StartDistance { get; init; }
 
     /// <summary>The extruder stops this far before the end of a path.</summary>
@@ -76,29 +76,29 @@ internal sealed record PlanRules
 
     public BeadShape Shape { get; init; }
 
-    /// <summary>What is in force where no path overrides it; null where the settings do not say.</summary>
+    /// <summary>The value without overrides; null if the settings do not state it.</summary>
     public double? NozzleTemperature { get; init; }
 
-    /// <summary>The same in the first layer, where it differs.</summary>
+    /// <summary>The same in the first layer, if it differs.</summary>
     public double? FirstLayerNozzleTemperature { get; init; }
 
     /// <inheritdoc cref="NozzleTemperature"/>
     public double? Fan { get; init; }
 
-    /// <summary>Layers from the bed on that are printed without the fan.</summary>
+    /// <summary>Number of first layers that are printed without the fan.</summary>
     public int FanOffLayers { get; init; }
 
     /// <inheritdoc cref="NozzleTemperature"/>
     public double? Acceleration { get; init; }
 
-    /// <summary>Height of the first layer and of the others, for paths that name no layer.</summary>
+    /// <summary>Height of the first layer and of the others, for paths without a layer.</summary>
     public double FirstLayerHeight { get; init; }
 
     /// <inheritdoc cref="FirstLayerHeight"/>
     public double LayerHeight { get; init; } = 0.2;
 
     /// <summary>
-    /// Number of the layer of a path, or where it names none and the policy is the printer's, of a height above the bed; −1 where neither says.
+    /// Number of the layer of a path, or, if it has none and the policy is the printer's, of a height above the bed; −1 otherwise.
     /// </summary>
     public int LayerOf(PrintPath path, double z)
     {

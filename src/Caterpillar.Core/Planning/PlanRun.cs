@@ -19,18 +19,18 @@ internal static class PlanRun
 
         var sort = rules.AddsNothing ? new SortOptions(SortRule.None) : options.Sort with { Start = options.Start };
         var ordered = StepOrder.Find(steps, sort, progress.Part(0, 0.5), cancel);
-        var counts = new PlanCounts();
+        var counts = new PlanReport();
         for (var i = 1; i < ordered.Length; i++)
         {
-            if (ordered[i - 1].Path is { } before && ordered[i].Path is { } after) counts.SortedWay += before.End.DistanceTo(after.Start);
-            if (steps[i - 1] is PathStep a && steps[i] is PathStep b) counts.GivenWay += a.Path.End.DistanceTo(b.Path.Start);
+            if (ordered[i - 1].Path is { } before && ordered[i].Path is { } after) counts.SortedTravel += before.End.DistanceTo(after.Start);
+            if (steps[i - 1] is PathStep a && steps[i] is PathStep b) counts.UnsortedTravel += a.Path.End.DistanceTo(b.Path.Start);
         }
         var toolpath = new StepPlanner(rules, ordered, options, counts, diagnostics).Run(progress.Part(0.5, 1), cancel);
         if (counts.EmptySegments > 0)
-            diagnostics.Add(Severity.Remark, "plan.repeated_point", "A path repeats a point; the segment without length is left out.", null,
+            diagnostics.Add(Severity.Remark, "plan.repeated_point", "A path repeats a point; the segment without length is dropped.", null,
                 counts.EmptySegments);
         progress?.Report(1);
-        return new Result<Plan>(new Plan(toolpath, counts.ToReport()), diagnostics.ToList());
+        return new Result<Plan>(new Plan(toolpath, counts), diagnostics.ToList());
     }
 
     private static void CheckTool(Step step, int index, int tools, DiagnosticList diagnostics)
@@ -40,7 +40,7 @@ internal static class PlanRun
         if (tool >= 0 && tool < tools) return;
         diagnostics.Add(
             Severity.Error, "plan.unknown_tool",
-                $"Tool {NumberFormatter.Format(tool)} is wanted, but the printer has {NumberFormatter.Format(tools)}, counted from 0.",
+                $"Tool {NumberFormatter.Format(tool)} is requested, but the printer has {NumberFormatter.Format(tools)}, counted from 0.",
             new SourceLocation(Step: index));
     }
 }

@@ -9,12 +9,12 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Turns the steps of a design into what the machine does: sorts where the groups of the steps allow it, adds travels, lifts and retractions by the settings,
+/// Turns the steps of a design into machine moves: sorts if the groups of the steps allow it, adds travels, lifts and retractions by the settings,
 /// and turns beads into E. The same input gives the same plan on every run.
 /// </summary>
 public static class Planner
 {
-    /// <summary>Plans steps. Without a value where a step wants a tool that the printer does not have.</summary>
+    /// <summary>Plans steps. No value if a step requests a tool that the printer does not have.</summary>
     /// <exception cref="ArgumentException">A step is null.</exception>
     /// <exception cref="OperationCanceledException">It was canceled.</exception>
     public static Result<Toolpath> Plan(
@@ -24,7 +24,7 @@ public static class Planner
         return new Result<Toolpath>(result.Value?.Toolpath, result.Diagnostics);
     }
 
-    /// <summary>The same, with a count for each rule of how often it had an effect.</summary>
+    /// <summary>The same, with a count of how often each rule had an effect.</summary>
     /// <inheritdoc cref="Plan" path="/exception"/>
     public static Result<Plan> PlanWithReport(
         IReadOnlyList<Step> steps, PrintSetup setup, PlanOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -65,7 +65,7 @@ public static class Planner
             Detour = settings.Detour,
             Comb = settings.Comb,
             MinRetractTravel = settings.RetractionMinTravel,
-            // The firmware's own retraction cannot be stretched over a way.
+            // Firmware retraction cannot be spread over a move.
             WipeDistance = printer.FirmwareRetraction ? 0 : settings.WipeDistance,
             StartDistance = settings.StartDistance,
             StopDistance = settings.StopDistance,

@@ -6,7 +6,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// The way that the head has come, for returns along it. Each return cuts off what lies behind its goal, so that all returns together look at every point once.
+/// The path that the head has taken, for returns along it. Each return cuts off what lies beyond its goal, so that all returns together visit every point once.
 /// </summary>
 internal sealed class ReturnPath
 {
@@ -18,7 +18,7 @@ internal sealed class ReturnPath
 
     public void Visit(Vec3 point) => _points.Add(point);
 
-    /// <summary>The points from the last one visited back to the goal, without the former; null where the head has not been there.</summary>
+    /// <summary>The points from the last visited one back to the goal, without the former; null if the head has not been there.</summary>
     public List<Vec3>? BackTo(Vec3 goal)
     {
         var back = new List<Vec3>();
@@ -38,11 +38,11 @@ internal sealed class ReturnPath
         return null;
     }
 
-    /// <summary>Length in mm of a way from a point.</summary>
-    public static double Length(Vec3 from, List<Vec3> way)
+    /// <summary>Length in mm of a path from a point.</summary>
+    public static double Length(Vec3 from, List<Vec3> path)
     {
         var sum = 0.0;
-        foreach (var to in way)
+        foreach (var to in path)
         {
             sum += from.DistanceTo(to);
             from = to;
@@ -50,16 +50,16 @@ internal sealed class ReturnPath
         return sum;
     }
 
-    /// <summary>True when the tip can come down on a point: nothing printed lies on top of it.</summary>
+    /// <summary>True if the tip can descend to a point: nothing printed lies on top of it.</summary>
     public static bool IsOpen(Deposit deposit, Vec3 point) => deposit.TopUnder(point, double.PositiveInfinity) <= point.Z + Flush;
 
     /// <summary>
-    /// True when the tip can go back along a way: nothing lies on top of it (what was printed along it is flush with it), and it is not so steep that the tip
-    /// would plough through the strand uphill of it.
+    /// True if the tip can return along a path: nothing lies on top of it (what was printed along it is flush with it), and it is not so steep that the tip
+    /// would plow through the strand uphill of it.
     /// </summary>
-    public static bool IsOpen(Deposit deposit, Vec3 from, List<Vec3> way)
+    public static bool IsOpen(Deposit deposit, Vec3 from, List<Vec3> path)
     {
-        foreach (var to in way)
+        foreach (var to in path)
         {
             var flat = (to - from).LengthXY;
             if (Math.Abs(to.Z - from.Z) > MaxSlope * flat) return false;

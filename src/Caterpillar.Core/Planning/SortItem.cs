@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 
-/// <summary>A path as sorting sees it, and what may be done with it.</summary>
+/// <summary>A path for sorting, and how it may be changed.</summary>
 internal readonly struct SortItem(PrintPath path, bool reverse, bool rotate)
 {
     public readonly PrintPath Path = path;
@@ -35,18 +35,18 @@ internal readonly struct SortItem(PrintPath path, bool reverse, bool rotate)
         return new PathPlacement(index, false, best);
     }
 
-    /// <summary>The vertex of a loop at which the way from one point to it and on to another is shortest.</summary>
+    /// <summary>The vertex of a loop that gives the shortest travel from one point via the loop to another.</summary>
     public PathPlacement Between(int index, Vec3 from, Vec3 to)
     {
         var points = Path.RawPoints;
         var best = 0;
-        var bestWay = double.PositiveInfinity;
+        var bestLength = double.PositiveInfinity;
         for (var i = 0; i < points.Length; i++)
         {
-            var way = points[i].DistanceTo(from) + points[i].DistanceTo(to);
-            if (way >= bestWay) continue;
+            var length = points[i].DistanceTo(from) + points[i].DistanceTo(to);
+            if (length >= bestLength) continue;
             best = i;
-            bestWay = way;
+            bestLength = length;
         }
         return new PathPlacement(index, false, best);
     }
@@ -54,10 +54,10 @@ internal readonly struct SortItem(PrintPath path, bool reverse, bool rotate)
     public PrintPath Placed(PathPlacement at) => at.Reversed ? Path.Reversed() : at.Vertex > 0 ? Path.StartingAt(at.Vertex) : Path;
 }
 
-/// <summary>The places at which printing of some paths may begin, with the path that each belongs to.</summary>
+/// <summary>The points at which paths may start, with the path that each belongs to.</summary>
 internal sealed class EntryPoints
 {
-    // Loops of more vertices are searched by a selection of them first; the chosen loop then begins at its nearest vertex.
+    // For loops of more vertices only a selection is searched first; the chosen loop then starts at its nearest vertex.
     private const int MaxPerLoop = 128;
     private Vec3[] _points = new Vec3[16];
     private int[] _owners = new int[16];

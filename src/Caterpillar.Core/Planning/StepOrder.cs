@@ -7,12 +7,12 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 
-/// <summary>A step in the order in which it is done, with its number in the design.</summary>
+/// <summary>A step in planned order, with its number in the design.</summary>
 internal readonly struct OrderedStep(Step step, PrintPath? path, int source)
 {
     public readonly Step Step = step;
 
-    /// <summary>The path of a path step, turned or rotated; null for other steps.</summary>
+    /// <summary>The path of a path step, reversed or rotated; null for other steps.</summary>
     public readonly PrintPath? Path = path;
 
     public readonly int Source = source;
@@ -81,11 +81,11 @@ internal static class StepOrder
         IReadOnlyList<Step> steps, int[] run, List<(int From, int To)> islands, OrderedStep[] ordered, ref int count, Vec3? at, SortOptions options,
         CancellationToken cancel)
     {
-        // An island begins with its group of the lowest rank: the nearest of those entries decides which island comes next.
+        // An island starts with its group of the lowest rank: the nearest of those entries decides which island comes next.
         var choose = islands.Count > 1 && options.Rule != SortRule.Orient ? Entries(steps, run, islands, options) : null;
         for (var n = 0; n < islands.Count; n++)
         {
-            // Islands below zero (a skirt) lead, in their order.
+            // Islands below zero (a skirt) come first, in their order.
             var leads = ((PathStep)steps[run[islands[n].From]]).Group!.Value.Island < 0;
             var island = leads || choose is null || at is null ? n : choose.OwnerOf(choose.Nearest(at.Value));
             choose?.Remove(island);

@@ -16,14 +16,14 @@ internal sealed class StepPlanner
     private readonly TravelPlanner _travel;
     private readonly PathPrinter _printer;
     private readonly OverrideState _overrides;
-    private readonly PlanCounts _counts;
+    private readonly PlanReport _counts;
     private readonly Deposit? _deposit;
-    private readonly ReturnPath? _way;
+    private readonly ReturnPath? _returnPath;
 
-    // A drawn travel has been prepared for, until something is printed.
+    // True after retraction for a drawn travel, until something is printed.
     private bool _prepared;
 
-    public StepPlanner(PlanRules rules, OrderedStep[] steps, PlanOptions options, PlanCounts counts, DiagnosticList diagnostics)
+    public StepPlanner(PlanRules rules, OrderedStep[] steps, PlanOptions options, PlanReport counts, DiagnosticList diagnostics)
     {
         _rules = rules;
         _steps = steps;
@@ -31,7 +31,7 @@ internal sealed class StepPlanner
         _counts = counts;
         _emitter = new MoveEmitter(rules, options.Start, counts);
         var returns = !rules.AddsNothing && Array.Exists(steps, s => s.Step is TravelStep { Intent: TravelIntent.Return });
-        if (returns) _way = new ReturnPath();
+        if (returns) _returnPath = new ReturnPath();
         if (returns || (rules.Lift == LiftRule.Corridor && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);
         _travel = new TravelPlanner(rules, _emitter, counts, _deposit);
         _printer = new PathPrinter(rules, _emitter, counts, _deposit);
@@ -57,12 +57,12 @@ internal sealed class StepPlanner
         }
         if (_overrides.CouldNotRevert)
             _diagnostics.Add(Severity.Remark, "plan.override_kept",
-                "A path overrides a setting whose usual value nobody states: the overriding value stays in force.");
+                "A path overrides a setting whose usual value is unknown: the overriding value stays in effect.");
         if (_emitter.PrintedRetracted)
         {
             _diagnostics.Add(
                 Severity.Warning, "plan.printed_retracted",
-                    "Paths begin while filament is retracted: their first E only fills the nozzle. Extrude what was pulled back before printing.");
+                    "Paths start while filament is retracted: their first E only restores it. Extrude the retracted length before printing.");
         }
         return _emitter.Build();
     }
@@ -72,7 +72,7 @@ internal sealed class StepPlanner
         var length = path.Length;
         if (!(length > 0))
         {
-            _diagnostics.Add(Severity.Warning, "plan.empty_path", "A path has no length and is left out.", new SourceLocation(Step: _emitter.Source));
+            _diagnostics.Add(Severity.Warning, "plan.empty_path", "A path has no length and is skipped.", new SourceLocation(Step: _emitter.Source));
             return;
         }
         _counts.Paths++;
@@ -82,7 +82,7 @@ internal sealed class StepPlanner
         _overrides.Apply(path);
         _travel.Restore();
         _printer.Print(path, length);
-        if (_way is not null) Remember(path);
+        if (_returnPath is not null) Remember(path);
         _travel.Printed(path, inside);
         _prepared = false;
     }
@@ -90,9 +90,9 @@ internal sealed class StepPlanner
     private void Travel(TravelStep travel, int index)
     {
         _counts.DrawnTravels++;
-        if (!_prepared && _emitter.IsPlaced && !_rules.AddsNothing) _travel.RetractFor(WayToNextPrint(index));
+        if (!_prepared && _emitter.IsPlaced && !_rules.AddsNothing) _travel.RetractFor(LengthToNextPrint(index));
         _prepared = true;
-        if (travel.Intent == TravelIntent.Return && _way is not null && _emitter.IsPlaced)
+        if (travel.Intent == TravelIntent.Return && _returnPath is not null && _emitter.IsPlaced)
         {
             Return(travel.Points[travel.Points.Count - 1]);
             return;
@@ -100,15 +100,15 @@ internal sealed class StepPlanner
         foreach (var point in travel.Points)
         {
             _emitter.Travel(point, travel.Speed > 0 ? travel.Speed : _rules.TravelSpeed);
-            _way?.Visit(point);
+            _returnPath?.Visit(point);
         }
     }
 
-    // Back along the branch where that way is free and quicker than up, over and down; else over the top.
+    // Back along the branch if that path is free and faster than up, over and down; else over the top.
     private void Return(Vec3 goal)
     {
         var from = _emitter.Position;
-        var back = _way!.BackTo(goal);
+        var back = _returnPath!.BackTo(goal);
         if (from.DistanceTo(goal) <= TravelPlanner.Touching) return;
         if (back is not null && ReturnPath.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal) && ReturnPath.IsOpen(_deposit!, from, back))
         {
@@ -124,7 +124,7 @@ internal sealed class StepPlanner
         {
             _counts.BlockedReturns++;
             _diagnostics.Add(
-                Severity.Warning, "plan.blocked_return", "The head returns to a place that has been printed over: it comes down through what lies there.",
+                Severity.Warning, "plan.blocked_return", "The head returns to a point that has been printed over: it descends through what lies there.",
                 new SourceLocation(Step: _emitter.Source));
         }
         _travel.Over(goal, safely: true);
@@ -132,36 +132,36 @@ internal sealed class StepPlanner
 
     private void Remember(PrintPath path)
     {
-        _way!.Visit(path.Start);
+        _returnPath!.Visit(path.Start);
         for (var i = 0; i < path.SegmentCount; i++)
         {
             var from = path.Points[i];
             if (path.ArcOf(i) is { } arc)
             {
                 var chords = arc.ChordCount(from, WipePath.Tolerance);
-                for (var k = 1; k < chords; k++) _way.Visit(arc.PointAt(from, path.EndOf(i), (double)k / chords));
+                for (var k = 1; k < chords; k++) _returnPath.Visit(arc.PointAt(from, path.EndOf(i), (double)k / chords));
             }
-            _way.Visit(path.EndOf(i));
+            _returnPath.Visit(path.EndOf(i));
         }
     }
 
-    // The whole way without printing from here, mm; infinite where nothing is printed any more.
-    private double WayToNextPrint(int index)
+    // The total length without printing from here, mm; infinite if nothing is printed after it.
+    private double LengthToNextPrint(int index)
     {
         var at = _emitter.Position;
-        var way = 0.0;
+        var length = 0.0;
         for (; index < _steps.Length; index++)
         {
             switch (_steps[index].Step)
             {
                 case PathStep:
-                    return way + at.DistanceTo(_steps[index].Path!.Start);
+                    return length + at.DistanceTo(_steps[index].Path!.Start);
                 case EventStep { Event: ExtrudeEvent { Volume: > 0 } }:
-                    return way;
+                    return length;
                 case TravelStep travel:
                     foreach (var point in travel.Points)
                     {
-                        way += at.DistanceTo(point);
+                        length += at.DistanceTo(point);
                         at = point;
                     }
                     break;

@@ -5,14 +5,14 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Shortens the way between paths by exchanges: 2-opt (a stretch of the order is run backwards, each path from its other end) and Or-opt (up to three paths
-/// move elsewhere), tried between near ends only (Bentley 1992, "Fast algorithms for geometric traveling salesman problems"). Ends after a number of passes,
+/// Shortens the travel between paths by exchanges: 2-opt (a section of the order is reversed, each path from its other end) and Or-opt (up to three paths
+/// move elsewhere), tried only between near ends (Bentley 1992, "Fast algorithms for geometric traveling salesman problems"). Ends after a number of passes,
 /// never by the clock.
 /// </summary>
 internal sealed class TourImprover
 {
     private const int Neighbors = 6;
-    private const double LeastGain = 1e-7;
+    private const double MinGain = 1e-7;
     private readonly SortItem[] _items;
     private readonly PathPlacement[] _order;
     private readonly int[] _place;
@@ -21,7 +21,7 @@ internal sealed class TourImprover
     private readonly bool _reversible;
     private readonly int _reach;
 
-    // Paths whose surroundings have changed since they were last tried ("don't look" bits, Bentley 1992).
+    // Paths whose neighbors have changed since they were last tried ("don't look" bits, Bentley 1992).
     private readonly bool[] _fresh;
 
     private TourImprover(SortItem[] items, PathPlacement[] order, Vec3? start)
@@ -32,7 +32,7 @@ internal sealed class TourImprover
         _place = new int[order.Length];
         for (var i = 0; i < order.Length; i++) _place[order[i].Index] = i;
         _reversible = Array.TrueForAll(items, i => i.Reverse || i.Path.IsClosed);
-        // Long stretches cost time to turn and gain no more than short ones.
+        // Long sections cost time to reverse and gain no more than short ones.
         _reach = order.Length <= 10_000 ? order.Length : 1_000;
         _near = NearPaths();
         _fresh = new bool[order.Length];
@@ -47,14 +47,14 @@ internal sealed class TourImprover
         {
         }
         tour.RotateLoops();
-        return NearestOrder.Way(items, tour._order, start) < NearestOrder.Way(items, order, start) ? tour._order : order;
+        return NearestOrder.TravelLength(items, tour._order, start) < NearestOrder.TravelLength(items, order, start) ? tour._order : order;
     }
 
     private Vec3 Entry(int place) => _items[_order[place].Index].Entry(_order[place]);
 
     private Vec3 Exit(int place) => _items[_order[place].Index].Exit(_order[place]);
 
-    // Way into a place of the order from the one before it.
+    // TravelLength into a place of the order from the one before it.
     private double Gap(int place) => place == 0
         ? (_start is { } from ? from.DistanceTo(Entry(0)) : 0)
         : place == _order.Length ? 0 : Exit(place - 1).DistanceTo(Entry(place));
@@ -66,7 +66,7 @@ internal sealed class TourImprover
     private bool Pass(CancellationToken cancel)
     {
         var better = false;
-        // Without a place to start from, the first path stays first.
+        // Without a start position, the first path stays first.
         var first = _start is null ? 1 : 0;
         for (var path = 0; path < _order.Length; path++)
         {
@@ -94,7 +94,7 @@ internal sealed class TourImprover
     {
         if (from < first || to < from || to - from > _reach) return false;
         var gain = Gap(from) + Gap(to + 1) - FromBefore(from, Exit(to)) - ToAfter(to, Entry(from));
-        if (gain <= LeastGain) return false;
+        if (gain <= MinGain) return false;
         Reverse(from, to);
         Touch(from - 1, from, to, to + 1);
         return true;
@@ -108,7 +108,7 @@ internal sealed class TourImprover
         }
     }
 
-    // Moves one, two or three paths that begin or end at a place to behind or before another.
+    // Moves one, two or three paths that start or end at a position to after or before another.
     private bool TryMove(int at, int target, int first)
     {
         for (var length = 1; length <= 3; length++)
@@ -124,7 +124,7 @@ internal sealed class TourImprover
         return false;
     }
 
-    // Moves a stretch to behind a place.
+    // Moves a section to after a position.
     private bool TryPlace(int from, int to, int after)
     {
         if (after >= from - 1 && after <= to) return false;
@@ -136,8 +136,8 @@ internal sealed class TourImprover
         var saved = Gap(from) + Gap(to + 1) + Gap(after + 1) - closed;
         var straight = near.DistanceTo(Entry(from)) + (hasNext ? Exit(to).DistanceTo(next) : 0);
         var turned = _reversible ? near.DistanceTo(Exit(to)) + (hasNext ? Entry(from).DistanceTo(next) : 0) : double.PositiveInfinity;
-        if (saved - Math.Min(straight, turned) <= LeastGain) return false;
-        // A move is three turns: of the whole stretch between, and of its two parts.
+        if (saved - Math.Min(straight, turned) <= MinGain) return false;
+        // A move is three reversals: of the whole section, and of its two parts.
         int left, middle, right;
         if (after > to) (left, middle, right) = (from, from + (after - to), after);
         else (left, middle, right) = (after + 1, after + 1 + (to - from + 1), to);
@@ -153,8 +153,8 @@ internal sealed class TourImprover
     {
         for (; from <= to; from++, to--)
         {
-            var a = Turned(_order[from]);
-            var b = Turned(_order[to]);
+            var a = Reversed(_order[from]);
+            var b = Reversed(_order[to]);
             _order[from] = b;
             _order[to] = a;
             _place[b.Index] = from;
@@ -162,7 +162,7 @@ internal sealed class TourImprover
         }
     }
 
-    private PathPlacement Turned(PathPlacement place) => _items[place.Index].Path.IsClosed ? place : place with { Reversed = !place.Reversed };
+    private PathPlacement Reversed(PathPlacement place) => _items[place.Index].Path.IsClosed ? place : place with { Reversed = !place.Reversed };
 
     private void RotateLoops()
     {

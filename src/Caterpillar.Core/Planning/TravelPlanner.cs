@@ -4,12 +4,12 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 
-/// <summary>Ways of the head between paths: retraction with balance, wipe, lift, and the way down.</summary>
-internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCounts counts, Deposit? deposit)
+/// <summary>Travels between paths: retraction with balance, wipe, lift and descent.</summary>
+internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanReport counts, Deposit? deposit)
 {
     private const double Flush = 1e-6;
 
-    // Points nearer than this are one, mm: far below what any file or machine resolves.
+    // Points closer than this are equal, mm: far below the resolution of any file or machine.
     internal const double Touching = 1e-6;
     private readonly bool[] _hasPrinted = new bool[rules.Tools.Length];
     private readonly DetourFinder? _detours = deposit is not null && rules.Detour ? new DetourFinder(deposit, rules.Head) : null;
@@ -24,10 +24,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
         Primed();
     }
 
-    /// <summary>The tool has pushed out material: it can ooze.</summary>
+    /// <summary>The tool has extruded material: it can ooze.</summary>
     public void Primed() => _hasPrinted[emitter.Tool] = true;
 
-    /// <summary>Retracts before a way of some length, where the rules want it and it has not been done.</summary>
+    /// <summary>Retracts before a travel of a length, if the rules require it and it has not been done.</summary>
     public void RetractFor(double length)
     {
         var tool = emitter.ToolRules;
@@ -48,10 +48,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
         }
     }
 
-    /// <summary>Brings the head to where a path begins. Adds nothing where it is there already.</summary>
-    /// <param name="start">Where the path begins, mm.</param>
-    /// <param name="direct">The head comes from the end of the last path: no drawn travel lies between, for which has been retracted already.</param>
-    /// <param name="inside">What the layer covers around the path.</param>
+    /// <summary>Moves the head to the start of a path. Adds nothing if it is already there.</summary>
+    /// <param name="start">Start of the path, mm.</param>
+    /// <param name="direct">The head comes from the end of the last path, without a drawn travel in between, which would already have retracted.</param>
+    /// <param name="inside">The region that the layer covers.</param>
     public void To(Vec3 start, bool direct, Region? inside)
     {
         if (rules.AddsNothing)
@@ -76,13 +76,13 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
     {
         var from = emitter.Position;
         if (!rules.Comb || inside is null || inside != _inside || Math.Abs(from.Z - start.Z) > Touching || !inside.ContainsLine(from, start)) return false;
-        if (deposit is not null && rules.Head.Needed(deposit, from, start, start.Z) > start.Z + Flush) return false;
+        if (deposit is not null && rules.Head.RequiredHeight(deposit, from, start, start.Z) > start.Z + Flush) return false;
         counts.Combed++;
         emitter.Travel(start, rules.TravelSpeed);
         return true;
     }
 
-    /// <summary>Pushes back what is retracted, before a path begins.</summary>
+    /// <summary>Restores retraction before a path.</summary>
     public void Restore()
     {
         if (rules.AddsNothing || emitter.Retracted <= 0) return;
@@ -96,9 +96,9 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
         emitter.Travel(to, rules.TravelSpeed);
     }
 
-    /// <summary>Up, over and down again, or around.</summary>
-    /// <param name="to">Where the head goes, mm.</param>
-    /// <param name="safely">What is printed is kept clear of even where the settings want no lift.</param>
+    /// <summary>Up, over and down, or around.</summary>
+    /// <param name="to">The target, mm.</param>
+    /// <param name="safely">Avoids printed parts even if the settings ask for no lift.</param>
     public void Over(Vec3 to, bool safely = false)
     {
         var from = emitter.Position;
@@ -128,7 +128,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
         Down(to);
     }
 
-    /// <summary>How long it takes to go up, over and down, s, without regard to accelerations and detours.</summary>
+    /// <summary>Time to go up, over and down, s, ignoring accelerations and detours.</summary>
     public double TimeOver(Vec3 to)
     {
         var from = emitter.Position;
@@ -141,19 +141,19 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
         if (rules.Lift == LiftRule.Highest)
             return safely || from.DistanceTo(to) > rules.MinLiftTravel ? Math.Max(level, emitter.Highest) + rules.Clearance : level;
         if (deposit is null) return level;
-        var needed = rules.Head.Needed(deposit, from, to, level);
+        var needed = rules.Head.RequiredHeight(deposit, from, to, level);
         return needed > level + Flush ? needed + rules.Clearance : level;
     }
 
-    // A way around is taken where it is quicker than going up and down again.
+    // A detour is taken if it is faster than going up and down.
     private bool TryDetour(Vec3 from, Vec3 to, double rise)
     {
         if (_detours is null) return false;
         var longest = from.DistanceTo(to) + 2 * rise / rules.LiftSpeed * rules.TravelSpeed;
-        if (_detours.Find(from, to, longest) is not { } way) return false;
+        if (_detours.Find(from, to, longest) is not { } detour) return false;
         counts.Detours++;
         emitter.Travel(from, rules.LiftSpeed);
-        foreach (var point in way) emitter.Travel(point, rules.TravelSpeed);
+        foreach (var point in detour) emitter.Travel(point, rules.TravelSpeed);
         return true;
     }
 
@@ -165,7 +165,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
             emitter.Travel(to, rules.LiftSpeed);
             return;
         }
-        // Slow enough that the filament keeps up.
+        // Slow enough for the filament to keep up.
         var tool = emitter.ToolRules;
         emitter.Restore(to, Math.Min(rules.LiftSpeed, length * tool.RestoreSpeed / tool.FilamentLength(emitter.Retracted)));
         Extra();
@@ -177,7 +177,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanCo
         if (tool.ExtraE > 0) emitter.Prime(tool.ExtraE, tool.RestoreSpeed);
     }
 
-    // Back along an open path, on along a closed one, while the filament is pulled back.
+    // Back along an open path, onward along a closed one, while the filament is retracted.
     private bool TryWipe(double e, ToolRules tool)
     {
         if (rules.WipeDistance <= 0 || _last is not { } path || path.End.DistanceTo(emitter.Position) > Touching) return false;

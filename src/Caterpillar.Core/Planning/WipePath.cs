@@ -4,13 +4,13 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 
-/// <summary>The way of a wipe: on what has just been printed.</summary>
+/// <summary>The path of a wipe: along what has just been printed.</summary>
 internal static class WipePath
 {
     /// <summary>Deviation of the chords of an arc, mm.</summary>
     public const double Tolerance = 0.02;
 
-    /// <summary>Points from the end of a path, back along an open one and on along a closed one, for a length in mm or to the other end.</summary>
+    /// <summary>Points from the end of a path, back along an open one and onward along a closed one, for a length in mm or to the other end.</summary>
     public static List<Vec3> Along(PrintPath path, double length)
     {
         var points = new List<Vec3> { path.End };

@@ -8,11 +8,11 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Shaping;
 
 /// <summary>
-/// Slows small layers down so that they cool before the next one comes: by Kanada's rule, by a minimum time of a layer, or both. Speeds are only lowered.
+/// Slows small layers down so that they cool before the next one: by Kanada's rule, by a minimum layer time, or both. Speeds are only lowered.
 /// </summary>
 public sealed record Cooling
 {
-    /// <summary>Shortest time of a layer in seconds; 0 for none. Paths without a layer are one layer for each height of their first vertex.</summary>
+    /// <summary>Minimum layer time in seconds; 0 for none. Paths without a layer form one layer for each height of their first vertex.</summary>
     public double MinLayerTime { get; init; }
 
     /// <summary>Kanada's rule (2015, figure 6): a segment is no faster than its length in mm plus 1, in mm/s.</summary>
@@ -21,16 +21,16 @@ public sealed record Cooling
     /// <summary>No speed is lowered below this, mm/s.</summary>
     public double MinSpeed { get; init; } = 5;
 
-    /// <summary>Speed in mm/s of beads that leave it to the settings.</summary>
+    /// <summary>Speed in mm/s of beads that use the speed of the settings.</summary>
     public double ReferenceSpeed { get; init; } = 60;
 
-    /// <summary>More segments than that in a second make printers stutter; 0 for no warning.</summary>
+    /// <summary>More segments per second make printers stutter; 0 for no warning.</summary>
     public double MaxSegmentsPerSecond { get; init; } = 100;
 
     /// <summary>The paths in their order with lowered speeds.</summary>
     /// <returns>
-    /// The paths; a remark <c>shape.layer_time</c> where the least speed keeps layers below the time, a warning <c>shape.short_segments</c> where a path asks
-    /// for too many segments a second.
+    /// The paths; a remark <c>shape.layer_time</c> if the minimum speed keeps layers below the time, a warning <c>shape.short_segments</c> if a path asks
+    /// for too many segments per second.
     /// </returns>
     public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, CancellationToken cancel = default)
     {
@@ -58,6 +58,7 @@ public sealed record Cooling
 
     private double Slowed(double speed, double wanted) => Math.Min(speed, Math.Max(wanted, MinSpeed));
 
+    // Speeds at the minimum cannot drop further, so the others have to drop more: repeated until no other hits the minimum.
     private void Stretch(PrintPath[] paths, int[] layer, DiagnosticList problems)
     {
         var slowed = SlowDown.To(Array.ConvertAll(layer, i => paths[i]), SpeedOf, MinLayerTime, MinSpeed, out var reached);
@@ -79,7 +80,7 @@ public sealed record Cooling
             if (i >= Window) time -= path.LengthOf(i - Window) / SpeedOf(path, i - Window);
             if (i < Window - 1 || time * MaxSegmentsPerSecond >= Window * (1 - 1e-9)) continue;
             problems.Add(Severity.Warning, "shape.short_segments",
-                $"More than {NumberFormatter.Format(MaxSegmentsPerSecond, 0)} segments a second: merge short strings or print slower.",
+                $"More than {NumberFormatter.Format(MaxSegmentsPerSecond, 0)} segments per second: merge short strings or print slower.",
                     new SourceLocation(Step: number));
             return;
         }

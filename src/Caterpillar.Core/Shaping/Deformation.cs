@@ -14,7 +14,7 @@ public delegate Vec3 PositionMap(Vec3 position);
 public delegate double ValueMap(double value, Vec3 position);
 
 /// <summary>
-/// Bends print paths by maps of position, area and speed (Kanada 2016, section 3.4: <c>deform_xyz</c>, <c>deform_cylinder</c>). Position maps act on the ends
+/// Deforms print paths by maps of position, area and speed (Kanada 2016, section 3.4: <c>deform_xyz</c>, <c>deform_cylinder</c>). Position maps act on the ends
 /// of segments; area and speed maps give one value per segment, taken at the middle of its coordinates before the mapping. Several deformations compose with
 /// <see cref="Then"/>. E follows from the mapped length.
 /// </summary>
@@ -35,8 +35,8 @@ public sealed class Deformation
         => new([new Stage(position, area, speed, null)]);
 
     /// <summary>
-    /// A deformation of radius (mm), angle (degrees) and height (mm) about the vertical through <paramref name="axis"/>. Along a path the angle runs on through
-    /// full turns; on the axis it keeps its last value.
+    /// A deformation of radius (mm), angle (degrees) and height (mm) about the vertical through <paramref name="axis"/>. Along a path the angle continues
+    /// through full turns; on the axis it keeps its last value.
     /// </summary>
     public static Deformation Cylindrical(PositionMap? position = null, ValueMap? area = null, ValueMap? speed = null, Vec3 axis = default)
         => new([new Stage(position, area, speed, axis.WithZ(0))]);
@@ -49,8 +49,8 @@ public sealed class Deformation
     }
 
     /// <summary>
-    /// Deforms paths. With a tolerance (mm) segments are first divided until the mapped straight or arc segment is met within it, so that curves stay smooth;
-    /// with 0 every segment stays one straight segment. Arcs become chords.
+    /// Deforms paths. With a tolerance (mm) segments are first divided until they match the mapped straight or arc segment within it, so that curves stay
+    /// smooth; with 0 every segment stays one straight segment. Arcs become chords.
     /// </summary>
     /// <returns>The paths in their order; none with an error where a map gives a position that is not finite, or an area or speed that is negative or not
     /// finite.</returns>
@@ -59,7 +59,7 @@ public sealed class Deformation
         IReadOnlyList<PrintPath> paths, double tolerance = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
-        if (!(tolerance >= 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance is 0 mm or more.");
+        if (!(tolerance >= 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance must be 0 mm or more.");
         var problems = new DiagnosticList();
         var mapped = new List<PrintPath>(paths.Count);
         for (var i = 0; i < paths.Count; i++)
@@ -93,7 +93,8 @@ public sealed class Deformation
     }
 
     /// <summary>
-    /// Maps a run of points, and the areas (mm²) and speeds (mm/s) of the segments between them; gives the mistake of a map, after which nothing is of use.
+    /// Maps a run of points, and the areas (mm²) and speeds (mm/s) of the segments between them; returns the error of a map, after which the results are
+    /// useless.
     /// </summary>
     internal Diagnostic? Run(ref Vec3[] points, double[] areas, double[] speeds)
     {
@@ -120,7 +121,7 @@ public sealed class Deformation
         return null;
     }
 
-    /// <summary>Maps a run of points through all stages; angles run on from point to point.</summary>
+    /// <summary>Maps a run of points through all stages; angles continue from point to point.</summary>
     internal Vec3[] Map(Vec3[] points)
     {
         foreach (var stage in _stages)

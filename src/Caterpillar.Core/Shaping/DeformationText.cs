@@ -18,7 +18,7 @@ public enum DeformationSystem
 
 /// <summary>
 /// Deformations as formulas in text (Kanada 2016, section 3.4). Position formulas see the coordinates; the area formula also sees <c>c</c> (mm²), the speed
-/// formula <c>v</c> (mm/s), both with the coordinates of the middle of the segment before the mapping. <see cref="Formula"/> says what a formula may hold.
+/// formula <c>v</c> (mm/s), both with the coordinates of the middle of the segment before the mapping. <see cref="Formula"/> describes formulas.
 /// </summary>
 public static class DeformationText
 {
@@ -28,12 +28,12 @@ public static class DeformationText
     /// </summary>
     /// <param name="position">Three formulas with commas between them, or an empty text.</param>
     /// <param name="area">New area of a segment in mm² over <c>c</c> and the coordinates, or null.</param>
-    /// <param name="speed">New speed of a segment in mm/s over <c>v</c> and the coordinates, or null; <c>v</c> is 0 where the path leaves it to the
+    /// <param name="speed">New speed of a segment in mm/s over <c>v</c> and the coordinates, or null; <c>v</c> is 0 where the path uses the speed of the
     /// settings.</param>
     /// <param name="system">The coordinates of the formulas.</param>
-    /// <param name="axis">Where the vertical axis of cylindrical coordinates stands, mm.</param>
+    /// <param name="axis">Position of the vertical axis of cylindrical coordinates, mm.</param>
     /// <param name="source">File of the text, for messages; its key becomes that of the formula (<c>position.r</c>, <c>area</c>, <c>speed</c>).</param>
-    /// <returns>The deformation; none with an error for each formula that has a mistake, with the formula and the column.</returns>
+    /// <returns>The deformation; none with an error for each wrong formula, with the formula and the column.</returns>
     public static Result<Deformation> Compile(
         string position, string? area = null, string? speed = null, DeformationSystem system = DeformationSystem.Cartesian, Vec3 axis = default,
             SourceLocation? source = null)
@@ -75,7 +75,7 @@ public static class DeformationText
     }
 
     /// <summary>
-    /// Parts of a text at the commas outside of brackets. Each part is filled up with blanks in front, so that columns count in the whole text.
+    /// Parts of a text at the commas outside of brackets. Each part is padded with leading spaces, so that columns refer to the whole text.
     /// </summary>
     internal static IReadOnlyList<string> Split(string text)
     {
@@ -116,11 +116,11 @@ public static class DeformationText
         values[3] = p.Y;
     }
 
-    private static ValueMap? Value(string? text, string name, string what, DeformationSystem system, SourceLocation? source, List<Diagnostic> problems)
+    private static ValueMap? Value(string? text, string name, string purpose, DeformationSystem system, SourceLocation? source, List<Diagnostic> problems)
     {
         if (text is null || text.Trim().Length == 0) return null;
         var set = new FormulaSet(Variables(system, name), source);
-        var formula = set.Compile(text, what);
+        var formula = set.Compile(text, purpose);
         problems.AddRange(set.Problems);
         if (formula is null) return null;
         return (value, p) =>

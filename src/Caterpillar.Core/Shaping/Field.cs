@@ -6,21 +6,21 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Shaping;
 
-/// <summary>A place on a path, as fields see it.</summary>
+/// <summary>A point on a path, as fields see it.</summary>
 /// <param name="Position">Middle of the segment, or a vertex, mm.</param>
-/// <param name="Distance">Way along the path up to here, mm.</param>
+/// <param name="Distance">Length of the path up to here, mm.</param>
 /// <param name="Length">Length of the whole path, mm.</param>
 /// <param name="Path">Number of the path among those being modulated, from 0.</param>
 /// <param name="Role">What the strand is for.</param>
-public readonly record struct PathPlace(Vec3 Position, double Distance, double Length, int Path, Role Role);
+public readonly record struct PathSample(Vec3 Position, double Distance, double Length, int Path, Role Role);
 
-/// <summary>A value for each place on a path; 0 to 1 unless it says otherwise.</summary>
-public delegate double Field(PathPlace place);
+/// <summary>A value for each point on a path; 0 to 1 unless stated otherwise.</summary>
+public delegate double Field(PathSample place);
 
 /// <summary>
-/// Where on an image a place lies: u from the left, v from the bottom, 0 to 1 across the image. Beyond, the image repeats in u and its edge is taken in v.
+/// Position of a point on an image: u from the left, v from the bottom, 0 to 1 across the image. Beyond, the image repeats in u and is clamped in v.
 /// </summary>
-public delegate (double U, double V) ImageMapping(PathPlace place);
+public delegate (double U, double V) ImageMapping(PathSample place);
 
 /// <summary>Fields from images, functions and other fields.</summary>
 public static class Fields
@@ -51,10 +51,10 @@ public static class Fields
         };
     }
 
-    /// <summary>1 where the other field is 0, and the other way round.</summary>
+    /// <summary>1 where the other field is 0, and vice versa.</summary>
     public static Field Inverted(Field field) => place => 1 - field(place);
 
-    /// <summary>1 for the roles given, 0 for others; for masks.</summary>
+    /// <summary>1 for the given roles, 0 for others; for masks.</summary>
     public static Field OfRole(params Role[] roles) => place => Array.IndexOf(roles, place.Role) >= 0 ? 1 : 0;
 
     /// <summary>1 inside a box, 0 outside; for masks.</summary>
@@ -63,7 +63,7 @@ public static class Fields
     /// <summary>A different value in each cell of a grid of <paramref name="cell"/> mm: the same seed gives the same values everywhere.</summary>
     public static Field Noise(int seed, double cell)
     {
-        if (!(cell > 0)) throw new ArgumentOutOfRangeException(nameof(cell), "The cell is larger than 0 mm.");
+        if (!(cell > 0)) throw new ArgumentOutOfRangeException(nameof(cell), "The cell must be larger than 0 mm.");
         return place =>
         {
             unchecked
@@ -90,7 +90,7 @@ public static class Fields
     }
 }
 
-/// <summary>Ways to lay an image on paths.</summary>
+/// <summary>Mappings of an image onto paths.</summary>
 public static class ImageMappings
 {
     /// <summary>

@@ -11,11 +11,11 @@ public static class FieldText
 
     /// <summary>
     /// Compiles a field over <c>x</c>, <c>y</c>, <c>z</c> (mm), <c>r</c> (mm) and <c>theta</c> (or <c>θ</c>, degrees, −180 to 180) about a vertical axis,
-    /// <c>s</c> (way along the path, mm), <c>u</c> (the same from 0 to 1) and <c>path</c> (number of the path, from 0). For example <c>0.5 + 0.5 * sin(6 *
+    /// <c>s</c> (length along the path, mm), <c>u</c> (the same from 0 to 1) and <c>path</c> (number of the path, from 0). For example <c>0.5 + 0.5 * sin(6 *
     /// theta + 20 * z)</c>.
     /// </summary>
-    /// <param name="text">The formula; 0 to 1 is what modulations expect.</param>
-    /// <param name="axis">Where the vertical axis stands, mm.</param>
+    /// <param name="text">The formula; modulations expect 0 to 1.</param>
+    /// <param name="axis">Position of the vertical axis, mm.</param>
     /// <param name="source">File and key of the text, for messages.</param>
     /// <returns>The field; none with an error that gives the formula and the column.</returns>
     public static Result<Field> Compile(string text, Vec3 axis = default, SourceLocation? source = null)

@@ -18,33 +18,34 @@ internal sealed class FormulaSet
         _source = source ?? new SourceLocation();
     }
 
-    /// <summary>One for each formula that has a mistake.</summary>
+    /// <summary>One for each wrong formula.</summary>
     public List<Diagnostic> Problems { get; } = [];
 
     /// <summary>A formula, or none with an error that names it and gives the column.</summary>
     /// <param name="text">The formula.</param>
-    /// <param name="what">What the formula is for; the key of its diagnostics.</param>
-    public Formula? Compile(string text, string what)
+    /// <param name="purpose">What the formula is for; the key of its diagnostics.</param>
+    public Formula? Compile(string text, string purpose)
     {
-        var place = _source with { Key = _source.Key is null ? what : _source.Key + "." + what };
+        var place = _source with { Key = _source.Key is null ? purpose : _source.Key + "." + purpose };
         if (text.Trim().Length == 0)
         {
-            Problems.Add(new Diagnostic(Severity.Error, "formula.empty", $"The formula of {what} is empty.", place));
+            Problems.Add(new Diagnostic(Severity.Error, "formula.empty", $"The formula of {purpose} is empty.", place));
             return null;
         }
         var compiled = Formula.Compile(text, _variables, place);
-        foreach (var problem in compiled.Diagnostics) Problems.Add(problem with { Message = $"{problem.Message} (formula of {what}: \"{text.Trim()}\")" });
+        foreach (var problem in compiled.Diagnostics) Problems.Add(problem with { Message = $"{problem.Message} (formula of {purpose}: \"{text.Trim()}\")" });
         if (compiled.Value is not { UsesRandom: true } formula) return compiled.Value;
-        // Its value would hang on the order of evaluations.
-        Problems.Add(new Diagnostic(Severity.Error, "formula.random", $"The formula of {what} draws random numbers; random(seed) has one value for each seed.",
+        // Its value would depend on the order of evaluation.
+        Problems.Add(new Diagnostic(Severity.Error, "formula.random",
+            $"The formula of {purpose} draws random numbers; random(seed) has one value for each seed.",
             place));
         return null;
     }
 
-    /// <summary>A context with its values to set; no other thread has it until it is given back.</summary>
+    /// <summary>A context with values to set; no other thread uses it until it is returned.</summary>
     public FormulaContext Rent() => Interlocked.Exchange(ref _free, null) ?? new FormulaContext(new double[_variables.Length]);
 
-    /// <summary>The value of a formula; the context is given back.</summary>
+    /// <summary>The value of a formula; the context is returned.</summary>
     public double Evaluate(Formula formula, FormulaContext context)
     {
         var value = formula.Evaluate(context);

@@ -11,7 +11,7 @@ namespace Caterpillar.Shaping;
 /// <summary>
 /// Beads that fill the gap to what is underneath: earlier paths as they were deposited, a surface, or the bed. For any path, flat or curved, in the order in
 /// which the paths are printed: area = vertical gap · width · (length in plan / length), the gap measured at the ends and in the middle of pieces (Simpson's
-/// rule). The width is that of the bead given, area by height, so that a gap of that height leaves the bead as it is.
+/// rule). The width is that of the given bead, area by height, so that a gap of that height leaves the bead as it is.
 /// </summary>
 public sealed record GapBead
 {
@@ -27,17 +27,17 @@ public sealed record GapBead
     /// <summary>Width of the strands in mm; 0 to take it from each bead.</summary>
     public double Width { get; init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A width is not negative."); }
 
-    /// <summary>Segments are measured in pieces of at most so many mm.</summary>
+    /// <summary>Segments are measured in pieces of at most this length, mm.</summary>
     public double Resolution { get; init => field = value > 0 ? value
         : throw new ArgumentOutOfRangeException(nameof(value), "A length must be positive."); } = 1;
 
-    /// <summary>Height of the bed, mm; null where there is none.</summary>
+    /// <summary>Height of the bed, mm; null if there is none.</summary>
     public double? Bed { get; init; } = 0;
 
-    /// <summary>A surface below the paths, for example a scanned object; null where there is none.</summary>
+    /// <summary>A surface below the paths, for example a scanned object; null if there is none.</summary>
     public TriMesh? Surface { get; init; }
 
-    /// <summary>Shape of the strands, from which the width follows that later paths find below them.</summary>
+    /// <summary>Shape of the strands, which gives the width that later paths find below them.</summary>
     public BeadShape Shape { get; init; } = BeadShape.Stadium;
 
     /// <summary>
@@ -57,35 +57,35 @@ public sealed record GapBead
     }
 
     /// <summary>The paths in their order with beads from the gap. Pieces of one segment with the same gap stay one segment.</summary>
-    /// <returns>None where the width of a bead is not known; remarks on gaps that the limits changed.</returns>
+    /// <returns>None if the width of a bead is unknown; remarks on gaps that the limits changed.</returns>
     public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
         var problems = new DiagnosticList();
-        var gauge = new GapProbe(this);
+        var probe = new GapProbe(this);
         var shaped = new List<PrintPath>(paths.Count);
         for (var i = 0; i < paths.Count; i++)
         {
             cancel.ThrowIfCancellationRequested();
             progress?.Report((double)i / paths.Count);
-            if (Fill(paths[i], i, gauge, problems) is { } path) shaped.Add(path);
+            if (Fill(paths[i], i, probe, problems) is { } path) shaped.Add(path);
         }
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : shaped, problems.ToList());
     }
 
-    private PrintPath? Fill(PrintPath path, int number, GapProbe gauge, DiagnosticList problems)
+    private PrintPath? Fill(PrintPath path, int number, GapProbe probe, DiagnosticList problems)
     {
         var points = new List<Vec3> { path.Start };
         var beads = new List<Bead>();
         var arcs = new List<Arc?>();
-        gauge.Begin(path);
+        probe.Begin(path);
         for (var i = 0; i < path.SegmentCount; i++)
         {
             var (start, end, bead, arc) = (path.Points[i], path.EndOf(i), path.BeadOf(i), path.ArcOf(i));
             var width = Width > 0 ? Width : bead.Height > 0 ? bead.Area / bead.Height : 0;
             if (bead.Area > 0 && !(width > 0))
             {
-                problems.Add(Severity.Error, "gap.no_width", "A bead states no height, and no width of the strands is given.",
+                problems.Add(Severity.Error, "gap.no_width", "A bead has no height, and no strand width is given.",
                     new SourceLocation(Step: number));
                 return null;
             }
@@ -97,8 +97,8 @@ public sealed record GapBead
                 var to = k == parts ? end : At((double)k / parts);
                 var middle = At((k - 0.5) / parts);
                 var piece = arc is { } turn ? turn with { Sweep = turn.Sweep / parts } : (Arc?)null;
-                var own = bead.Area > 0 ? Measure(from, middle, to, piece, bead, width, gauge, number, problems) : bead;
-                gauge.Print(from, to, own, piece);
+                var own = bead.Area > 0 ? Measure(from, middle, to, piece, bead, width, probe, number, problems) : bead;
+                probe.Print(from, to, own, piece);
                 if (beads.Count > first && Same(beads[beads.Count - 1], own))
                 {
                     points[points.Count - 1] = to;
@@ -115,14 +115,14 @@ public sealed record GapBead
 
             Vec3 At(double t) => arc is { } a ? a.PointAt(start, end, t) : Vec3.Lerp(start, end, t);
         }
-        gauge.End();
+        probe.End();
         if (path.IsClosed) points.RemoveAt(points.Count - 1);
         return path.WithGeometry(points, beads, path.IsClosed, arcs);
     }
 
-    private Bead Measure(Vec3 from, Vec3 middle, Vec3 to, Arc? arc, Bead bead, double width, GapProbe gauge, int number, DiagnosticList problems)
+    private Bead Measure(Vec3 from, Vec3 middle, Vec3 to, Arc? arc, Bead bead, double width, GapProbe probe, int number, DiagnosticList problems)
     {
-        var gap = (gauge.Gap(from, width) + 4 * gauge.Gap(middle, width) + gauge.Gap(to, width)) / 6;
+        var gap = (probe.Gap(from, width) + 4 * probe.Gap(middle, width) + probe.Gap(to, width)) / 6;
         if (!(gap <= AirGap))
         {
             problems.Add(Severity.Remark, "gap.air", "There is nothing underneath a piece of a path: its bead stays as it is.",
@@ -132,19 +132,19 @@ public sealed record GapBead
         if (gap < MinGap - 1e-9)
         {
             problems.Add(
-                Severity.Warning, "gap.narrow", $"A gap of {NumberFormatter.Format(gap, 3)} mm is below the least of {NumberFormatter.Format(MinGap, 3)} mm.",
+                Severity.Warning, "gap.narrow", $"A gap of {NumberFormatter.Format(gap, 3)} mm is below the minimum of {NumberFormatter.Format(MinGap, 3)} mm.",
                     new SourceLocation(Step: number));
         }
         if (gap > MaxGap + 1e-9)
         {
             problems.Add(
-                Severity.Remark, "gap.wide", $"A gap of {NumberFormatter.Format(gap, 3)} mm is above the greatest of {NumberFormatter.Format(MaxGap, 3)} mm.",
+                Severity.Remark, "gap.wide", $"A gap of {NumberFormatter.Format(gap, 3)} mm is above the maximum of {NumberFormatter.Format(MaxGap, 3)} mm.",
                     new SourceLocation(Step: number));
         }
         gap = Math.Min(MaxGap, Math.Max(MinGap, gap));
         var length = arc is { } turn ? turn.Length(from, to) : from.DistanceTo(to);
         var rise = to.Z - from.Z;
-        // Of a piece that stands upright there is no gap below: its bead stays.
+        // A vertical piece has no gap below: its bead stays.
         var share = length > 0 ? Math.Sqrt(Math.Max(0, 1 - rise / length * (rise / length))) : 0;
         return share < UprightShare ? bead : new Bead(gap * share * width, gap * share, bead.Speed);
     }

@@ -5,26 +5,26 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Shaping;
 
-/// <summary>Measures the gap below the nozzle: to what is deposited, to a surface, to the bed. The bead that is just being laid does not count.</summary>
+/// <summary>Measures the gap below the nozzle: to what is deposited, to a surface, to the bed. The bead being deposited does not count.</summary>
 internal sealed class GapProbe(GapBead rules)
 {
     private readonly Deposit _deposit = new();
     private readonly MeshHeights? _surface = rules.Surface is { } mesh ? new MeshHeights(mesh) : null;
     private readonly Queue<(Vec3 From, Vec3 To, Bead Bead, Arc? Arc, double At)> _fresh = new();
-    private double _way;
+    private double _length;
     private double _lag;
 
     public void Begin(PrintPath path)
     {
-        _way = 0;
+        _length = 0;
         _lag = 0;
         for (var i = 0; i < path.SegmentCount; i++) _lag = Math.Max(_lag, 2 * path.BeadOf(i).Width(rules.Shape));
     }
 
-    /// <summary>Vertical gap in mm at a place of the tip; positive infinity above nothing.</summary>
+    /// <summary>Vertical gap in mm below a position of the tip; positive infinity above nothing.</summary>
     public double Gap(Vec3 tip, double width)
     {
-        // What is less than half the least gap below is beside the strand, not under it.
+        // What is less than half the minimum gap below is beside the strand, not under it.
         var limit = tip.Z - rules.MinGap / 2;
         var below = _deposit.TopUnder(tip, limit);
         // Between two strands, the nearer of them.
@@ -36,9 +36,9 @@ internal sealed class GapProbe(GapBead rules)
 
     public void Print(Vec3 from, Vec3 to, Bead bead, Arc? arc)
     {
-        _way += arc is { } turn ? turn.Length(from, to) : from.DistanceTo(to);
-        _fresh.Enqueue((from, to, bead, arc, _way));
-        while (_fresh.Peek() is var (a, b, old, curve, at) && at < _way - _lag)
+        _length += arc is { } turn ? turn.Length(from, to) : from.DistanceTo(to);
+        _fresh.Enqueue((from, to, bead, arc, _length));
+        while (_fresh.Peek() is var (a, b, old, curve, at) && at < _length - _lag)
         {
             _deposit.Add(a, b, old, curve, rules.Shape);
             _fresh.Dequeue();

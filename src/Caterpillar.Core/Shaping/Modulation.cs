@@ -11,28 +11,28 @@ namespace Caterpillar.Shaping;
 public enum ModulationMode
 {
     /// <summary>
-    /// The speed of the head at a constant flow of material: slower strands are thicker. This is Kanada's way, since heads respond faster than extruders.
+    /// The speed of the head at a constant flow of material: slower strands are thicker. This is Kanada's method, since heads respond faster than extruders.
     /// </summary>
     Speed,
 
     /// <summary>The area of the strand at a constant speed.</summary>
     Flow,
 
-    /// <summary>The place of the path, to its left (horizontally).</summary>
+    /// <summary>The position of the path, to its left (horizontally).</summary>
     DisplaceLeft,
 
-    /// <summary>The place of the path, upwards.</summary>
+    /// <summary>The position of the path, upward.</summary>
     DisplaceUp,
 }
 
 /// <summary>
-/// Writes a field (an image, a function) into paths by speed, by flow or by displacement (Kanada 2016, section 3.5: <c>modulate_cylinder</c>, here for any
+/// Modulates the speed, flow or position of paths by a field (an image, a function) (Kanada 2016, section 3.5: <c>modulate_cylinder</c>, here for any
 /// path).
 /// </summary>
 public sealed record Modulation
 {
-    /// <summary>The smallest ratio of speeds or areas that prints well (Kanada 2016: 1 to 0.6 or 0.7).</summary>
-    public const double LeastRatio = 0.6;
+    /// <summary>The minimum ratio of speeds or areas that prints well (Kanada 2016: 1 to 0.6 or 0.7).</summary>
+    public const double MinRatio = 0.6;
 
     public Modulation(ModulationMode mode, Field field, double low, double high)
     {
@@ -52,18 +52,18 @@ public sealed record Modulation
     /// <summary>Where the field is 1.</summary>
     public double High { get; }
 
-    /// <summary>How much of the modulation takes effect, 0 to 1 at each place; null is everywhere.</summary>
+    /// <summary>Strength of the modulation, 0 to 1 at each point; null is full strength everywhere.</summary>
     public Field? Mask { get; init; }
 
-    /// <summary>Segments are divided into parts of at most so many mm first; 0 leaves them as they are.</summary>
+    /// <summary>Segments are first divided into parts of at most this length, mm; 0 leaves them as they are.</summary>
     public double Resolution { get; init; }
 
-    /// <summary>Speed in mm/s of beads that leave it to the settings; only <see cref="ModulationMode.Speed"/> asks for it.</summary>
+    /// <summary>Speed in mm/s of beads that use the speed of the settings; only <see cref="ModulationMode.Speed"/> asks for it.</summary>
     public double ReferenceSpeed { get; init; }
 
-    /// <summary>Modulates paths, each along its own way.</summary>
-    /// <returns>The paths in their order; none with an error. A warning where the ratio of the least to the greatest factor is below
-    /// <see cref="LeastRatio"/>.</returns>
+    /// <summary>Modulates paths, each along its own length.</summary>
+    /// <returns>The paths in their order; none with an error. A warning if the ratio of the minimum to the maximum factor is below
+    /// <see cref="MinRatio"/>.</returns>
     public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
@@ -79,11 +79,11 @@ public sealed record Modulation
                 : Displace(paths[i], i, problems, cancel);
             if (path is not null) modulated.Add(path);
         }
-        if (greatest > 0 && least < LeastRatio * greatest * (1 - 1e-12))
+        if (greatest > 0 && least < MinRatio * greatest * (1 - 1e-12))
         {
             problems.Add(Severity.Warning, "shape.modulation_ratio",
                 $"The strands vary by 1 to {NumberFormatter.Format(least / greatest, 2)}; "
-                + $"below 1 to {NumberFormatter.Format(LeastRatio, 2)} prints often fail.");
+                + $"below 1 to {NumberFormatter.Format(MinRatio, 2)} prints often fail.");
         }
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : modulated, problems.ToList());
     }
@@ -150,7 +150,7 @@ public sealed record Modulation
         return ((Vec3[])path.RawPoints.Clone(), own, path.IsClosed, arcs);
     }
 
-    private double? ValueAt(PathPlace place, double neutral, int number, DiagnosticList problems)
+    private double? ValueAt(PathSample place, double neutral, int number, DiagnosticList problems)
     {
         var value = Field(place);
         var weight = Mask?.Invoke(place) ?? 1;

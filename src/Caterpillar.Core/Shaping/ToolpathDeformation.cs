@@ -10,15 +10,15 @@ namespace Caterpillar.Shaping;
 public static class ToolpathDeformation
 {
     /// <summary>
-    /// Deforms the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Strands are divided until
-    /// their image is met within the tolerance, arcs become chords. The material of a strand follows its length and the map of areas, which sees mm² where the
-    /// toolpath knows its filament, else E for each mm; the map of speeds acts on what is printed.
+    /// Deforms the chosen strands and the chosen moves between them; the rest stays, and travels lead to the new starts of strands. Strands are divided until
+    /// they match their image within the tolerance, arcs become chords. The material of a strand follows its length and the map of areas, which sees mm² where
+    /// the toolpath knows its filament, else E for each mm; the map of speeds acts on what is printed.
     /// </summary>
     /// <param name="toolpath">The toolpath.</param>
-    /// <param name="filter">The moves that are meant.</param>
+    /// <param name="filter">The chosen moves.</param>
     /// <param name="deformation">The deformation.</param>
     /// <param name="tolerance">mm.</param>
-    /// <returns>The toolpath; none with an error where a map gives what is not finite or, for areas and speeds, negative.</returns>
+    /// <returns>The toolpath; none with an error if a map gives a value that is not finite or, for areas and speeds, negative.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
     public static Result<Toolpath> Deform(this Toolpath toolpath, MoveFilter filter, Deformation deformation, double tolerance = 0.01)
     {
@@ -26,7 +26,7 @@ public static class ToolpathDeformation
         if (filter is null) throw new ArgumentNullException(nameof(filter));
         if (deformation is null) throw new ArgumentNullException(nameof(deformation));
         if (!(tolerance > 0) || double.IsInfinity(tolerance)) throw new ArgumentOutOfRangeException(nameof(tolerance), tolerance,
-            "The tolerance is a positive number of mm.");
+            "The tolerance must be a positive number of mm.");
         var map = new DeformationRunMap(deformation, tolerance);
         var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), map, tolerance).Run(toolpath.Start ?? Vec3.Zero);
         return map.Problem is { } problem ? new Result<Toolpath>(null, [problem]) : new Result<Toolpath>(mapped, []);

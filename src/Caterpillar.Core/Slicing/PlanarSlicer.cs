@@ -14,7 +14,7 @@ namespace Caterpillar.Slicing;
 /// </summary>
 public static class PlanarSlicer
 {
-    /// <summary>Slices meshes that stand where they are to be printed (Z = 0 is the bed).</summary>
+    /// <summary>Slices meshes at the positions where they are printed (Z = 0 is the bed).</summary>
     /// <param name="models">The objects; each keeps its own layers.</param>
     /// <param name="settings">Layers, walls, skins and infill.</param>
     /// <param name="threads">Degree of parallelism, 0 for all cores. It does not change the result.</param>

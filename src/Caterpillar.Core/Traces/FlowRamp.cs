@@ -3,15 +3,15 @@ using System;
 namespace Caterpillar.Traces;
 
 /// <summary>
-/// Lets the flow of a helix rise over its first turn, where the gap to the bed opens from nothing, and fall over its last, so that the rim ends level.
+/// Raises the flow of a helix over its first turn, where the gap to the bed grows from nothing, and lowers it over its last, so that the rim ends level.
 /// </summary>
 public sealed class FlowRamp
 {
-    /// <summary>A ramp from <paramref name="minimum"/> (0 to 1 of the full area) at the very ends; either end can be left out.</summary>
+    /// <summary>A ramp from <paramref name="minimum"/> (0 to 1 of the full area) at the very ends; either end can be omitted.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The minimum is not between 0 and 1.</exception>
     public FlowRamp(double minimum = 0.2, bool start = true, bool end = true)
     {
-        if (!(minimum >= 0 && minimum <= 1)) throw new ArgumentOutOfRangeException(nameof(minimum), "The smallest flow is between 0 and 1.");
+        if (!(minimum >= 0 && minimum <= 1)) throw new ArgumentOutOfRangeException(nameof(minimum), "The minimum flow must be between 0 and 1.");
         Minimum = minimum;
         Start = start;
         End = end;

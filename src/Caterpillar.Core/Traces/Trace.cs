@@ -7,13 +7,13 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Traces;
 
 /// <summary>
-/// A part made of strings in the order of printing (Kanada 2016, section 3, <c>draw3dp.Trace</c>). A builder: low-level moves and draws, shapes made of
-/// strings, and in the end
+/// A part made of strings in printing order (Kanada 2016, section 3, <c>draw3dp.Trace</c>). A builder: low-level moves and draws, shapes made of
+/// strings, and finally
 /// <see cref="ToSteps"/>. Lengths in mm, areas in mm², speeds in mm/s, angles in degrees.
 /// </summary>
 public sealed class Trace
 {
-    /// <summary>Strings of a turn where a shape is not told otherwise.</summary>
+    /// <summary>Default number of strings per turn.</summary>
     public const int DefaultStringsPerTurn = 72;
 
     private readonly List<TraceString> _strings = [];
@@ -26,16 +26,16 @@ public sealed class Trace
         Position = start;
     }
 
-    /// <summary>Cross-section of the strings to come, mm².</summary>
+    /// <summary>Cross-section of the following strings, mm².</summary>
     public double Area { get; private set; }
 
-    /// <summary>Speed of the strings to come, mm/s; 0 for the speed of the settings.</summary>
+    /// <summary>Speed of the following strings, mm/s; 0 for the speed of the settings.</summary>
     public double Speed { get; private set; }
 
-    /// <summary>Where the head stands.</summary>
+    /// <summary>Position of the head.</summary>
     public Vec3 Position { get; private set; }
 
-    /// <summary>The strings so far, in the order of printing.</summary>
+    /// <summary>The strings so far, in printing order.</summary>
     public IReadOnlyList<TraceString> Strings => _strings;
 
     /// <summary>Cross-section from now on (Kanada: <c>setCrossSection</c>, <c>thickness</c>).</summary>
@@ -52,7 +52,7 @@ public sealed class Trace
         return this;
     }
 
-    /// <summary>Goes to a point without a string.</summary>
+    /// <summary>Moves to a point without a string.</summary>
     public Trace Move(Vec3 to)
     {
         Position = CheckFinite(to, nameof(to));
@@ -76,31 +76,31 @@ public sealed class Trace
     }
 
     /// <summary>
-    /// A closed polygon of equal strings on a circle about the vertical through the center, counter-clockwise from <paramref name="from"/> degrees. It closes
+    /// A closed polygon of equal strings on a circle about the vertical through the center, counterclockwise from <paramref name="from"/> degrees. It closes
     /// exactly.
     /// </summary>
     public Trace Circle(Vec3 center, double radius, int strings = DefaultStringsPerTurn, double from = 0)
     {
         CheckPositive(radius, nameof(radius));
-        if (strings < 3) throw new ArgumentOutOfRangeException(nameof(strings), "A circle needs three strings.");
+        if (strings < 3) throw new ArgumentOutOfRangeException(nameof(strings), "A circle needs at least three strings.");
         var first = OnCircle(center, radius, from);
         Reach(first);
         for (var i = 1; i < strings; i++) Draw(OnCircle(center, radius, from + 360.0 * i / strings));
         return Draw(first);
     }
 
-    /// <summary>A flat spiral from the center to the radius (or inwards), <paramref name="pitch"/> mm further out with each turn, counter-clockwise.</summary>
+    /// <summary>A flat spiral from the center to the radius (or inward), <paramref name="pitch"/> mm further out with each turn, counterclockwise.</summary>
     public Trace Spiral(Vec3 center, double radius, double pitch, int stringsPerTurn = DefaultStringsPerTurn, bool inwards = false)
     {
         CheckPositive(radius, nameof(radius));
         CheckPositive(pitch, nameof(pitch));
-        // Inwards it begins where an outward spiral ends, so that spirals can be stacked.
+        // Inward it starts where an outward spiral ends, so that spirals can be stacked.
         var turns = radius / pitch;
         return Turns(turns, stringsPerTurn, t => inwards ? OnCircle(center, (turns - t) * pitch, 360 * (turns + t)) : OnCircle(center, t * pitch, 360 * t));
     }
 
     /// <summary>
-    /// A hollow cylinder as one string without layers and seams: vertex i at angle 360°·i/n and height pitch·i/n, the last one at the height given. The ramp
+    /// A hollow cylinder as one string without layers or seams: vertex i at angle 360°·i/n and height pitch·i/n, the last one at the height given. The ramp
     /// changes the flow at both ends.
     /// </summary>
     public Trace Helix(Vec3 center, double radius, double height, double pitch, int stringsPerTurn = DefaultStringsPerTurn, FlowRamp? ramp = null)
@@ -122,7 +122,7 @@ public sealed class Trace
     }
 
     /// <summary>
-    /// A filled cylinder: flat spirals on top of each other, outwards and inwards in turn, the first one at the height of the center; the number of spirals is
+    /// A filled cylinder: stacked flat spirals, alternately outward and inward, the first one at the height of the center; the number of spirals is
     /// the height divided by the vertical pitch, rounded.
     /// </summary>
     public Trace Cylinder(Vec3 center, double radius, double height, double verticalPitch, double horizontalPitch, int stringsPerTurn = DefaultStringsPerTurn)
@@ -133,17 +133,17 @@ public sealed class Trace
         for (var layer = 0; layer < layers; layer++)
         {
             var at = center + new Vec3(0, 0, layer * verticalPitch);
-            // The next spiral begins above the end of the last: the way up is short and prints.
+            // The next spiral starts above the end of the last: the move up is short and prints.
             if (layer > 0) Draw(Position.WithZ(at.Z));
             Spiral(at, radius, horizontalPitch, stringsPerTurn, inwards: layer % 2 == 1);
         }
         return this;
     }
 
-    /// <summary>Rings around a place, from the outside in, that start the flow before the part begins.</summary>
+    /// <summary>Rings around a point, from the outside in, that prime the flow before the part starts.</summary>
     public Trace Skirt(Vec3 center, double radius, int loops = 1, double pitch = 0.5, int strings = DefaultStringsPerTurn)
     {
-        if (loops < 1) throw new ArgumentOutOfRangeException(nameof(loops), "A skirt has one loop or more.");
+        if (loops < 1) throw new ArgumentOutOfRangeException(nameof(loops), "A skirt needs at least one loop.");
         for (var loop = loops - 1; loop >= 0; loop--) Circle(center, radius + loop * pitch, strings);
         return this;
     }
@@ -197,7 +197,7 @@ public sealed class Trace
         return paths;
     }
 
-    /// <summary>The part as steps, in the order of printing.</summary>
+    /// <summary>The part as steps, in printing order.</summary>
     public IReadOnlyList<Step> ToSteps()
     {
         var steps = new List<Step>();
@@ -228,16 +228,16 @@ public sealed class Trace
         return this;
     }
 
-    // To the start of a shape: nothing where the head is there already.
+    // To the start of a shape.
     private void Reach(Vec3 start) => Position = CheckFinite(start, nameof(start));
 
     private Trace Turns(double turns, int stringsPerTurn, Func<double, Vec3> at, FlowRamp? ramp = null)
     {
-        if (stringsPerTurn < 3) throw new ArgumentOutOfRangeException(nameof(stringsPerTurn), "A turn needs three strings.");
+        if (stringsPerTurn < 3) throw new ArgumentOutOfRangeException(nameof(stringsPerTurn), "A turn needs at least three strings.");
         if (turns * stringsPerTurn > 100_000_000) throw new ArgumentOutOfRangeException(nameof(turns),
             "More than 100 million strings: the pitch is too small.");
         Reach(at(0));
-        // A last string of rounding length is none.
+        // A last string as short as rounding errors is dropped.
         var whole = (int)Math.Floor(turns * stringsPerTurn + 1e-9);
         var rest = turns * stringsPerTurn - whole > 1e-9;
         for (var i = 1; i <= whole + (rest ? 1 : 0); i++)

@@ -5,17 +5,17 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Turtles;
 
 /// <summary>
-/// The direction of a turtle as three angles in degrees: from the axes of the world first yaw, then pitch, then roll, each about the turtle's own axes.
+/// The direction of a turtle as three angles in degrees: starting from the world axes: yaw, then pitch, then roll, each about the turtle's own axes.
 /// Positive yaw turns left, positive pitch raises the nose, positive roll lifts the left side.
 /// </summary>
 public readonly record struct Heading(double Yaw, double Pitch, double Roll)
 {
-    // Nearer to the vertical than this, yaw and roll are one turn.
+    // Closer to vertical than this, yaw and roll are the same rotation.
     private const double Pole = 1e-9;
 
     /// <summary>
-    /// The angles of a frame: yaw and roll from −180 to 180, pitch from −90 to 90. Straight up or down yaw and roll are the same turn; then roll is 0 and yaw
-    /// has it all.
+    /// The angles of a frame: yaw and roll from −180 to 180, pitch from −90 to 90. Straight up or down, yaw and roll are the same rotation; then roll is 0 and
+    /// yaw takes all of it.
     /// </summary>
     public static Heading Of(Frame frame)
     {

@@ -11,11 +11,11 @@ namespace Caterpillar.Turtles;
 /// A rewriting system (Prusinkiewicz and Lindenmayer, "The Algorithmic Beauty of Plants", 1990, chapter 1): deterministic, stochastic, parametric, with
 /// brackets. Rules are text:
 /// <c>F -&gt; F+F--F+F</c>; with weights for a random choice <c>0.3 F -&gt; F[+F]F</c>; with values and a condition <c>A(l, w) : l &gt; 1 -&gt; F(l)[+A(l*0.7,
-/// w)]</c>. Of rules that fit, one is drawn by weight when any has one, else the first is taken; letters without a rule stay.
+/// w)]</c>. Among matching rules, one is drawn by weight if any has one, else the first is taken; letters without a rule stay.
 /// </summary>
 public sealed class LSystem
 {
-    /// <summary>The most letters of a word unless another bound is asked for.</summary>
+    /// <summary>Default maximum number of letters of a word.</summary>
     public const int DefaultMaxSymbols = 10_000_000;
 
     private readonly Module[] _axiom;
@@ -48,16 +48,16 @@ public sealed class LSystem
         }
     }
 
-    /// <summary>Rewrites the axiom some times.</summary>
+    /// <summary>Rewrites the axiom a number of times.</summary>
     /// <param name="generations">0 or more.</param>
-    /// <param name="seed">Of the random choices.</param>
-    /// <param name="maxSymbols">A word beyond this is an error, and so are as many values.</param>
+    /// <param name="seed">Seed of the random choices.</param>
+    /// <param name="maxSymbols">A longer word is an error, and so are more values.</param>
     /// <param name="progress">Per generation.</param>
     /// <param name="cancel">Stops with <see cref="OperationCanceledException"/>.</param>
     public Result<LSystemWord> Grow(
         int generations, int seed = 0, int maxSymbols = DefaultMaxSymbols, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        if (generations < 0) throw new ArgumentOutOfRangeException(nameof(generations), "Generations count 0 or more.");
+        if (generations < 0) throw new ArgumentOutOfRangeException(nameof(generations), "The number of generations must be 0 or more.");
         var context = new FormulaContext([], new SeededRandom(seed));
         var word = new WordBuilder(maxSymbols);
         try
@@ -84,7 +84,7 @@ public sealed class LSystem
                 }
                 word = next;
                 progress?.Report((double)g / generations);
-                // Nothing can change any more.
+                // Nothing can change anymore.
                 if (!rewritten) break;
             }
         }

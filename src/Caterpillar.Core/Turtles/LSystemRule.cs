@@ -27,7 +27,7 @@ internal sealed class LSystemRule
     public Module[] Successor { get; private set; } = [];
 
     /// <summary>Reads a rule; key and line name it in diagnostics.</summary>
-    /// <exception cref="FormulaException">The text is no rule.</exception>
+    /// <exception cref="FormulaException">The text is not a rule.</exception>
     public static LSystemRule Parse(string text, int line)
     {
         var arrow = text.IndexOf("->", System.StringComparison.Ordinal);
@@ -38,7 +38,7 @@ internal sealed class LSystemRule
             if (arrow < 0) arrow = text.IndexOf("=", System.StringComparison.Ordinal);
             width = 1;
         }
-        if (arrow < 0) throw new FormulaException("lsystem.rule", "A rule is written 'F -> successor'.", line, 1);
+        if (arrow < 0) throw new FormulaException("lsystem.rule", "A rule must have the form 'F -> successor'.", line, 1);
         var rule = new LSystemRule();
         var i = Skip(text, 0);
         i = rule.ReadWeight(text, i, arrow, line);
@@ -57,12 +57,12 @@ internal sealed class LSystemRule
             rule.Condition = Compile(text, i + 1, arrow, rule.Names, line);
             i = arrow;
         }
-        if (i < arrow) throw new FormulaException("lsystem.rule", $"'{text[i]}' stands where '->' or ':' was expected.", line, i + 1);
+        if (i < arrow) throw new FormulaException("lsystem.rule", $"Found '{text[i]}', expected '->' or ':'.", line, i + 1);
         rule.Successor = Word(text, arrow + width, rule.Names, line);
         return rule;
     }
 
-    /// <summary>Reads a word: letters, some with values in parentheses; blanks are left out.</summary>
+    /// <summary>Reads a word: letters, some with values in parentheses; spaces are ignored.</summary>
     public static Module[] Word(string text, int from, string[] names, int line)
     {
         var modules = new List<Module>();
@@ -94,7 +94,7 @@ internal sealed class LSystemRule
 
     private static Formula Compile(string text, int from, int to, string[] names, int line)
     {
-        // Blanks in front keep the columns.
+        // Leading spaces keep the columns.
         var result = Formula.Compile(new string(' ', from) + text.Substring(from, to - from), names);
         if (result.Value is { } formula) return formula;
         var problem = result.Diagnostics[0];
@@ -109,7 +109,7 @@ internal sealed class LSystemRule
         // A digit directly before the arrow, a parenthesis or a condition is the letter itself.
         if (end == i || next == end || next >= arrow || text[next] == ':') return i;
         if (!NumberReader.TryParse(text.Substring(i, end - i), out var weight) || !(weight >= 0))
-            throw new FormulaException("lsystem.rule", "The weight in front of the letter is no number of 0 or more.", line, i + 1);
+            throw new FormulaException("lsystem.rule", "The weight before the letter must be a number of 0 or more.", line, i + 1);
         Weight = weight;
         return next;
     }

@@ -10,7 +10,7 @@ public sealed class LSystemWord
 {
     private readonly char[] _symbols;
 
-    // Values of letter i are _values[_first[i]] up to _values[_first[i + 1]]; null when no letter has any.
+    // Values of letter i are _values[_first[i]] up to _values[_first[i + 1]]; null if no letter has any.
     private readonly int[]? _first;
     private readonly double[] _values;
 
@@ -34,10 +34,10 @@ public sealed class LSystemWord
         => which >= 0 && which < ValueCount(index) ? _values[_first![index] + which] : throw new ArgumentOutOfRangeException(nameof(which));
 
     /// <summary>
-    /// Walks a turtle along the word. Letters without commands are passed over. A letter's own values replace the numbers of its first command. Nothing is
-    /// drawn when the brackets do not match.
+    /// Walks a turtle along the word. Letters without commands are skipped. A letter's own values replace the numbers of its first command. Nothing is
+    /// drawn if the brackets do not match.
     /// </summary>
-    /// <returns>What is wrong, with the number of the letter as column; empty when all went well.</returns>
+    /// <returns>The problems, with the number of the letter as column; empty if there are none.</returns>
     public IReadOnlyList<Diagnostic> Draw(Turtle turtle, LSystemInterpretation interpretation, System.Threading.CancellationToken cancel = default)
     {
         if (turtle is null) throw new ArgumentNullException(nameof(turtle));

@@ -4,7 +4,7 @@ namespace Caterpillar.Turtles;
 
 internal static class Messages
 {
-    /// <summary>The sentence of an exception without the name of the parameter, which the runtimes add differently.</summary>
+    /// <summary>The message of an exception without the name of the parameter, which the runtimes append differently.</summary>
     public static string Clean(Exception e)
     {
         var text = e.Message;

@@ -37,7 +37,7 @@ internal sealed class Instruction(ScriptOp op, Token at)
 
     public int Slot { get; init; }
 
-    /// <summary>True when the slot counts from the frame of the procedure.</summary>
+    /// <summary>True if the slot counts from the frame of the procedure.</summary>
     public bool Local { get; init; }
 
     public TurtleAction Action { get; init; }
@@ -54,7 +54,7 @@ internal sealed class Instruction(ScriptOp op, Token at)
     public string Name { get; init; } = "";
 }
 
-/// <summary>A compiled number of a command and where it stands.</summary>
+/// <summary>A compiled number of a command and its position.</summary>
 internal sealed class Argument(FormulaNode node, Token at)
 {
     public Evaluator Evaluate { get; } = node.Evaluate;
@@ -78,7 +78,7 @@ internal sealed class Procedure(string name, IReadOnlyList<string> parameters, T
     public int FrameSize { get; set; }
 }
 
-/// <summary>A text in which {formulas} are computed.</summary>
+/// <summary>A text with {formulas} that are evaluated.</summary>
 internal sealed class TextTemplate(IReadOnlyList<string> texts, IReadOnlyList<Argument> values)
 {
     /// <summary>One more text than values.</summary>
@@ -96,7 +96,7 @@ internal sealed class ScriptCode
 
     public int ArrayCount { get; init; }
 
-    /// <summary>Parameters that may be given from outside, in order.</summary>
+    /// <summary>Parameters that can be set from outside, in order.</summary>
     public IReadOnlyList<string> Parameters { get; init; } = [];
 
     /// <summary>Procedures of one letter, for L-systems.</summary>

@@ -21,10 +21,10 @@ internal sealed partial class ScriptCompiler
         var name = Next;
         if (name.Kind != TokenKind.Name) throw Error("turtle.syntax", "'for' needs a variable: for i = 1 to 10 [ … ].", name);
         _at++;
-        if (!Next.Is("=")) throw Error("turtle.syntax", $"{Sentence(Next)} stands where '=' was expected: for {name.Text} = 1 to 10 [ … ].", Next);
+        if (!Next.Is("=")) throw Error("turtle.syntax", $"Found {Next}, expected '=': for {name.Text} = 1 to 10 [ … ].", Next);
         _at++;
         var from = Formula("=");
-        if (!Next.IsWord("to")) throw Error("turtle.syntax", $"{Sentence(Next)} stands where 'to' was expected: for {name.Text} = 1 to 10 [ … ].", Next);
+        if (!Next.IsWord("to")) throw Error("turtle.syntax", $"Found {Next}, expected 'to': for {name.Text} = 1 to 10 [ … ].", Next);
         _at++;
         var to = Formula("to");
         Argument? step = null;
@@ -40,7 +40,7 @@ internal sealed partial class ScriptCompiler
         Loop(token, start, new Instruction(ScriptOp.ForNext, token) { Slot = hidden, Local = local }, slot);
     }
 
-    // start: loops or leaves; body; next: goes on behind start while there are turns left.
+    // start: loops or leaves; body; next: continues after start while there are iterations left.
     private void Loop(Token token, Instruction start, Instruction next, int variable = -1)
     {
         var body = _code.Count;
@@ -109,13 +109,13 @@ internal sealed partial class ScriptCompiler
 
     private void Break(Token token)
     {
-        if (_breaks.Count == 0) throw Error("turtle.syntax", "'break' stands in no loop.", token);
+        if (_breaks.Count == 0) throw Error("turtle.syntax", "'break' is only allowed in a loop.", token);
         _breaks.Peek().Add(Emit(new Instruction(ScriptOp.Jump, token)));
     }
 
     private void Define(Token token)
     {
-        if (_nesting > 1 || _scope.InProcedure) throw Error("turtle.syntax", "Procedures are defined outside of blocks.", token);
+        if (_nesting > 1 || _scope.InProcedure) throw Error("turtle.syntax", "Procedures must be defined outside of blocks.", token);
         if (Next.Kind != TokenKind.Name) throw Error("turtle.syntax", "'def' needs a name: def square side [ … ].", Next);
         var procedure = _procedures[Next.Text];
         while (Next.Kind == TokenKind.Name || Next.Is(",")) _at++;
@@ -134,7 +134,7 @@ internal sealed partial class ScriptCompiler
         var name = Next;
         if (name.Kind != TokenKind.Name) throw Error("turtle.syntax", "'let' needs a name: let side = 10.", name);
         _at++;
-        if (!Next.Is("=")) throw Error("turtle.syntax", $"{Sentence(Next)} stands where '=' was expected: let {name.Text} = 10.", Next);
+        if (!Next.Is("=")) throw Error("turtle.syntax", $"Found {Next}, expected '=': let {name.Text} = 10.", Next);
         Assign(name, declare: true);
     }
 
@@ -142,7 +142,7 @@ internal sealed partial class ScriptCompiler
     {
         var op = Next;
         _at++;
-        if (_scope.IsArray(name.Text)) throw Error("turtle.name", $"'{name.Text}' is an array; write {name.Text}[index] = ….", name);
+        if (_scope.IsArray(name.Text)) throw Error("turtle.name", $"'{name.Text}' is an array; use {name.Text}[index] = ….", name);
         if (_procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"'{name.Text}' is a procedure.", name);
         var before = op.Text == "=" ? null : _scope.Variable(name.Text, name)
             ?? throw Error("turtle.unknown", $"There is no variable '{name.Text}'.{SpellingSuggestion.Hint(name.Text, _scope.Names)}", name);
@@ -156,14 +156,14 @@ internal sealed partial class ScriptCompiler
         Emit(new Instruction(ScriptOp.Set, name) { Slot = slot, Local = local, Arguments = [value], Name = name.Text });
     }
 
-    // param side = 10: a value given from outside comes first.
+    // param side = 10: a value set from outside takes precedence.
     private void Param(Token token)
     {
         var name = Next;
         if (name.Kind != TokenKind.Name
-            || _scope.InProcedure) throw Error("turtle.syntax", "'param' needs a name and stands outside of procedures: param side = 10.", name);
+            || _scope.InProcedure) throw Error("turtle.syntax", "'param' needs a name and must be outside of procedures: param side = 10.", name);
         _at++;
-        if (!Next.Is("=")) throw Error("turtle.syntax", $"{Sentence(Next)} stands where '=' was expected: param {name.Text} = 10.", Next);
+        if (!Next.Is("=")) throw Error("turtle.syntax", $"Found {Next}, expected '=': param {name.Text} = 10.", Next);
         _at++;
         var value = Formula("=");
         if (!_parameters.Contains(name.Text)) _parameters.Add(name.Text);
@@ -182,9 +182,9 @@ internal sealed partial class ScriptCompiler
     {
         _at++;
         var index = Formula("[");
-        if (!Next.Is("]")) throw Error("turtle.bracket", $"{Sentence(Next)} stands where ']' was expected.", Next);
+        if (!Next.Is("]")) throw Error("turtle.bracket", $"Found {Next}, expected ']'.", Next);
         _at++;
-        if (!Next.Is("=")) throw Error("turtle.syntax", $"{Sentence(Next)} stands where '=' was expected.", Next);
+        if (!Next.Is("=")) throw Error("turtle.syntax", $"Found {Next}, expected '='.", Next);
         _at++;
         Emit(new Instruction(ScriptOp.SetElement, name) { Slot = _scope.ArraySlot(name.Text), Arguments = [index, Formula("=")], Name = name.Text });
     }
@@ -197,7 +197,7 @@ internal sealed partial class ScriptCompiler
         while (Next.Kind is TokenKind.Text or TokenKind.NewLine or TokenKind.Symbol)
         {
             if (Next.Kind == TokenKind.Text) texts.Add(Next);
-            // Rules may stand on lines of their own.
+            // Rules may be on lines of their own.
             else if (Next.Kind != TokenKind.NewLine || _tokens[_at + 1].Kind is not (TokenKind.Text or TokenKind.NewLine)) break;
             _at++;
         }

@@ -27,7 +27,7 @@ internal sealed partial class ScriptCompiler
 
     private Token Next => _tokens[_at];
 
-    /// <exception cref="FormulaException">The text is no program.</exception>
+    /// <exception cref="FormulaException">The text is not a program.</exception>
     public static ScriptCode Compile(string text)
     {
         var compiler = new ScriptCompiler(Lexer.Read(text));
@@ -46,7 +46,7 @@ internal sealed partial class ScriptCompiler
         };
     }
 
-    // Names of procedures, globals and arrays are known everywhere, also above their line.
+    // Names of procedures, globals and arrays are known everywhere, even before their line.
     private void Declare()
     {
         var depth = 0;
@@ -79,7 +79,8 @@ internal sealed partial class ScriptCompiler
     {
         var name = _tokens[at];
         NewName(name, "procedure");
-        if (TurtleCommands.Find(name.Text) is not null) throw Error("turtle.name", $"'{name.Text}' is a command already; give the procedure another name.",
+        if (TurtleCommands.Find(name.Text) is not null) throw Error("turtle.name",
+            $"'{name.Text}' is already a command; choose another name for the procedure.",
             name);
         if (_procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"The procedure '{name.Text}' is defined twice.", name);
         var parameters = new List<string>();
@@ -87,16 +88,16 @@ internal sealed partial class ScriptCompiler
         {
             if (_tokens[i].Kind != TokenKind.Name) continue;
             NewName(_tokens[i], "parameter");
-            if (parameters.Contains(_tokens[i].Text)) throw Error("turtle.name", $"The parameter '{_tokens[i].Text}' stands there twice.", _tokens[i]);
+            if (parameters.Contains(_tokens[i].Text)) throw Error("turtle.name", $"The parameter '{_tokens[i].Text}' is declared twice.", _tokens[i]);
             parameters.Add(_tokens[i].Text);
         }
         _procedures.Add(name.Text, new Procedure(name.Text, parameters, name));
     }
 
-    private static void NewName(Token name, string what)
+    private static void NewName(Token name, string kind)
     {
         if (Keywords.Contains(name.Text)
-            || ScriptScope.IsState(name.Text)) throw Error("turtle.name", $"'{name.Text}' has a meaning of its own; give the {what} another name.", name);
+            || ScriptScope.IsState(name.Text)) throw Error("turtle.name", $"'{name.Text}' is a reserved name; choose another name for the {kind}.", name);
     }
 
     private void Statements(Token? end)
@@ -112,7 +113,7 @@ internal sealed partial class ScriptCompiler
             }
             if (Next.Is("]"))
             {
-                if (end is null) throw Error("turtle.bracket", "']' closes nothing.", Next);
+                if (end is null) throw Error("turtle.bracket", "']' has no matching '['.", Next);
                 _at++;
                 break;
             }
@@ -125,7 +126,7 @@ internal sealed partial class ScriptCompiler
     {
         SkipLines();
         var open = Next;
-        if (!open.Is("[")) throw Error("turtle.syntax", $"{Sentence(open)} stands where '[' was expected.", open);
+        if (!open.Is("[")) throw Error("turtle.syntax", $"Found {open}, expected '['.", open);
         _at++;
         Statements(open);
     }
@@ -133,7 +134,7 @@ internal sealed partial class ScriptCompiler
     private void Statement()
     {
         var token = Next;
-        if (token.Kind != TokenKind.Name) throw Error("turtle.syntax", $"{Sentence(token)} stands where a command was expected.", token);
+        if (token.Kind != TokenKind.Name) throw Error("turtle.syntax", $"Found {token}, expected a command.", token);
         _at++;
         switch (token.Text)
         {
@@ -152,7 +153,7 @@ internal sealed partial class ScriptCompiler
             case "lsystem": Grow(token); return;
         }
         if (Next.Kind == TokenKind.Symbol && Next.Text is "=" or "+=" or "-=" or "*=" or "/=") Assign(token, declare: false);
-        else if (Next.Is("[") && !Next.BlankBefore && _scope.IsArray(token.Text)) SetElement(token);
+        else if (Next.Is("[") && !Next.SpaceBefore && _scope.IsArray(token.Text)) SetElement(token);
         else if (_procedures.TryGetValue(token.Text, out var procedure)) Call(token, procedure);
         else if (TurtleCommands.Find(token.Text) is { } info) Command(token, info);
         else throw Unknown(token);
@@ -161,7 +162,7 @@ internal sealed partial class ScriptCompiler
     private FormulaException Unknown(Token token)
     {
         if (_scope.Variable(token.Text, token) is not null) return Error("turtle.syntax",
-            $"'{token.Text}' is a variable; a command or '{token.Text} = …' was expected.", token);
+            $"'{token.Text}' is a variable; expected a command or '{token.Text} = …'.", token);
         var names = _procedures.Keys.Concat(TurtleCommands.Names)
             .Concat(Keywords.Where(k => k is not ("to" or "step" or "else" or "keep" or "and" or "or" or "not")));
         return Error("turtle.unknown", $"There is no command '{token.Text}'.{SpellingSuggestion.Hint(token.Text, names)}", token);
@@ -184,17 +185,17 @@ internal sealed partial class ScriptCompiler
         Emit(new Instruction(ScriptOp.Command, token) { Action = info.Action, Arguments = arguments, Text = text, Name = token.Text });
     }
 
-    // Values up to the end of the statement or the next command; separated by blanks or commas.
-    private Argument?[] Values(int required, int most, bool mayKeep, Token command, string usage)
+    // Values up to the end of the statement or the next command; separated by spaces or commas.
+    private Argument?[] Values(int required, int max, bool mayKeep, Token command, string usage)
     {
         var values = new List<Argument?>();
-        while (values.Count < most)
+        while (values.Count < max)
         {
             if (Next.Is(",") && values.Count > 0) _at++;
             else if (!BeginsValue(Next)) break;
             if (Next.IsWord("keep"))
             {
-                if (!mayKeep || values.Count >= 3) throw Error("turtle.values", "'keep' leaves coordinates of position and jump only.", Next);
+                if (!mayKeep || values.Count >= 3) throw Error("turtle.values", "'keep' is only for coordinates of position and jump.", Next);
                 values.Add(null);
                 _at++;
                 continue;
@@ -206,7 +207,7 @@ internal sealed partial class ScriptCompiler
             if (Next.Kind == TokenKind.Name && !Next.IsWord("keep") && !BeginsStatement(Next)) Value(command.Text, usage);
             throw Error("turtle.values", $"'{command.Text}' needs {Count(required)}: {usage}.", command);
         }
-        if (!EndsStatement(Next) && Next.Kind != TokenKind.Name) throw Error("turtle.values", $"{Sentence(Next)} is too much: the command is {usage}.", Next);
+        if (!EndsStatement(Next) && Next.Kind != TokenKind.Name) throw Error("turtle.values", $"Found {Next}, expected the end of the command: {usage}.", Next);
         return values.ToArray();
     }
 
@@ -256,12 +257,6 @@ internal sealed partial class ScriptCompiler
     }
 
     private static string Count(int n) => n == 1 ? "one value" : $"{Basics.NumberFormatter.Format(n)} values";
-
-    private static string Sentence(Token token)
-    {
-        var text = token.ToString();
-        return char.ToUpperInvariant(text[0]) + text.Substring(1);
-    }
 
     private static FormulaException Error(string code, string message, Token at) => new(code, message, at.Line, at.Column);
 }

@@ -7,7 +7,7 @@ using Caterpillar.Expressions;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>Runs a compiled script with a stack of its own, so that deep recursion ends at a limit and not at the end of the thread's stack.</summary>
+/// <summary>Runs a compiled script with a stack of its own, so that deep recursion ends at a limit and does not overflow the thread's stack.</summary>
 internal sealed class ScriptMachine
 {
     private readonly ScriptCode _code;
@@ -35,7 +35,7 @@ internal sealed class ScriptMachine
         for (var i = 0; i < _frameSize; i++) _context.Values[i] = double.NaN;
     }
 
-    /// <exception cref="FormulaException">What stopped the program.</exception>
+    /// <exception cref="FormulaException">The program failed.</exception>
     public void Run(CancellationToken cancel)
     {
         var code = _code.Instructions;
@@ -66,7 +66,7 @@ internal sealed class ScriptMachine
                     _context.Arrays[at.Slot] = new double[Size(at)];
                     break;
                 case ScriptOp.Seed:
-                    _context.Random = new SeededRandom((int)(Whole(at.Arguments[0]!, -1e9, 1e9)));
+                    _context.Random = new SeededRandom((int)(Integer(at.Arguments[0]!, -1e9, 1e9)));
                     break;
                 case ScriptOp.Jump:
                     pc = at.Target;
@@ -132,23 +132,23 @@ internal sealed class ScriptMachine
         throw new FormulaException("turtle.not_finite", message, argument.Line, argument.Column);
     }
 
-    private double Whole(Argument argument, double low, double high)
+    private double Integer(Argument argument, double low, double high)
     {
         var value = Number(argument);
         if (value >= low && value <= high && value == Math.Floor(value)) return value;
         throw new FormulaException("turtle.value",
-            $"{NumberFormatter.Format(value, 6)} stands where a whole number from {NumberFormatter.Format(low, 0)} to {NumberFormatter.Format(high, 0)} is "
-            + $"needed.", argument.Line, argument.Column);
+            $"Found {NumberFormatter.Format(value, 6)}, expected an integer from {NumberFormatter.Format(low, 0)} to {NumberFormatter.Format(high, 0)}.",
+            argument.Line, argument.Column);
     }
 
     private void SetElement(Instruction at)
     {
-        var array = _context.Arrays[at.Slot] ?? throw Error(at, "turtle.index", $"The array '{at.Name}' has not been made yet.");
+        var array = _context.Arrays[at.Slot] ?? throw Error(at, "turtle.index", $"The array '{at.Name}' has not been created yet.");
         var index = ScriptScope.Index(Number(at.Arguments[0]!), array.Length, at.Name, at.Line, at.Column);
         array[index] = Number(at.Arguments[1]!);
     }
 
-    private int Size(Instruction at) => (int)Whole(at.Arguments[0]!, 0, _limits.MaxSymbols);
+    private int Size(Instruction at) => (int)Integer(at.Arguments[0]!, 0, _limits.MaxSymbols);
 
     private void StartLoop(int slot, double count)
     {
@@ -162,7 +162,7 @@ internal sealed class ScriptMachine
         var to = Number(at.Arguments[1]!);
         var step = at.Arguments[2] is { } given ? Number(given) : 1;
         if (step == 0) throw new FormulaException("turtle.value", "The step of a loop must not be 0.", at.Arguments[2]!.Line, at.Arguments[2]!.Column);
-        // A hair more, so that 0 to 1 step 0.1 has its 11 turns.
+        // Slightly more, so that 0 to 1 step 0.1 has its 11 iterations.
         var count = Math.Floor((to - from) / step + 1e-9) + 1;
         if (!(count > 0)) return false;
         var slot = Slot(at);
@@ -178,7 +178,7 @@ internal sealed class ScriptMachine
     {
         var procedure = at.Procedure!;
         var values = Enter(procedure, at, back, out var start);
-        // Formulas still see the caller's variables; the new frame lies behind them.
+        // Formulas still see the caller's variables; the new frame comes after them.
         for (var i = 0; i < at.Arguments.Length; i++)
         {
             var value = Number(at.Arguments[i]!);
@@ -216,13 +216,13 @@ internal sealed class ScriptMachine
 
     private LSystemWord Grow(Instruction at, CancellationToken cancel)
     {
-        var generations = (int)Whole(at.Arguments[0]!, 0, 1000);
+        var generations = (int)Integer(at.Arguments[0]!, 0, 1000);
         var seed = (int)_context.Random.NextInteger(0, int.MaxValue);
         var result = at.System!.Grow(generations, seed, _limits.MaxSymbols, null, cancel);
         return result.Value ?? throw Error(at, result.Diagnostics[0].Code, result.Diagnostics[0].Message);
     }
 
-    // One letter of the word on top; a procedure of its name comes back here.
+    // One letter of the word on top; a procedure of its name returns here.
     private int NextLetter(Instruction at, int pc)
     {
         var letters = _words[_words.Count - 1];

@@ -6,7 +6,7 @@ using Caterpillar.Expressions;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>Names of a script while it is compiled: globals, the locals of the procedure at hand, arrays, and the turtle's own state.</summary>
+/// <summary>Names of a script while it is compiled: globals, the locals of the current procedure, arrays, and the state of the turtle.</summary>
 internal sealed class ScriptScope : IFormulaScope
 {
     private static readonly Dictionary<string, Func<Turtle, double>> State = new(StringComparer.Ordinal)
@@ -35,7 +35,7 @@ internal sealed class ScriptScope : IFormulaScope
 
     public bool InProcedure => _locals is not null;
 
-    /// <summary>Slots that the procedure at hand needs.</summary>
+    /// <summary>Slots that the current procedure needs.</summary>
     public int LocalCount => _localCount;
 
     public IEnumerable<string> Names
@@ -64,7 +64,7 @@ internal sealed class ScriptScope : IFormulaScope
         return slot;
     }
 
-    /// <summary>A variable of the procedure at hand, or of the script outside of procedures.</summary>
+    /// <summary>A variable of the current procedure, or of the script outside of procedures.</summary>
     public (int Slot, bool Local) DeclareHere(string name)
     {
         if (_locals is null) return (DeclareGlobal(name), false);
@@ -72,7 +72,7 @@ internal sealed class ScriptScope : IFormulaScope
         return (slot, true);
     }
 
-    /// <summary>The variable that an assignment means: a local one, else a global one, else a new one here.</summary>
+    /// <summary>The variable that an assignment refers to: a local one, else a global one, else a new one here.</summary>
     public (int Slot, bool Local) ForAssignment(string name)
     {
         if (_locals is not null && _locals.TryGetValue(name, out var local)) return (local, true);
@@ -129,20 +129,21 @@ internal sealed class ScriptScope : IFormulaScope
             {
                 var array = c.Arrays[slot];
                 return array is null
-                    ? throw new FormulaException("turtle.index", $"The array '{name}' has not been made yet.", line, column)
+                    ? throw new FormulaException("turtle.index", $"The array '{name}' has not been created yet.", line, column)
                     : array[Index(evaluate(c), array.Length, name, line, column)];
             },
             index.Depth + 1);
     }
 
-    // Only finite numbers are ever assigned: NaN marks what has not been.
+    // Only finite numbers are ever assigned: NaN marks a variable without a value.
     private static FormulaException NoValue(string name, int line, int column)
         => new("turtle.no_value", $"The variable '{name}' has no value yet.", line, column);
 
     public static int Index(double index, int length, string name, int line, int column)
     {
         if (index >= 0 && index < length && index == Math.Floor(index)) return (int)index;
-        var what = double.IsNaN(index) || double.IsInfinity(index) ? "This index" : NumberFormatter.Format(index, 6);
-        throw new FormulaException("turtle.index", $"{what} is no index of '{name}', which goes from 0 to {NumberFormatter.Format(length - 1)}.", line, column);
+        var shown = double.IsNaN(index) || double.IsInfinity(index) ? "This index" : NumberFormatter.Format(index, 6);
+        throw new FormulaException("turtle.index", $"{shown} is not an index of '{name}', which has indices 0 to {NumberFormatter.Format(length - 1)}.", line,
+            column);
     }
 }

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>What the strands of a turtle carry besides their beads; another tag begins another path.</summary>
+/// <summary>The tags of a turtle's strands besides their beads; a new tag starts a new path.</summary>
 internal sealed record PathTags(Role Role, Layer? Layer, int Tool, string Name, int? Color);
 
 /// <summary>Joins moves into paths and travels, in order.</summary>
@@ -20,7 +20,7 @@ internal sealed class StepRecorder
 
     public long Moves { get; private set; }
 
-    /// <summary>True when something happened at a place, so that the start is settled.</summary>
+    /// <summary>True if something has been recorded at a position, so that the start is fixed.</summary>
     public bool HasStarted { get; private set; }
 
     public void Print(Vec3 from, Vec3 to, Bead bead, PathTags tags)
@@ -68,7 +68,7 @@ internal sealed class StepRecorder
         _steps.Add(new EventStep(what));
     }
 
-    /// <summary>All steps so far; recording may go on and continues the last path.</summary>
+    /// <summary>All steps so far; further moves continue the last path.</summary>
     public IReadOnlyList<Step> ToSteps()
     {
         var steps = new List<Step>(_steps.Count + 1);
@@ -78,7 +78,7 @@ internal sealed class StepRecorder
         return steps.ToArray();
     }
 
-    // The first travel or extrusion says where the turtle stood.
+    // The first travel or extrusion states where the turtle started.
     private void StateStart(Vec3 at, double speed)
     {
         if (HasStarted) return;

@@ -3,13 +3,13 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;
 
-// What the printer does: pen, bead, speed, events and tags.
+// The printer: pen, bead, speed, events and tags.
 public sealed partial class Turtle
 {
-    /// <summary>True while moves lay a strand.</summary>
+    /// <summary>True while moves deposit a strand.</summary>
     public bool IsPenDown => _state.PenDown;
 
-    /// <summary>The strand that moves with the pen down lay.</summary>
+    /// <summary>The strand that moves with the pen down deposit.</summary>
     public Bead Bead => _state.Bead;
 
     /// <summary>Diameter of the filament, mm.</summary>
@@ -24,13 +24,13 @@ public sealed partial class Turtle
     /// <summary>mm/min of moves with the pen down.</summary>
     public double Rate => Bead.Speed * 60;
 
-    /// <summary>mm/s of moves that lay nothing: as fast as printing unless set.</summary>
+    /// <summary>mm/s of moves that deposit nothing: as fast as printing unless set.</summary>
     public double TravelSpeed => _state.TravelSpeed > 0 ? _state.TravelSpeed : _state.Bead.Speed;
 
-    /// <summary>Moves lay nothing from here on. Nothing is retracted; that is planning's.</summary>
+    /// <summary>The following moves deposit nothing. Nothing is retracted: planning does that.</summary>
     public Turtle PenUp() => Pen(false);
 
-    /// <summary>Moves lay a strand from here on.</summary>
+    /// <summary>The following moves deposit a strand.</summary>
     public Turtle PenDown() => Pen(true);
 
     /// <summary>Pen up or down.</summary>
@@ -41,7 +41,7 @@ public sealed partial class Turtle
     }
 
     /// <summary>
-    /// Extrusion as mm of filament per mm of path (ExtruderTurtle: 0.01 to 0.10, 0.03 standard for a 0.4 mm nozzle and 0.2 mm layers, 0.05 its default).
+    /// Extrusion as mm of filament per mm of path (ExtruderTurtle: 0.01 to 0.10, 0.03 is standard for a 0.4 mm nozzle and 0.2 mm layers, 0.05 is its default).
     /// </summary>
     public Turtle SetDensity(double filamentPerMm)
     {
@@ -49,7 +49,7 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>Extrusion as cross-section of the strand in mm² (Kanada), and its height where it is known.</summary>
+    /// <summary>Extrusion as cross-section of the strand in mm² (Kanada), and its height if known.</summary>
     public Turtle SetArea(double area, double height = 0)
     {
         _state.Bead = new Bead(area, height, _state.Bead.Speed);
@@ -63,7 +63,7 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>Takes over a bead; one without a speed keeps the speed.</summary>
+    /// <summary>Sets the bead; one without a speed keeps the current speed.</summary>
     public Turtle SetBead(Bead bead)
     {
         _state.Bead = bead.Speed > 0 ? bead : bead.WithSpeed(_state.Bead.Speed);
@@ -76,19 +76,20 @@ public sealed partial class Turtle
     /// <summary>Speed in mm/s (Kanada).</summary>
     public Turtle SetSpeed(double mmPerSecond)
     {
-        _state.Bead = _state.Bead.WithSpeed(Positive(mmPerSecond, "A speed is above 0."));
+        _state.Bead = _state.Bead.WithSpeed(Positive(mmPerSecond, "A speed must be above 0."));
         return this;
     }
 
-    /// <summary>Speed in mm/s of moves that lay nothing; 0 makes them as fast as printing.</summary>
+    /// <summary>Speed in mm/s of moves that deposit nothing; 0 makes them as fast as printing.</summary>
     public Turtle SetTravelSpeed(double mmPerSecond)
     {
-        if (!(mmPerSecond >= 0) || double.IsInfinity(mmPerSecond)) throw new ArgumentOutOfRangeException(nameof(mmPerSecond), "A travel speed is 0 or more.");
+        if (!(mmPerSecond >= 0) || double.IsInfinity(mmPerSecond)) throw new ArgumentOutOfRangeException(nameof(mmPerSecond),
+            "A travel speed must be 0 or more.");
         _state.TravelSpeed = mmPerSecond;
         return this;
     }
 
-    /// <summary>Pushes filament out in place, with the pen up or down; negative pulls it back. mm of filament.</summary>
+    /// <summary>Extrudes in place, with the pen up or down; negative retracts. mm of filament.</summary>
     public Turtle Extrude(double filament)
     {
         if (double.IsNaN(filament) || double.IsInfinity(filament)) throw NotFinite();
@@ -98,39 +99,40 @@ public sealed partial class Turtle
     /// <summary>Waits, in milliseconds.</summary>
     public Turtle Dwell(double milliseconds)
     {
-        if (!(milliseconds >= 0) || double.IsInfinity(milliseconds)) throw new ArgumentOutOfRangeException(nameof(milliseconds), "A dwell is 0 ms or more.");
+        if (!(milliseconds >= 0) || double.IsInfinity(milliseconds)) throw new ArgumentOutOfRangeException(nameof(milliseconds),
+            "A dwell must be 0 ms or more.");
         return Event(new DwellEvent(milliseconds / 1000));
     }
 
     /// <summary>Waits for the user.</summary>
     public Turtle Pause(string message = "") => Event(new PauseEvent(message));
 
-    /// <summary>Nozzle temperature in °C (0 = off); waits until it is reached unless told otherwise.</summary>
+    /// <summary>Nozzle temperature in °C (0 = off); waits until it is reached by default.</summary>
     public Turtle NozzleTemperature(double celsius, bool wait = true) => Event(new NozzleTemperatureEvent(Temperature(celsius), wait));
 
-    /// <summary>Bed temperature in °C (0 = off); waits until it is reached unless told otherwise.</summary>
+    /// <summary>Bed temperature in °C (0 = off); waits until it is reached by default.</summary>
     public Turtle BedTemperature(double celsius, bool wait = true) => Event(new BedTemperatureEvent(Temperature(celsius), wait));
 
-    /// <summary>Part cooling fan, 0 to 1.</summary>
+    /// <summary>Component cooling fan, 0 to 1.</summary>
     public Turtle Fan(double speed)
-        => speed is >= 0 and <= 1 ? Event(new FanEvent(speed)) : throw new ArgumentOutOfRangeException(nameof(speed), "A fan runs from 0 to 1.");
+        => speed is >= 0 and <= 1 ? Event(new FanEvent(speed)) : throw new ArgumentOutOfRangeException(nameof(speed), "A fan speed must be 0 to 1.");
 
-    /// <summary>Acceleration in mm/s² from here on.</summary>
-    public Turtle Acceleration(double value) => Event(new AccelerationEvent(Positive(value, "An acceleration is above 0.")));
+    /// <summary>Acceleration of the following moves in mm/s².</summary>
+    public Turtle Acceleration(double value) => Event(new AccelerationEvent(Positive(value, "An acceleration must be above 0.")));
 
     /// <summary>Share of the first material, 0 to 1, of a head that mixes two (M163, M164).</summary>
     public Turtle Mix(double first)
     {
-        if (first is not (>= 0 and <= 1)) throw new ArgumentOutOfRangeException(nameof(first), "A share is 0 to 1.");
+        if (first is not (>= 0 and <= 1)) throw new ArgumentOutOfRangeException(nameof(first), "A share must be 0 to 1.");
         Event(new RawEvent("M163 S0 P" + Basics.NumberFormatter.Format(first, 4)));
         Event(new RawEvent("M163 S1 P" + Basics.NumberFormatter.Format(1 - first, 4)));
         return Event(new RawEvent("M164 S0"));
     }
 
-    /// <summary>Another tool works from here on, from 0.</summary>
+    /// <summary>Changes to another tool, from 0.</summary>
     public Turtle Tool(int number)
     {
-        if (number is < 0 or > 255) throw new ArgumentOutOfRangeException(nameof(number), "Tools count from 0 to 255.");
+        if (number is < 0 or > 255) throw new ArgumentOutOfRangeException(nameof(number), "A tool number must be 0 to 255.");
         if (number == _state.Tags.Tool) return this;
         Event(new ToolEvent(number));
         return Tag(_state.Tags with { Tool = number });
@@ -149,29 +151,29 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>Strands from here on belong to a layer; its height is where the turtle stands.</summary>
+    /// <summary>The following strands belong to a layer at the height of the turtle.</summary>
     public Turtle Layer(int index, double thickness = 0, string name = "")
     {
         if (index < 0 || !(thickness >= 0)
-            || double.IsInfinity(thickness)) throw new ArgumentOutOfRangeException(nameof(index), "A layer has a number and a thickness of 0 or more.");
+            || double.IsInfinity(thickness)) throw new ArgumentOutOfRangeException(nameof(index), "A layer needs a number and a thickness of 0 or more.");
         return Tag(_state.Tags with { Layer = new Layer(index, Z, thickness, name) });
     }
 
-    /// <summary>Strands from here on belong to the next layer.</summary>
+    /// <summary>The following strands belong to the next layer.</summary>
     public Turtle NextLayer(double thickness = 0) => Layer(_state.Tags.Layer is { } layer ? layer.Index + 1 : 0, thickness, _state.Tags.Layer?.Object ?? "");
 
-    /// <summary>Strands from here on have a color, 0xRRGGBB, or none.</summary>
+    /// <summary>The following strands have a color, 0xRRGGBB, or none.</summary>
     public Turtle Color(int? rgb)
         => rgb is null or (>= 0 and <= 0xFFFFFF) ? Tag(_state.Tags with { Color = rgb })
-            : throw new ArgumentOutOfRangeException(nameof(rgb), "A color is 0xRRGGBB.");
+            : throw new ArgumentOutOfRangeException(nameof(rgb), "A color must be 0xRRGGBB.");
 
-    /// <summary>Strands from here on have a color of three parts, 0 to 255.</summary>
-    public Turtle Color(int red, int green, int blue) => Color(Part(red) << 16 | Part(green) << 8 | Part(blue));
+    /// <summary>The following strands have a color of three components, 0 to 255.</summary>
+    public Turtle Color(int red, int green, int blue) => Color(Component(red) << 16 | Component(green) << 8 | Component(blue));
 
-    /// <summary>Strands from here on have a name.</summary>
+    /// <summary>The following strands have a name.</summary>
     public Turtle Name(string name) => Tag(_state.Tags with { Name = name ?? throw new ArgumentNullException(nameof(name)) });
 
-    /// <summary>Strands from here on have a role.</summary>
+    /// <summary>The following strands have a role.</summary>
     public Turtle As(Role role) => Tag(_state.Tags with { Role = role });
 
     private Turtle Tag(PathTags tags)
@@ -180,11 +182,12 @@ public sealed partial class Turtle
         return this;
     }
 
-    private static int Part(int value)
-        => value is >= 0 and <= 255 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A part of a color is 0 to 255.");
+    private static int Component(int value)
+        => value is >= 0 and <= 255 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A color component must be 0 to 255.");
 
     private static double Temperature(double celsius)
-        => celsius >= 0 && !double.IsInfinity(celsius) ? celsius : throw new ArgumentOutOfRangeException(nameof(celsius), "A temperature is 0 °C or more.");
+        => celsius >= 0 && !double.IsInfinity(celsius) ? celsius
+            : throw new ArgumentOutOfRangeException(nameof(celsius), "A temperature must be 0 °C or more.");
 
     private static double Positive(double value, string message)
         => value > 0 && !double.IsInfinity(value) ? value : throw new ArgumentOutOfRangeException(nameof(value), message);

@@ -8,11 +8,11 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Turtles;
 
 /// <summary>
-/// A turtle that prints: a pose (position and forward, left, up) and what the printer lays down as it moves. Lengths are mm, angles degrees unless
+/// A turtle that prints: a pose (position and forward, left, up) and what the printer deposits as it moves. Lengths are mm, angles degrees unless
 /// <see cref="AngleUnit"/> says radians. Positive yaw turns left, positive pitch raises the nose, positive roll lifts the left side. Moves with the pen down
-/// lay a strand, whatever their direction; pen up and down carry no hidden extrusion. A mutable builder that ends in <see cref="ToSteps"/>; not thread-safe.
-/// Methods throw <see cref="ArgumentOutOfRangeException"/> for values that are not finite. Sources: ExtruderTurtle (Pezzuti Dyer and Buechley 2022) and
-/// turtle.py (Kanada 2015); docs/turtle.md has their names.
+/// deposit a strand, whatever their direction; pen up and down carry no hidden extrusion. A mutable builder that ends in <see cref="ToSteps"/>; not
+/// thread-safe. Methods throw <see cref="ArgumentOutOfRangeException"/> for values that are not finite. Sources: ExtruderTurtle (Pezzuti Dyer and Buechley
+/// 2022) and turtle.py (Kanada 2015); docs/turtle.md lists their names.
 /// </summary>
 public sealed partial class Turtle
 {
@@ -35,7 +35,7 @@ public sealed partial class Turtle
         if (_options.Bead is { } bead) SetBead(bead);
     }
 
-    /// <summary>Unit of the angles that are taken and given.</summary>
+    /// <summary>Unit of all angles.</summary>
     public AngleUnit AngleUnit { get; set; }
 
     /// <summary>Position and axes: X is forward, Y left, Z up.</summary>
@@ -49,7 +49,7 @@ public sealed partial class Turtle
 
     public double Z => Position.Z;
 
-    /// <summary>Angle of the heading in the XY plane against +X, −180° to 180°; straight up or down all of the turn that is left.</summary>
+    /// <summary>Angle of the heading in the XY plane from +X, −180° to 180°; straight up or down it includes the roll.</summary>
     public double Yaw => FromDegrees(Heading.Of(Pose).Yaw);
 
     /// <summary>Angle of the nose above the XY plane, −90° to 90°.</summary>
@@ -58,13 +58,13 @@ public sealed partial class Turtle
     /// <summary>Angle by which the left side is raised, −180° to 180°; 0 straight up or down.</summary>
     public double Roll => FromDegrees(Heading.Of(Pose).Roll);
 
-    /// <summary>How many moves were made.</summary>
+    /// <summary>Number of moves so far.</summary>
     public long MoveCount => _recorder.Moves;
 
-    /// <summary>How many states are pushed.</summary>
+    /// <summary>Number of pushed states.</summary>
     public int StackDepth => _stack.Count;
 
-    /// <summary>The pose at the start and behind every move and turn, where the options ask for it; else empty.</summary>
+    /// <summary>The pose at the start and after every move and turn, if the options ask for it; else empty.</summary>
     public IReadOnlyList<Frame> Poses => _poses is null ? [] : _poses.ToArray();
 
     /// <summary>Turns about up; positive to the left.</summary>
@@ -90,10 +90,10 @@ public sealed partial class Turtle
     /// <summary>Lifts the left side.</summary>
     public Turtle RollRight(double angle) => TurnRoll(angle);
 
-    /// <summary>Turns to the back: half a turn about up, exactly.</summary>
+    /// <summary>Turns around: exactly half a turn about up.</summary>
     public Turtle TurnAround() => Turn(Pose.Yaw(180));
 
-    /// <summary>The axes of the world, then yaw, pitch and roll in this order.</summary>
+    /// <summary>Sets the heading: from the world axes, yaw, pitch and roll in this order.</summary>
     public Turtle SetHeading(double yaw, double pitch = 0, double roll = 0)
         => Turn(new Heading(Degrees(yaw), Degrees(pitch), Degrees(roll)).ToFrame(Position));
 
@@ -108,14 +108,14 @@ public sealed partial class Turtle
     /// <exception cref="ArgumentException">The point is where the turtle stands, or not finite.</exception>
     public Turtle Face(Vec3 point) => Turn(Heading.Towards(point - Position, Heading.Of(Pose).Yaw).ToFrame(Position));
 
-    /// <summary>Turns the wings level without changing where the nose points, if it does not point straight up or down.</summary>
+    /// <summary>Turns the wings level without changing the direction of the nose, unless that is straight up or down.</summary>
     public Turtle Level()
     {
         var now = Heading.Of(Pose);
         return Turn((now with { Roll = 0 }).ToFrame(Position));
     }
 
-    /// <summary>Moves along forward; negative goes backwards without turning.</summary>
+    /// <summary>Moves along forward; negative moves backward without turning.</summary>
     public Turtle Forward(double distance) => MoveTo(Position + Pose.X * distance, deposit: true);
 
     /// <summary>
@@ -130,21 +130,21 @@ public sealed partial class Turtle
 
     public Turtle Backward(double distance) => Forward(-distance);
 
-    /// <summary>Moves along forward; lays nothing, even with the pen down.</summary>
+    /// <summary>Moves along forward; deposits nothing, even with the pen down.</summary>
     public Turtle Move(double distance) => MoveTo(Position + Pose.X * distance, deposit: false);
 
     /// <summary>One straight move by a distance along forward and one along up.</summary>
     public Turtle ForwardLift(double distance, double height) => MoveTo(Position + Pose.X * distance + Pose.Z * height, deposit: true);
 
-    /// <summary>Moves along the turtle's up; lays nothing, even with the pen down.</summary>
+    /// <summary>Moves along the turtle's up; deposits nothing, even with the pen down.</summary>
     public Turtle Lift(double height) => MoveTo(Position + Pose.Z * height, deposit: false);
 
-    /// <summary>Moves along world Z; lays nothing, even with the pen down.</summary>
+    /// <summary>Moves along world Z; deposits nothing, even with the pen down.</summary>
     public Turtle LiftWorld(double height) => MoveTo(Position + Vec3.UnitZ * height, deposit: false);
 
     /// <summary>
-    /// Goes straight to a point, printing with the pen down; null keeps a coordinate. The heading stays, or with <paramref name="faceTravel"/> looks along the
-    /// way.
+    /// Moves straight to a point, printing with the pen down; null keeps a coordinate. The heading stays, or with <paramref name="faceTravel"/> looks along the
+    /// move.
     /// </summary>
     public Turtle GoTo(double? x, double? y, double? z = null, bool faceTravel = false) => Go(Target(x, y, z), true, faceTravel);
 
@@ -152,25 +152,25 @@ public sealed partial class Turtle
     public Turtle GoTo(Vec3 point, bool faceTravel = false) => Go(point, true, faceTravel);
 
     /// <summary>
-    /// Goes straight to a point without printing; null keeps a coordinate. The heading stays, or with <paramref name="faceTravel"/> looks along the way.
+    /// Moves straight to a point without printing; null keeps a coordinate. The heading stays, or with <paramref name="faceTravel"/> looks along the move.
     /// </summary>
     public Turtle Jump(double? x, double? y, double? z = null, bool faceTravel = false) => Go(Target(x, y, z), false, faceTravel);
 
     /// <inheritdoc cref="Jump(double?, double?, double?, bool)"/>
     public Turtle Jump(Vec3 point, bool faceTravel = false) => Go(point, false, faceTravel);
 
-    /// <summary>Goes to a point without printing and stands level there, heading along an azimuth (Kanada's setTurtle).</summary>
+    /// <summary>Moves to a point without printing and is level there, heading along an azimuth (Kanada's setTurtle).</summary>
     public Turtle JumpTo(double x, double y, double z, double azimuth)
     {
         MoveTo(new Vec3(x, y, z), deposit: false);
         return SetHeading(azimuth);
     }
 
-    /// <summary>Stands at a point from the beginning; nothing is moved.</summary>
+    /// <summary>Starts at a point; nothing is moved.</summary>
     /// <exception cref="InvalidOperationException">The turtle has moved already.</exception>
     public Turtle StartAt(double x, double y, double z = 0)
     {
-        if (_recorder.HasStarted) throw new InvalidOperationException("The start stands before all moves.");
+        if (_recorder.HasStarted) throw new InvalidOperationException("The start must come before all moves.");
         var at = new Vec3(x, y, z);
         if (!at.IsFinite) throw NotFinite();
         _state.Pose = Pose.WithOrigin(at);
@@ -186,8 +186,8 @@ public sealed partial class Turtle
     }
 
     /// <summary>
-    /// Goes back to the state pushed last. The way back lays nothing and only states its intention (<see cref="TravelIntent.Return"/>): planning finds a safe
-    /// one.
+    /// Returns to the last pushed state. The return deposits nothing and only states its intent (<see cref="TravelIntent.Return"/>): planning finds a safe
+    /// path.
     /// </summary>
     /// <exception cref="InvalidOperationException">Nothing was pushed.</exception>
     public Turtle Pop()
@@ -200,10 +200,10 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>Another turtle in this one's state, with no steps of its own yet.</summary>
+    /// <summary>A copy of this turtle in the same state, without its steps.</summary>
     public Turtle Copy() => new(_options) { _state = _state, AngleUnit = AngleUnit };
 
-    /// <summary>Takes over the state of another turtle without a move being recorded; the next move starts there.</summary>
+    /// <summary>Takes the state of another turtle without recording a move; the next move starts there.</summary>
     public Turtle SetState(Turtle other)
     {
         _state = (other ?? throw new ArgumentNullException(nameof(other)))._state;
@@ -211,13 +211,13 @@ public sealed partial class Turtle
     }
 
     /// <summary>
-    /// All that was done so far, in order: moves with the pen down as paths with a bead for each segment, others as travels exactly as drawn, and events. Moves
-    /// of length 0 are left out.
+    /// Everything done so far, in order: moves with the pen down as paths with a bead for each segment, others as travels exactly as drawn, and events. Moves
+    /// of length 0 are dropped.
     /// </summary>
     public IReadOnlyList<Step> ToSteps() => _recorder.ToSteps();
 
     /// <summary>
-    /// The turtle as a triangle of three points, its sharp corner forward: <paramref name="size"/> mm to the left, as much to the right, and 2.5 times as much
+    /// The turtle as a triangle of three points that points forward: <paramref name="size"/> mm to the left, as much to the right, and 2.5 times as much
     /// ahead.
     /// </summary>
     public IReadOnlyList<Vec3> Triangle(double size = 2) => TriangleOf(Pose, size);

@@ -1,6 +1,6 @@
 namespace Caterpillar.Turtles;
 
-/// <summary>What a command makes a turtle do; <see cref="TurtleCommands"/> has the name and the values of each.</summary>
+/// <summary>What a command does; <see cref="TurtleCommands"/> has the name and the values of each.</summary>
 public enum TurtleAction : byte
 {
     Start,
@@ -59,6 +59,6 @@ public enum TurtleAction : byte
     Degrees,
     Radians,
 
-    /// <summary>The commands of the body, several times.</summary>
+    /// <summary>Repeats the commands of the body.</summary>
     Repeat,
 }

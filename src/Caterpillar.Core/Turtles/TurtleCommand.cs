@@ -49,21 +49,21 @@ public sealed class TurtleCommand
         return new TurtleCommand(action, (double[])values.Clone(), text ?? "", []);
     }
 
-    /// <summary>Commands several times.</summary>
+    /// <summary>Repeats commands.</summary>
     /// <param name="count">0 or more.</param>
-    /// <param name="body">What is repeated.</param>
+    /// <param name="body">The commands to repeat.</param>
     public static TurtleCommand Repeat(long count, IEnumerable<TurtleCommand> body)
     {
-        if (count < 0) throw new ArgumentOutOfRangeException(nameof(count), "A repetition counts 0 or more.");
+        if (count < 0) throw new ArgumentOutOfRangeException(nameof(count), "The number of repetitions must be 0 or more.");
         return new TurtleCommand(TurtleAction.Repeat, [count], "", (body ?? throw new ArgumentNullException(nameof(body))).ToArray());
     }
 
-    /// <summary>Does it. Repetitions are the business of <see cref="TurtleProgram"/>.</summary>
-    /// <exception cref="ArgumentException">The turtle refuses a value.</exception>
+    /// <summary>Executes it. Repetitions are executed by <see cref="TurtleProgram"/>.</summary>
+    /// <exception cref="ArgumentException">A value is invalid for the turtle.</exception>
     /// <exception cref="InvalidOperationException">Pop without push, start after the first move, or a repetition.</exception>
     public void Apply(Turtle turtle)
     {
-        if (Action == TurtleAction.Repeat) throw new InvalidOperationException("A repetition runs in a program.");
+        if (Action == TurtleAction.Repeat) throw new InvalidOperationException("A repetition can only run in a program.");
         Apply(turtle, Action, _values.Length, At(0), At(1), At(2), At(3), Text);
     }
 
@@ -105,10 +105,10 @@ public sealed class TurtleCommand
                 t.Jump(Keep(a), Keep(b), count > 2 ? Keep(c) : null);
                 if (count > 3) t.SetHeading(d);
                 break;
-            case TurtleAction.Arc: t.Arc(a, b, count > 2 ? c : 0, count > 3 ? Whole(d) : 0); break;
-            case TurtleAction.Circle: t.Circle(a, count > 1 ? Whole(b) : 0); break;
-            case TurtleAction.CircleAround: t.CircleAround(a, count > 1 ? Whole(b) : 0); break;
-            case TurtleAction.Polygon: t.Polygon(Whole(a), b); break;
+            case TurtleAction.Arc: t.Arc(a, b, count > 2 ? c : 0, count > 3 ? Integer(d) : 0); break;
+            case TurtleAction.Circle: t.Circle(a, count > 1 ? Integer(b) : 0); break;
+            case TurtleAction.CircleAround: t.CircleAround(a, count > 1 ? Integer(b) : 0); break;
+            case TurtleAction.Polygon: t.Polygon(Integer(a), b); break;
             case TurtleAction.Push: t.Push(); break;
             case TurtleAction.Pop: t.Pop(); break;
             case TurtleAction.PenUp: t.PenUp(); break;
@@ -138,10 +138,10 @@ public sealed class TurtleCommand
             case TurtleAction.Fan: t.Fan(a); break;
             case TurtleAction.Mix: t.Mix(a); break;
             case TurtleAction.Acceleration: t.Acceleration(a); break;
-            case TurtleAction.Tool: t.Tool(Whole(a)); break;
+            case TurtleAction.Tool: t.Tool(Integer(a)); break;
             case TurtleAction.Comment: t.Comment(text); break;
             case TurtleAction.Raw: t.Raw(text); break;
-            case TurtleAction.Layer: t.Layer(Whole(a), count > 1 ? b : 0); break;
+            case TurtleAction.Layer: t.Layer(Integer(a), count > 1 ? b : 0); break;
             case TurtleAction.NextLayer: t.NextLayer(count > 0 ? a : 0); break;
             case TurtleAction.Color: Color(t, count, a, b, c, text); break;
             case TurtleAction.Name: t.Name(text); break;
@@ -159,12 +159,12 @@ public sealed class TurtleCommand
             var hex = text.StartsWith("#", StringComparison.Ordinal) ? text.Substring(1) : text;
             if (hex.Length != 6 || !int.TryParse(hex, System.Globalization.NumberStyles.AllowHexSpecifier, System.Globalization.CultureInfo.InvariantCulture,
                 out var rgb))
-                throw new ArgumentException("A color is written \"#rrggbb\".", nameof(text));
+                throw new ArgumentException("A color must have the form \"#rrggbb\".", nameof(text));
             t.Color(rgb);
         }
-        else if (count == 3) t.Color(Whole(a), Whole(b), Whole(c));
+        else if (count == 3) t.Color(Integer(a), Integer(b), Integer(c));
         else if (count == 0) t.Color(null);
-        else throw new ArgumentException("A color has three numbers.", nameof(count));
+        else throw new ArgumentException("A color needs three numbers.", nameof(count));
     }
 
     private static Role RoleOf(string text)
@@ -181,9 +181,9 @@ public sealed class TurtleCommand
 
     private static double? Keep(double value) => double.IsNaN(value) ? null : value;
 
-    private static int Whole(double value)
+    private static int Integer(double value)
         => Math.Abs(value) <= 1e9 && value == Math.Floor(value) ? (int)value
-            : throw new ArgumentOutOfRangeException(nameof(value), $"{Number(value)} stands where a whole number is needed.");
+            : throw new ArgumentOutOfRangeException(nameof(value), $"Found {Number(value)}, expected an integer.");
 
     private static string Number(double value) => NumberFormatter.Format(value, 12);
 

@@ -8,15 +8,15 @@ namespace Caterpillar.Turtles;
 /// <param name="Action">What it does.</param>
 /// <param name="Name">Its name in scripts.</param>
 /// <param name="Aliases">Other names, mostly of the libraries of the papers.</param>
-/// <param name="Values">Names of its numbers, with units; those in brackets may be left out.</param>
-/// <param name="Text">Name of its text, or null; in brackets when it may be left out.</param>
+/// <param name="Values">Names of its numbers, with units; those in brackets are optional.</param>
+/// <param name="Text">Name of its text, or null; in brackets if it is optional.</param>
 /// <param name="Help">One sentence.</param>
 public sealed record TurtleCommandInfo(TurtleAction Action, string Name, IReadOnlyList<string> Aliases, IReadOnlyList<string> Values, string? Text, string Help)
 {
-    /// <summary>How many numbers it must have.</summary>
+    /// <summary>Number of required numbers.</summary>
     public int Required { get; } = Values.Count(v => !v.StartsWith("[", StringComparison.Ordinal));
 
-    /// <summary>True when its first three numbers are coordinates that <c>keep</c> leaves as they are.</summary>
+    /// <summary>True if its first three numbers are coordinates that <c>keep</c> can leave unchanged.</summary>
     public bool MayKeep => Action is TurtleAction.Position or TurtleAction.Jump;
 
     /// <summary>For example <c>forward distance [rise]</c>.</summary>
@@ -33,9 +33,9 @@ public static class TurtleCommands
     /// <summary>The commands in the order of the manual.</summary>
     public static IReadOnlyList<TurtleCommandInfo> All { get; } =
     [
-        Of(TurtleAction.Start, "start", "setup", "x y [z]", "Stands at a point (mm) before the first move."),
-        Of(TurtleAction.Forward, "forward", "fd", "distance [rise]", "Moves along forward (mm); with a rise along the azimuth and world Z (Kanada)."),
-        Of(TurtleAction.Backward, "backward", "back bk", "distance", "Moves backwards without turning (mm); prints like forward."),
+        Of(TurtleAction.Start, "start", "setup", "x y [z]", "Starts at a point (mm); only before the first move."),
+        Of(TurtleAction.Forward, "forward", "fd", "distance [rise]", "Moves along forward (mm); with a rise, along the azimuth and world Z (Kanada)."),
+        Of(TurtleAction.Backward, "backward", "back bk", "distance", "Moves backward without turning (mm); prints like forward."),
         Of(TurtleAction.Move, "move", "", "distance", "Moves along forward (mm), never prints."),
         Of(TurtleAction.ForwardLift, "forward_lift", "", "distance height", "One straight move along forward and up (mm)."),
         Of(TurtleAction.Lift, "lift", "", "height", "Moves along the turtle's up (mm), never prints."),
@@ -46,22 +46,23 @@ public static class TurtleCommands
         Of(TurtleAction.PitchDown, "pitch_down", "", "angle", "Lowers the nose."),
         Of(TurtleAction.Roll, "roll", "roll_right", "angle", "Lifts the left side."),
         Of(TurtleAction.RollLeft, "roll_left", "", "angle", "Lowers the left side."),
-        Of(TurtleAction.TurnAround, "turn_around", "", "", "Turns to the back."),
-        Of(TurtleAction.Heading, "heading", "set_heading set_angle", "yaw [pitch] [roll]", "The axes of the world, then yaw, pitch, roll."),
+        Of(TurtleAction.TurnAround, "turn_around", "", "", "Turns around."),
+        Of(TurtleAction.Heading, "heading", "set_heading set_angle", "yaw [pitch] [roll]", "Sets the heading: from the world axes, yaw, pitch, roll."),
         Of(TurtleAction.ChangeHeading, "change_heading", "", "yaw [pitch] [roll]", "Adds to the three angles of the heading."),
         Of(TurtleAction.Face, "face", "set_heading_point", "x y z", "Looks at a point (mm), wings level."),
-        Of(TurtleAction.Level, "level", "", "", "Brings the wings level."),
+        Of(TurtleAction.Level, "level", "", "", "Turns the wings level."),
         Of(TurtleAction.Position, "position", "goto set_position", "x y [z]",
-            "Goes straight to a point (mm), prints with the pen down; 'keep' leaves a coordinate."),
-        Of(TurtleAction.Jump, "jump", "set_turtle", "x y [z] [azimuth]", "Goes straight to a point (mm), never prints; with an azimuth it stands level there."),
+            "Moves straight to a point (mm), prints with the pen down; 'keep' leaves a coordinate."),
+        Of(TurtleAction.Jump, "jump", "set_turtle", "x y [z] [azimuth]",
+            "Moves straight to a point (mm), never prints; with an azimuth it stands level there."),
         Of(TurtleAction.Arc, "arc", "", "radius angle [climb] [segments]", "An arc (mm), to the left with a positive angle; may climb."),
         Of(TurtleAction.Circle, "circle", "", "radius [segments]", "A circle (mm) with its center on the left, closed exactly."),
-        Of(TurtleAction.CircleAround, "circle_around", "", "radius [segments]", "A circle (mm) around the turtle, which comes back."),
+        Of(TurtleAction.CircleAround, "circle_around", "", "radius [segments]", "A circle (mm) around the turtle, which returns."),
         Of(TurtleAction.Polygon, "polygon", "", "sides side", "A regular polygon (side in mm), closed exactly; negative sides turn right."),
-        Of(TurtleAction.Push, "push", "", "", "Remembers the whole state."),
-        Of(TurtleAction.Pop, "pop", "", "", "Goes back to the state remembered last, by a way that planning finds."),
-        Of(TurtleAction.PenUp, "penup", "pen_up pu", "", "Moves print nothing from here on."),
-        Of(TurtleAction.PenDown, "pendown", "pen_down pd", "", "Moves print from here on."),
+        Of(TurtleAction.Push, "push", "", "", "Saves the whole state."),
+        Of(TurtleAction.Pop, "pop", "", "", "Returns to the last saved state, along a path that planning finds."),
+        Of(TurtleAction.PenUp, "penup", "pen_up pu", "", "The following moves print nothing."),
+        Of(TurtleAction.PenDown, "pendown", "pen_down pd", "", "The following moves print."),
         Of(TurtleAction.Density, "density", "set_density extrude_rate set_extrude_rate", "filament", "mm of filament per mm of path."),
         Of(TurtleAction.Area, "area", "cross_section set_cross_section", "area [height]", "Strand in mm², and its height in mm."),
         Of(TurtleAction.Bead, "bead", "", "width height [multiplier]", "Strand of a width and height in mm."),
@@ -69,27 +70,27 @@ public static class TurtleCommands
         Of(TurtleAction.Speed, "speed", "set_velocity", "speed", "Speed in mm/s."),
         Of(TurtleAction.TravelRate, "travel_rate", "", "speed", "Speed of moves that print nothing, mm/min; 0: as fast as printing."),
         Of(TurtleAction.TravelSpeed, "travel_speed", "", "speed", "Speed of moves that print nothing, mm/s; 0: as fast as printing."),
-        Of(TurtleAction.Extrude, "extrude", "", "filament", "Pushes mm of filament out in place; negative pulls back."),
-        Of(TurtleAction.Dwell, "dwell", "", "time", "Waits some milliseconds."),
+        Of(TurtleAction.Extrude, "extrude", "", "filament", "Extrudes mm of filament in place; negative retracts."),
+        Of(TurtleAction.Dwell, "dwell", "", "time", "Waits for a time in milliseconds."),
         Of(TurtleAction.Pause, "pause", "pause_and_wait", "", "[message]", "Waits for the user."),
         Of(TurtleAction.NozzleTemperature, "hotend", "extruder_temp nozzle_temp set_extruder_temp", "temperature", "Heats the nozzle (°C) and waits."),
         Of(TurtleAction.SetNozzleTemperature, "hotend_nowait", "", "temperature", "Heats the nozzle (°C) without waiting."),
         Of(TurtleAction.BedTemperature, "bed", "bed_temp set_bed_temp", "temperature", "Heats the bed (°C) and waits; 0 is off."),
         Of(TurtleAction.SetBedTemperature, "bed_nowait", "", "temperature", "Heats the bed (°C) without waiting."),
-        Of(TurtleAction.Fan, "fan", "", "speed", "Part cooling fan, 0 to 1."),
+        Of(TurtleAction.Fan, "fan", "", "speed", "Component cooling fan, 0 to 1."),
         Of(TurtleAction.Mix, "mix", "set_mix_factor", "share", "Share of the first of two materials, 0 to 1."),
         Of(TurtleAction.Acceleration, "acceleration", "", "value", "Acceleration in mm/s²."),
-        Of(TurtleAction.Tool, "tool", "set_extruder", "number", "Another tool, from 0."),
-        Of(TurtleAction.Comment, "comment", "write_gcode_comment", "", "text", "A comment in the G-code; {formulas} in it are computed."),
-        Of(TurtleAction.Raw, "raw", "do", "", "line", "A line of G-code as it is; {formulas} in it are computed."),
-        Of(TurtleAction.Layer, "layer", "", "number [thickness]", "Strands belong to a layer (thickness in mm)."),
-        Of(TurtleAction.NextLayer, "next_layer", "", "[thickness]", "Strands belong to the next layer."),
+        Of(TurtleAction.Tool, "tool", "set_extruder", "number", "Changes the tool, from 0."),
+        Of(TurtleAction.Comment, "comment", "write_gcode_comment", "", "text", "A comment in the G-code; {formulas} in it are evaluated."),
+        Of(TurtleAction.Raw, "raw", "do", "", "line", "A line of G-code as it is; {formulas} in it are evaluated."),
+        Of(TurtleAction.Layer, "layer", "", "number [thickness]", "The following strands belong to a layer (thickness in mm)."),
+        Of(TurtleAction.NextLayer, "next_layer", "", "[thickness]", "The following strands belong to the next layer."),
         Of(TurtleAction.Color, "color", "colour set_color", "[red] [green] [blue]", "[color]",
-            "Strands have a color: three numbers 0 to 255, or \"#rrggbb\"; nothing ends it."),
-        Of(TurtleAction.Name, "name", "", "", "name", "Strands have a name."),
-        Of(TurtleAction.Role, "role", "", "", "role", "What strands are for: \"outer_wall\", \"infill\", \"skirt\" …"),
-        Of(TurtleAction.Degrees, "degrees", "", "", "Angles of commands are degrees from here on."),
-        Of(TurtleAction.Radians, "radians", "", "", "Angles of commands are radians from here on."),
+            "The following strands have a color: three numbers 0 to 255, or \"#rrggbb\"; no value ends it."),
+        Of(TurtleAction.Name, "name", "", "", "name", "The following strands have a name."),
+        Of(TurtleAction.Role, "role", "", "", "role", "Role of the following strands: \"outer_wall\", \"infill\", \"skirt\" …"),
+        Of(TurtleAction.Degrees, "degrees", "", "", "Angles of the following commands are in degrees."),
+        Of(TurtleAction.Radians, "radians", "", "", "Angles of the following commands are in radians."),
     ];
 
     private static Dictionary<string, TurtleCommandInfo> ByName { get; } = Index();
@@ -103,7 +104,7 @@ public static class TurtleCommands
     /// <summary>The command of an action.</summary>
     /// <exception cref="ArgumentException">Repeat, which has no values of its own.</exception>
     public static TurtleCommandInfo Of(TurtleAction action)
-        => All.FirstOrDefault(c => c.Action == action) ?? throw new ArgumentException("This action is no single command.", nameof(action));
+        => All.FirstOrDefault(c => c.Action == action) ?? throw new ArgumentException("This action is not a single command.", nameof(action));
 
     private static TurtleCommandInfo Of(TurtleAction action, string name, string aliases, string values, string help)
         => Of(action, name, aliases, values, null, help);

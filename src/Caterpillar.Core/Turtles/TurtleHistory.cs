@@ -6,11 +6,11 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Turtles;
 
 /// <summary>One move of a turtle's history.</summary>
-/// <param name="From">Where it began, mm.</param>
-/// <param name="To">Where it ended, mm.</param>
-/// <param name="Prints">True when it laid a strand.</param>
+/// <param name="From">Start, mm.</param>
+/// <param name="To">End, mm.</param>
+/// <param name="Prints">True if it deposited a strand.</param>
 /// <param name="Filament">E: mm of filament; in place (From equals To) it may be negative.</param>
-/// <param name="Rate">F: mm/min; 0 where planning chooses.</param>
+/// <param name="Rate">F: mm/min; 0 if planning chooses.</param>
 public readonly record struct TurtleMove(Vec3 From, Vec3 To, bool Prints, double Filament, double Rate)
 {
     /// <summary>Length in mm.</summary>
@@ -20,14 +20,14 @@ public readonly record struct TurtleMove(Vec3 From, Vec3 To, bool Prints, double
 /// <summary>The moves of steps with their E and F, as drawn.</summary>
 public static class TurtleHistory
 {
-    /// <summary>Every segment, travel and extrusion in place, in order. A first travel that states where the turtle stood begins there.</summary>
+    /// <summary>Every segment, travel and extrusion in place, in order. A first travel that states where the turtle started begins there.</summary>
     /// <param name="steps">Steps of a turtle.</param>
     /// <param name="filamentDiameter">mm.</param>
-    /// <param name="start">Where the turtle stood.</param>
+    /// <param name="start">Where the turtle started.</param>
     public static IReadOnlyList<TurtleMove> Of(IReadOnlyList<Step> steps, double filamentDiameter = 1.75, Vec3 start = default)
     {
         if (steps is null) throw new ArgumentNullException(nameof(steps));
-        if (!(filamentDiameter > 0)) throw new ArgumentOutOfRangeException(nameof(filamentDiameter), "The filament needs a diameter above 0 mm.");
+        if (!(filamentDiameter > 0)) throw new ArgumentOutOfRangeException(nameof(filamentDiameter), "The filament diameter must be above 0 mm.");
         var filament = Math.PI * (filamentDiameter / 2) * (filamentDiameter / 2);
         var moves = new List<TurtleMove>();
         var at = start;

@@ -6,7 +6,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>Something that a turtle can carry out: a script, a list of commands, or a word of an L-system, with all it needs. Immutable.</summary>
+/// <summary>A program for a turtle: a script, a list of commands, or a word of an L-system, with all it needs. Immutable.</summary>
 public sealed class TurtleProgram
 {
     private readonly Func<Turtle, TurtleLimits, CancellationToken, IReadOnlyList<Diagnostic>> _run;
@@ -17,7 +17,7 @@ public sealed class TurtleProgram
         _run = run;
     }
 
-    /// <summary>One line for people.</summary>
+    /// <summary>One line that describes it.</summary>
     public string Description { get; }
 
     /// <summary>A script with the values of its parameters.</summary>
@@ -60,8 +60,8 @@ public sealed class TurtleProgram
         });
     }
 
-    /// <summary>Carries it out.</summary>
-    /// <returns>The turtle at its end; none when an error stopped it.</returns>
+    /// <summary>Runs it.</summary>
+    /// <returns>The turtle at its end; none if an error stopped it.</returns>
     public Result<Turtle> Run(TurtleOptions? options = null, TurtleLimits? limits = null, IProgress<double>? progress = null,
         CancellationToken cancel = default)
     {
@@ -75,7 +75,7 @@ public sealed class TurtleProgram
 
     private static IReadOnlyList<Diagnostic> Run(TurtleCommand[] commands, Turtle turtle, TurtleLimits limits, CancellationToken cancel)
     {
-        // Lists that are being carried out, the innermost last; with a stack of our own no nesting is too deep.
+        // Lists that are being executed, the innermost last; with a separate stack no nesting is too deep.
         var open = new Stack<Cursor>();
         open.Push(new Cursor(commands, 1));
         var steps = 0L;

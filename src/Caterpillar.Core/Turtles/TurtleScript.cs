@@ -8,7 +8,7 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Turtles;
 
 /// <summary>
-/// A turtle program as text, compiled once: commands of <see cref="TurtleCommands"/> one a line or separated by <c>;</c>, formulas (<see cref="Formula"/>),
+/// A turtle program as text, compiled once: commands of <see cref="TurtleCommands"/>, one per line or separated by <c>;</c>, formulas (<see cref="Formula"/>),
 /// variables, <c>repeat</c>, <c>for</c>,
 /// <c>while</c>, <c>if</c> and <c>else</c>, arrays, procedures (<c>def</c>), L-systems, comments. docs/turtle.md is its manual. Problems are diagnostics with
 /// line and column; programs that do not end are stopped by <see cref="TurtleLimits"/>. Immutable; may run on several threads at once.
@@ -27,10 +27,10 @@ public sealed class TurtleScript
 
     public string Text { get; }
 
-    /// <summary>Variables that may be given from outside, in order (<c>param name = default</c>).</summary>
+    /// <summary>Variables that can be set from outside, in order (<c>param name = default</c>).</summary>
     public IReadOnlyList<string> Parameters => _code.Parameters;
 
-    /// <summary>Compiles a script. It never throws for the text; at most one error comes back, the first.</summary>
+    /// <summary>Compiles a script. It never throws for the text; at max one error comes back, the first.</summary>
     /// <param name="text">The script.</param>
     /// <param name="file">Its name, for diagnostics.</param>
     public static Result<TurtleScript> Compile(string text, string? file = null)
@@ -48,12 +48,12 @@ public sealed class TurtleScript
 
     /// <summary>Runs the script with a new turtle.</summary>
     /// <param name="options">How the turtle begins.</param>
-    /// <param name="variables">Values of parameters; a name that the script does not know is a warning.</param>
+    /// <param name="variables">Values of parameters; an unknown name is a warning.</param>
     /// <param name="seed">Of <c>random()</c>, until the script sets its own.</param>
     /// <param name="limits">Where it is stopped.</param>
-    /// <param name="progress">Told 1 at the end: how long a program runs is not known.</param>
+    /// <param name="progress">Reports 1 at the end, since the length of a run is unknown.</param>
     /// <param name="cancel">Stops with <see cref="OperationCanceledException"/>.</param>
-    /// <returns>The turtle at its end; none when an error stopped it.</returns>
+    /// <returns>The turtle at its end; none if an error stopped it.</returns>
     public Result<Turtle> Run(
         TurtleOptions? options = null,
         IReadOnlyDictionary<string, double>? variables = null,
@@ -67,7 +67,7 @@ public sealed class TurtleScript
         return new Result<Turtle>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : turtle, diagnostics);
     }
 
-    /// <summary>Runs the script with a turtle that may have done something before; after an error it stands where the program stopped.</summary>
+    /// <summary>Runs the script with an existing turtle; after an error it is where the program stopped.</summary>
     /// <inheritdoc cref="Run(TurtleOptions?, IReadOnlyDictionary{string, double}?, int, TurtleLimits?, IProgress{double}?, CancellationToken)"/>
     public IReadOnlyList<Diagnostic> Run(
         Turtle turtle,

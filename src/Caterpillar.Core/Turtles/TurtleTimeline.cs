@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>The way through steps by its length: where a turtle is at any part of it, and what it has printed until there.</summary>
+/// <summary>Positions along steps by length: the pose of a turtle at any point, and what it has printed so far.</summary>
 public sealed class TurtleTimeline
 {
     private readonly IReadOnlyList<TurtleMove> _moves;
@@ -25,7 +25,7 @@ public sealed class TurtleTimeline
     public double Length => _ends.Length == 0 ? 0 : _ends[_ends.Length - 1];
 
     /// <summary>
-    /// The pose at a part of the way, 0 to 1: X along the move, wings level; between moves that of the move that ends there. The frame of the world where there
+    /// The pose at a position along the path, 0 to 1: X along the move, wings level; between moves that of the move that ends there. The world frame if there
     /// are no moves.
     /// </summary>
     public Frame PoseAt(double part)
@@ -47,7 +47,7 @@ public sealed class TurtleTimeline
         return heading.ToFrame(Vec3.Lerp(move.From, move.To, along));
     }
 
-    /// <summary>The strands printed up to a part of the way, 0 to 1, as polylines in order.</summary>
+    /// <summary>The strands printed up to a position along the path, 0 to 1, as polylines in order.</summary>
     public IReadOnlyList<IReadOnlyList<Vec3>> PrintedUntil(double part)
     {
         var runs = new List<IReadOnlyList<Vec3>>();
@@ -71,7 +71,7 @@ public sealed class TurtleTimeline
     {
         along = 1;
         if (_moves.Count == 0) return -1;
-        if (double.IsNaN(part)) throw new ArgumentOutOfRangeException(nameof(part), "A part of the way is a number from 0 to 1.");
+        if (double.IsNaN(part)) throw new ArgumentOutOfRangeException(nameof(part), "A position along the path must be a number from 0 to 1.");
         var wanted = Math.Min(Math.Max(part, 0), 1) * Length;
         var i = Array.BinarySearch(_ends, wanted);
         if (i < 0) i = ~i;

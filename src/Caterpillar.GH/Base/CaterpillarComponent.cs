@@ -11,8 +11,8 @@ using Rhino.DocObjects;
 namespace Caterpillar.GH.Base;
 
 /// <summary>
-/// Base of all components: declares ports, runs one item after another so that a bad one does not stop the rest, reports problems with branch and item, keeps
-/// long work off the user's thread, and mends what Grasshopper's own base class does with previews and baking.
+/// Base of all components: declares ports, solves item by item so that a bad one does not stop the rest, reports problems with branch and item, keeps
+/// long work off the UI thread, and corrects what Grasshopper's own base class does with previews and baking.
 /// </summary>
 public abstract class CaterpillarComponent : GH_Component
 {
@@ -29,21 +29,21 @@ public abstract class CaterpillarComponent : GH_Component
 
     public sealed override GH_Exposure Exposure { get; }
 
-    /// <summary>True when an output can be seen.</summary>
+    /// <summary>True if an output can be previewed.</summary>
     public sealed override bool IsPreviewCapable => Params.Output.OfType<IGH_PreviewObject>().Any(p => p.IsPreviewCapable) || DrawsItself;
 
-    /// <summary>Nothing while hidden; Grasshopper's own does not ask.</summary>
+    /// <summary>Empty while hidden; Grasshopper's own does not check.</summary>
     public override Rg.BoundingBox ClippingBox => Hidden ? Rg.BoundingBox.Empty : base.ClippingBox;
 
-    /// <summary>True when an output can be baked; Grasshopper's own asks the inputs.</summary>
+    /// <summary>True if an output can be baked; Grasshopper's own checks the inputs.</summary>
     public sealed override bool IsBakeCapable => Params.Output.OfType<IGH_BakeAwareObject>().Any(p => p.IsBakeCapable);
 
     protected sealed override Bitmap? Icon => Icons.Load(Icons.NameOf(GetType()));
 
-    /// <summary>True for the components that draw colors of their own.</summary>
+    /// <summary>True for components that draw a preview of their own.</summary>
     private protected virtual bool DrawsItself => false;
 
-    /// <summary>Does nothing where nothing can be baked; the menu item does not ask.</summary>
+    /// <summary>Does nothing if nothing can be baked; the menu item does not check.</summary>
     public sealed override void BakeGeometry(RhinoDoc doc, ObjectAttributes att, List<Guid> obj_ids)
     {
         if (IsBakeCapable) base.BakeGeometry(doc, att, obj_ids);
@@ -72,7 +72,7 @@ public abstract class CaterpillarComponent : GH_Component
 
     private protected abstract void Outputs(OutputPorts ports);
 
-    /// <summary>Solves one item. Throws <see cref="InputProblem"/> (or lets the library's argument exceptions through) where the item can't be used.</summary>
+    /// <summary>Solves one item. Throws <see cref="InputProblem"/> (or lets the library's argument exceptions through) if the item can't be used.</summary>
     private protected abstract void Solve(Run run);
 
     protected sealed override void RegisterInputParams(GH_InputParamManager pManager) => Inputs(new InputPorts(pManager));

@@ -13,11 +13,11 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager)
     public void Number(string name, string nick, string description, double? fallback = null, GH_ParamAccess access = Item)
         => Add(Default(new Param_Number(), fallback), name, nick, description, access);
 
-    /// <summary>An angle: degrees, or radians where the user switches the port.</summary>
+    /// <summary>An angle: degrees, or radians if the user switches the port.</summary>
     public void Angle(string name, string nick, string description, double fallback)
         => Add(Default(new Param_Number { AngleParameter = true, UseDegrees = true }, fallback), name, nick, description, Item);
 
-    /// <summary>A number that may be left out; the component then falls back to something that is no number.</summary>
+    /// <summary>An optional number; without it the component falls back to something that is not a number.</summary>
     public void OptionalNumber(string name, string nick, string description) => Add(new Param_Number { Optional = true }, name, nick, description, Item);
 
     public void Integer(string name, string nick, string description, int? fallback = null, GH_ParamAccess access = Item)
@@ -37,7 +37,7 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager)
     public void Target(string name, string nick, string description, string filter)
         => Add(new Param_FilePath { FileFilter = filter }, name, nick, description, Item);
 
-    /// <summary>Several choices among the values of an enum; without any the component takes all.</summary>
+    /// <summary>Several choices among the values of an enum; none means all.</summary>
     public void Choices<T>(string name, string nick, string description)
         where T : struct, Enum
         => Add(ChoiceParam.Of<T>(), name, nick, description, GH_ParamAccess.list, optional: true);
@@ -55,14 +55,14 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager)
     public void Geometry(string name, string nick, string description, GH_ParamAccess access = Item, bool optional = false)
         => Add(new Param_Geometry { Optional = optional }, name, nick, description, access);
 
-    /// <summary>A parameter of our own whose branches become one list, in their order; the user may switch that off on the port.</summary>
+    /// <summary>A parameter of the plug-in whose branches become one list, in their order; the user may switch that off on the port.</summary>
     public void Flattened(IGH_Param param, string name, string nick, string description)
     {
         param.DataMapping = GH_DataMapping.Flatten;
         Add(param, name, nick, description, GH_ParamAccess.list);
     }
 
-    /// <summary>A parameter of our own.</summary>
+    /// <summary>A parameter of the plug-in.</summary>
     public void Add(IGH_Param param, string name, string nick, string description, GH_ParamAccess access = Item, bool optional = false)
     {
         if (optional) param.Optional = true;

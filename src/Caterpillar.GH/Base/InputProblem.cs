@@ -2,7 +2,7 @@ using System;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>An input of one item that can't be used: the item gives null, the others go on.</summary>
+/// <summary>An input of one item that can't be used: the item gives null, the others are solved.</summary>
 internal sealed class InputProblem : Exception
 {
     public InputProblem()
@@ -19,6 +19,6 @@ internal sealed class InputProblem : Exception
     {
     }
 
-    /// <summary>True where there is nothing rather than something wrong.</summary>
+    /// <summary>True if the input is missing rather than wrong.</summary>
     public bool IsMissing { get; init; }
 }

@@ -7,7 +7,7 @@ using Rhino.UI;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>Runs work on another thread while the user's thread waits in short steps, watches the Escape key and moves Rhino's progress meter.</summary>
+/// <summary>Runs work on another thread while the UI thread waits in short steps, watches the Escape key and moves Rhino's progress meter.</summary>
 internal static class LongWork
 {
     private const int StepMilliseconds = 25;

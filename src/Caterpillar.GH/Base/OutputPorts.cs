@@ -19,10 +19,10 @@ internal sealed class OutputPorts(GH_Component.GH_OutputParamManager manager)
 
     public void Curve(string name, string nick, string description, GH_ParamAccess access = Item) => Add(new Param_Curve(), name, nick, description, access);
 
-    /// <summary>What was noticed while solving.</summary>
-    public void Diagnostics() => Text("Diagnostics", "D", "What was noticed, one line per kind of finding.", GH_ParamAccess.list);
+    /// <summary>The diagnostics of the solve.</summary>
+    public void Diagnostics() => Text("Diagnostics", "D", "Remarks, warnings and errors, one line per kind.", GH_ParamAccess.list);
 
-    /// <summary>A parameter of our own.</summary>
+    /// <summary>A parameter of the plug-in.</summary>
     public void Add(IGH_Param param, string name, string nick, string description, GH_ParamAccess access = Item)
         => manager.AddParameter(param, name, nick, description, access);
 }

@@ -1,6 +1,6 @@
 namespace Caterpillar.GH.Base;
 
-/// <summary>The panels of the tab, in the order of the work.</summary>
+/// <summary>The panels of the tab, in the order of the workflow.</summary>
 internal static class Panel
 {
     public const string Setup = "Setup";

@@ -7,7 +7,8 @@ using Rhino;
 namespace Caterpillar.GH.Base;
 
 /// <summary>A component that reads profiles: it solves again when one of the user's own changes.</summary>
-[SuppressMessage("Design", "CA1001", Justification = "Grasshopper never disposes of components: the watcher goes when the component leaves its document.")]
+[SuppressMessage("Design", "CA1001",
+    Justification = "Grasshopper never disposes of components: the watcher is disposed when the component leaves its document.")]
 public abstract class ProfileComponent(string name, string nickname, string description)
     : CaterpillarComponent(name, nickname, description, Panel.Setup)
 {

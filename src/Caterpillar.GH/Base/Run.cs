@@ -22,7 +22,7 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
 
     public GH_Document? Document => component.OnPingDocument();
 
-    /// <summary>Conversion between document units and mm. Says so once where they differ.</summary>
+    /// <summary>Conversion between document units and mm. Reports once if they differ.</summary>
     public DocumentUnits Units
     {
         get
@@ -37,7 +37,7 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
     }
 
     /// <summary>A required item.</summary>
-    /// <exception cref="InputProblem">It is null or not there.</exception>
+    /// <exception cref="InputProblem">It is null or missing.</exception>
     public T Get<T>(int input)
     {
         var value = default(T);
@@ -73,7 +73,7 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
         {
             var lost = all.Count - some.Count;
             Report(GH_RuntimeMessageLevel.Warning,
-                $"{component.Params.Input[input].Name} has {lost} null {(lost == 1 ? "item, which is" : "items, which are")} left out.");
+                $"{component.Params.Input[input].Name} has {lost} null {(lost == 1 ? "item, which is" : "items, which are")} ignored.");
         }
         return some;
     }
@@ -87,7 +87,7 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
             + $"{NumberFormatter.Format(value, 6)}.");
     }
 
-    /// <summary>A finite number; of an angle port in degrees, whichever its switch says.</summary>
+    /// <summary>A finite number; from an angle port always in degrees.</summary>
     public double Finite(int input)
     {
         var value = Get<double>(input);
@@ -112,14 +112,14 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
         return numbers.Count == 0 ? null : numbers.Select(n => ToChoice<T>(input, n.Value)).ToArray();
     }
 
-    /// <summary>The full path of a file as the user means it: relative to the definition's own file, where it has one.</summary>
+    /// <summary>The full path of a file: relative paths start at the folder of the definition, if it has been saved.</summary>
     public string PathTo(string file)
     {
         var folder = Document is { IsFilePathDefined: true } document ? Path.GetDirectoryName(document.FilePath) : null;
         return Path.GetFullPath(folder is not null && !Path.IsPathRooted(file) ? Path.Combine(folder, file) : file);
     }
 
-    /// <summary>The value of a result after its diagnostics were shown and collected; null where it has none.</summary>
+    /// <summary>The value of a result after its diagnostics were shown and collected; null if it has none.</summary>
     public T? Accept<T>(Result<T> result, List<string>? texts = null)
         where T : class
     {
@@ -134,7 +134,7 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
 
     public void SetTree(int output, IGH_Structure tree) => access.SetDataTree(output, tree);
 
-    /// <summary>The path at which the data of this item begins in an output.</summary>
+    /// <summary>The path of this item's data in an output.</summary>
     public GH_Path PathOf(int output) => access.ParameterTargetPath(output);
 
     /// <summary>Null for every item output; lists and trees stay empty.</summary>
@@ -146,7 +146,7 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
         }
     }
 
-    /// <summary>A value that is kept from the last solve when the parts of its key are the same.</summary>
+    /// <summary>A value that is kept from the last solve if the parts of its key are the same.</summary>
     public T Cached<T>(object?[] key, Func<T> make)
         where T : class
         => cache.Get(key, make);
@@ -155,7 +155,7 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
     /// <exception cref="OperationCanceledException">The user pressed Escape.</exception>
     public T Work<T>(string label, Func<IProgress<double>, CancellationToken, T> work) => LongWork.Run(label, work);
 
-    /// <summary>A word about the result under the component.</summary>
+    /// <summary>A short message below the component.</summary>
     public void Summarize(string text) => component.Message = text;
 
     /// <summary>Messages for diagnostics, and their texts for the output of that name.</summary>
@@ -192,7 +192,7 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
             + $"{string.Join(", ", Enum.GetNames(typeof(T)))}.");
     }
 
-    // The path of an item output is the branch of the inputs; a list output of an item has the number of the item behind it.
+    // The path of an item output is the branch of the inputs; a list output of an item appends the index of the item.
     private string Place()
     {
         if (component.Params.Output.Count == 0) return "Item " + NumberFormatter.Format(access.Iteration);

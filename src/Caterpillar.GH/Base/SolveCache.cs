@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Caterpillar.GH.Base;
 
 /// <summary>
-/// Results of the last solve of one component. A key is a row of parts: immutable inputs compare by reference, settings by their values. What the current solve
-/// does not ask for is dropped at its end.
+/// Results of the last solve of one component. A key is a list of parts: immutable inputs compare by reference, settings by value. What the current solve
+/// does not request is dropped at its end.
 /// </summary>
 internal sealed class SolveCache
 {

@@ -2,7 +2,7 @@ using Rhino;
 
 namespace Caterpillar.GH.Conversion;
 
-/// <summary>The units of the Rhino document against mm, in which the library works.</summary>
+/// <summary>The units of the Rhino document relative to mm, the unit of the library.</summary>
 internal readonly struct DocumentUnits
 {
     private DocumentUnits(UnitSystem system)
@@ -11,7 +11,7 @@ internal readonly struct DocumentUnits
         Name = system.ToString().ToLowerInvariant();
     }
 
-    /// <summary>Those of the active document; mm where there is none.</summary>
+    /// <summary>Those of the active document; mm if there is none.</summary>
     public static DocumentUnits Current => new(RhinoDoc.ActiveDoc is { } document ? document.ModelUnitSystem : UnitSystem.Millimeters);
 
     /// <summary>mm per document unit.</summary>

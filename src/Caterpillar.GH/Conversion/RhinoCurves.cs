@@ -39,7 +39,7 @@ internal static class RhinoCurves
         return new ArcCurve(Frame.FromAxes(center, start, ahead), arc.Radius * units.ToMillimeters, System.Math.Min(arc.AngleDegrees, 360));
     }
 
-    // Rhino leaves out the first and the last knot, which have no influence.
+    // Rhino omits the first and the last knot, which have no influence.
     private static NurbsCurve ToNurbs(Rg.NurbsCurve curve, DocumentUnits units)
     {
         var points = new List<Vec3>();

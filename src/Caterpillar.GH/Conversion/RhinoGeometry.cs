@@ -9,7 +9,7 @@ namespace Caterpillar.GH.Conversion;
 /// <summary>Between the library's geometry in mm and Rhino's in document units.</summary>
 internal static class RhinoGeometry
 {
-    // Distance in mm that chords of arcs keep from them, on the screen and when baked.
+    // Maximum deviation of chords from arcs in mm, on the screen and when baked.
     private const double ChordTolerance = 0.01;
 
     public static Vec3 ToVec(Rg.Point3d point, DocumentUnits units) => new Vec3(point.X, point.Y, point.Z) * units.ToMillimeters;
@@ -30,7 +30,7 @@ internal static class RhinoGeometry
         => Frame.FromAxes(ToVec(plane.Origin, units), new Vec3(plane.XAxis.X, plane.XAxis.Y, plane.XAxis.Z),
             new Vec3(plane.YAxis.X, plane.YAxis.Y, plane.YAxis.Z));
 
-    /// <summary>A map of document units as a map of mm; null where it is a perspective.</summary>
+    /// <summary>A map of document units as a map of mm; null if it is a perspective map.</summary>
     public static Affine? ToAffine(Rg.Transform t, DocumentUnits units)
     {
         if (t.M30 != 0 || t.M31 != 0 || t.M32 != 0 || !(t.M33 != 0)) return null;
@@ -39,7 +39,7 @@ internal static class RhinoGeometry
             new Vec3(t.M03, t.M13, t.M23) * (s * units.ToMillimeters));
     }
 
-    /// <summary>A path as a polyline; a closed one ends where it begins.</summary>
+    /// <summary>A path as a polyline; a closed one ends at its start.</summary>
     public static Rg.PolylineCurve ToCurve(PrintPath path, DocumentUnits units)
     {
         var points = new List<Rg.Point3d> { ToPoint(path.Start, units) };
@@ -83,7 +83,7 @@ internal static class RhinoGeometry
         return new Rg.PolylineCurve(Array.ConvertAll(corners, p => ToPoint(p, units)));
     }
 
-    /// <summary>A closed contour as a polyline that ends where it begins.</summary>
+    /// <summary>A closed contour as a polyline that ends at its start.</summary>
     public static Rg.PolylineCurve ToCurve(Polyline contour, double z, DocumentUnits units)
     {
         var points = new List<Rg.Point3d>(contour.Count + 1);

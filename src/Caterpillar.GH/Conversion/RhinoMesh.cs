@@ -8,7 +8,7 @@ namespace Caterpillar.GH.Conversion;
 /// <summary>Turns any geometry that has a surface into triangles in mm.</summary>
 internal static class RhinoMesh
 {
-    /// <summary>One Rhino mesh for anything that can be sliced. The tolerance, in mm, is how far flat facets may be from a curved surface.</summary>
+    /// <summary>One Rhino mesh for anything that can be sliced. The tolerance, in mm, is the maximum deviation of facets from a curved surface.</summary>
     /// <exception cref="InputProblem">It has no surface, or Rhino can't mesh it.</exception>
     public static Rg.Mesh ToMesh(object geometry, double tolerance, DocumentUnits units)
     {
@@ -27,16 +27,16 @@ internal static class RhinoMesh
             Rg.Extrusion extrusion => Joined(Rg.Mesh.CreateFromBrep(extrusion.ToBrep(false), parameters)),
             Rg.Surface surface => Joined([Rg.Mesh.CreateFromSurface(surface, parameters)]),
             Rg.SubD subd => Joined([Rg.Mesh.CreateFromSubD(subd, 4)]),
-            _ => throw new InputProblem($"A {geometry.GetType().Name} has no surface to slice: give a mesh, Brep, SubD, extrusion or surface."),
+            _ => throw new InputProblem($"A {geometry.GetType().Name} has no surface to slice: use a mesh, Brep, SubD, extrusion or surface."),
         };
     }
 
-    /// <summary>The triangles of a mesh; quadrilaterals are cut along their shorter diagonal. What Rhino holds in its own units becomes mm.</summary>
+    /// <summary>The triangles of a mesh; quadrilaterals are split along their shorter diagonal. Document units become mm.</summary>
     /// <exception cref="InputProblem">The mesh is empty or not valid.</exception>
     public static TriMesh ToTriangles(Rg.Mesh mesh, DocumentUnits units)
     {
         if (mesh.Faces.Count == 0) throw new InputProblem("A mesh without faces can't be sliced.");
-        if (!mesh.IsValid) throw new InputProblem("A mesh is not valid: Rhino's command Check says why.");
+        if (!mesh.IsValid) throw new InputProblem("A mesh is not valid: Rhino's command Check tells why.");
         var points = mesh.Vertices.ToPoint3dArray();
         var vertices = new Vec3[points.Length];
         for (var i = 0; i < points.Length; i++) vertices[i] = RhinoGeometry.ToVec(points[i], units);

@@ -29,7 +29,7 @@ public sealed class BeadGoo : GH_Goo<Bead>
 
     public override IGH_Goo Duplicate() => _isSet ? new BeadGoo(Value) : new BeadGoo();
 
-    /// <summary>What a script component gets.</summary>
+    /// <summary>The value for script components.</summary>
     public override object ScriptVariable() => Value;
 
     public override bool CastFrom(object source)

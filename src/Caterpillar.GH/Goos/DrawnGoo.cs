@@ -7,7 +7,7 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Goos;
 
 /// <summary>
-/// Goo of what is drawn as one thin wire in the color given; nothing when it is very large. What it is worth in document units is worked out once for each
+/// Goo that is drawn as one thin wire in the given color; not drawn if it is very large. Its curves in document units are computed once for each
 /// unit.
 /// </summary>
 public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData
@@ -24,7 +24,7 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData
 
     public Rg.BoundingBox ClippingBox => Boundingbox;
 
-    /// <summary>Around what is printed, mm.</summary>
+    /// <summary>Bounds of what is printed, mm.</summary>
     private protected abstract Bounds Bounds { get; }
 
     private protected abstract bool IsVeryLarge { get; }

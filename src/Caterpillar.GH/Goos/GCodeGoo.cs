@@ -3,7 +3,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>A G-code file on a wire, as one value: a Panel shows a sentence about it, the component G-code Text its lines.</summary>
+/// <summary>A G-code file on a wire, as one value: a Panel shows a summary, the component G-code Text its lines.</summary>
 public sealed class GCodeGoo : ValueGoo<GCodeDocument>
 {
     public GCodeGoo()

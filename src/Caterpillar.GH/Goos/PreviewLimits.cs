@@ -1,6 +1,6 @@
 namespace Caterpillar.GH.Goos;
 
-/// <summary>Above these sizes goo draws nothing by itself; Toolpath Preview draws them in another way.</summary>
+/// <summary>Above these sizes goo draws nothing by itself.</summary>
 internal static class PreviewLimits
 {
     public const int Points = 500_000;

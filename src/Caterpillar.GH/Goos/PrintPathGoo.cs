@@ -23,7 +23,7 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData
         Value = path!;
     }
 
-    /// <summary>A path that a slicer gave, with the group in which planning may sort it.</summary>
+    /// <summary>A path from a slicer, with the group in which planning may sort it.</summary>
     public PrintPathGoo(PathStep step)
         : this(step?.Path)
     {
@@ -37,17 +37,17 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData
     {
         Group = other.Group;
         KeepStart = other.KeepStart;
-        // Moved paths have left their layer.
+        // Moved paths leave their layer.
         Region = ReferenceEquals(path, other.Value) ? other.Region : null;
     }
 
     /// <summary>Paths of one group may be sorted; without a group the path stays where it is.</summary>
     public StepGroup? Group { get; }
 
-    /// <summary>Sorting may not turn it round or begin it elsewhere.</summary>
+    /// <summary>Sorting may not reverse it or move its start.</summary>
     public bool KeepStart { get; }
 
-    /// <summary>What the layer covers around it.</summary>
+    /// <summary>The region that its layer covers.</summary>
     public Region? Region { get; }
 
     public override string TypeName => "Print Path";
@@ -59,7 +59,7 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData
     /// <summary>The path as a step of a design.</summary>
     public PathStep ToStep() => new(Value, Group) { KeepStart = KeepStart, Region = Region };
 
-    /// <summary>Another path in its place.</summary>
+    /// <summary>The same with another path.</summary>
     public PrintPathGoo With(PrintPath path) => new(this, path);
 
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)

@@ -20,7 +20,7 @@ public sealed class PrinterGoo : ProfileGoo<Printer>
 
     public override string TypeName => "Printer";
 
-    public override string TypeDescription => "A printer: its space in mm, its limits and its G-code.";
+    public override string TypeDescription => "A printer: its build volume in mm, its limits and its G-code.";
 
     public override IGH_Goo Duplicate() => new PrinterGoo(Value);
 
@@ -81,7 +81,7 @@ public sealed class SettingsGoo : ProfileGoo<PrintSettings>
 
     public override string TypeName => "Print Settings";
 
-    public override string TypeDescription => "How to print: heights and widths in mm, speeds in mm/s.";
+    public override string TypeDescription => "Print settings: heights and widths in mm, speeds in mm/s.";
 
     public override IGH_Goo Duplicate() => new SettingsGoo(Value);
 

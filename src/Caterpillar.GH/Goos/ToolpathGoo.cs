@@ -44,10 +44,10 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
         DecodedGCode = other.DecodedGCode;
     }
 
-    /// <summary>What it was planned for, where that is known.</summary>
+    /// <summary>The setup it was planned for, if known.</summary>
     public PrintSetup? Setup { get; }
 
-    /// <summary>The file that it was decoded from, where it was: written again, lines that no edit touches stay as they are.</summary>
+    /// <summary>The file that it was decoded from, if any: when written again, lines that no edit touches keep their bytes.</summary>
     public DecodedGCode? DecodedGCode { get; }
 
     public override string TypeName => "Toolpath";
@@ -61,7 +61,7 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     /// <summary>An edit of it.</summary>
     public ToolpathGoo With(Toolpath edited) => new(this, edited);
 
-    /// <summary>Bends the layers; start and end code stay.</summary>
+    /// <summary>Deforms the layers; start and end code stay.</summary>
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)
     {
         if (Value is null) return null;
@@ -96,5 +96,5 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 
     private protected override IReadOnlyList<Rg.PolylineCurve> CurvesIn(DocumentUnits units) => RhinoGeometry.ToCurves(Value, units);
 
-    private protected override IGH_GeometricGoo Image(Affine map) => With(Value.Transformed(map));
+    private protected override IGH_GeometricGoo Image(Affine map) => With(Value.Transform(map));
 }

@@ -3,7 +3,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>A turtle program on a wire. Text becomes one where it compiles.</summary>
+/// <summary>A turtle program on a wire. Text becomes one if it compiles.</summary>
 public sealed class TurtleProgramGoo : ValueGoo<TurtleProgram>
 {
     public TurtleProgramGoo()
@@ -17,7 +17,7 @@ public sealed class TurtleProgramGoo : ValueGoo<TurtleProgram>
 
     public override string TypeName => "Turtle Program";
 
-    public override string TypeDescription => "Something that a turtle can carry out: a script, commands or an L-system.";
+    public override string TypeDescription => "A program for a turtle: a script, commands or an L-system.";
 
     public override IGH_Goo Duplicate() => new TurtleProgramGoo(Value);
 

@@ -19,7 +19,7 @@ public abstract class ValueGoo<T> : GH_Goo<T>
 
     public override string IsValidWhyNot => IsValid ? "" : $"There is no {TypeName}.";
 
-    /// <summary>What a script component gets.</summary>
+    /// <summary>The value for script components.</summary>
     public override object? ScriptVariable() => Value;
 
     public override bool CastFrom(object source)
@@ -39,6 +39,6 @@ public abstract class ValueGoo<T> : GH_Goo<T>
 
     public override string ToString() => Value is null ? $"No {TypeName}" : Describe(Value);
 
-    /// <summary>A sentence about the value, for a Panel.</summary>
+    /// <summary>A summary of the value, for a Panel.</summary>
     protected abstract string Describe(T value);
 }

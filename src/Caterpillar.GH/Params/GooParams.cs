@@ -33,7 +33,7 @@ public abstract class StoredParam<T>(string name, string nickname, string descri
     protected override GH_GetterResult Prompt_Plural(ref List<T> values) => GH_GetterResult.cancel;
 }
 
-/// <summary>Data that can be seen and, where its goo can, baked.</summary>
+/// <summary>Data with a preview that can be baked if its goo can.</summary>
 public abstract class VisibleParam<T>(string name, string nickname, string description, string panel)
     : VolatileParam<T>(name, nickname, description, panel), IGH_PreviewObject, IGH_BakeAwareObject
     where T : class, IGH_Goo, IGH_PreviewData

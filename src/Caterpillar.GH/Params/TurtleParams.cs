@@ -6,7 +6,7 @@ namespace Caterpillar.GH.Params;
 
 /// <summary>Turtle programs.</summary>
 public sealed class TurtleProgramParam()
-    : VolatileParam<TurtleProgramGoo>("Turtle Program", "Program", "Contains programs that a turtle can carry out.", Panel.Design)
+    : VolatileParam<TurtleProgramGoo>("Turtle Program", "Program", "Contains turtle programs.", Panel.Design)
 {
     public override Guid ComponentGuid => new("51a3b9f4-7a3f-4c0e-9a55-2f1d7fbd4a01");
 }

@@ -4,12 +4,12 @@ using System.IO;
 
 namespace Caterpillar.GH.Plugin;
 
-/// <summary>The icons embedded in the plug-in: 24 × 24 PNG, named after the class they stand for.</summary>
+/// <summary>The icons embedded in the plug-in: 24 × 24 PNG, named after their class.</summary>
 internal static class Icons
 {
     private const string Fallback = "Component";
 
-    /// <summary>The icon of a class, the general one where it has none of its own, or null where no bitmap can be made on this platform.</summary>
+    /// <summary>The icon of a class, the general one if it has none of its own, or null if this platform cannot make bitmaps.</summary>
     public static Bitmap? Load(string name)
     {
         try
@@ -25,11 +25,11 @@ internal static class Icons
     }
 
     /// <summary>
-    /// Name of the icon of a component or parameter: its class without what kind of class it is; a parameter shares the icon of what it holds.
+    /// Name of the icon of a component or parameter: its class name without the suffix; a parameter shares the icon of what it holds.
     /// </summary>
     internal static string NameOf(Type type)
         => type.Name.EndsWith("Component", StringComparison.Ordinal) ? type.Name.Substring(0, type.Name.Length - "Component".Length) : type.Name;
 
-    /// <summary>The PNG of a class, or null where it has none of its own.</summary>
+    /// <summary>The PNG of a class, or null if it has none of its own.</summary>
     internal static Stream? Open(string name) => typeof(Icons).Assembly.GetManifestResourceStream($"icons/{name}.png");
 }

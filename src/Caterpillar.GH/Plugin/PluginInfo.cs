@@ -17,7 +17,7 @@ public sealed class PluginInfo : GH_AssemblyInfo
 
     public override string Name => Tab;
 
-    public override string Description => "Designs to 3D-printer motion, and G-code back to toolpaths.";
+    public override string Description => "Turns designs into 3D-printer motion, and G-code back into toolpaths.";
 
     public override Bitmap? Icon => Icons.Load("Plugin");
 

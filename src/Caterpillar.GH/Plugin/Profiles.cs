@@ -5,13 +5,13 @@ using Grasshopper;
 
 namespace Caterpillar.GH.Plugin;
 
-/// <summary>The profiles of the plug-in, and over them those of the user's folder.</summary>
+/// <summary>The built-in profiles, overridden by those in the user's folder.</summary>
 internal static class Profiles
 {
     /// <summary>The folder of the user's own printers, materials and settings; it need not exist.</summary>
     public static string UserFolder => Path.Combine(Folders.SettingsFolder, "Caterpillar", "printers");
 
-    /// <summary>A library that sees the folder as it is now.</summary>
+    /// <summary>A library of the profiles that are in the folder now.</summary>
     public static ProfileLibrary Library => new(UserFolder);
 }
 
@@ -34,7 +34,7 @@ internal sealed class ProfileWatcher : IDisposable
         }
         catch (Exception e) when (e is IOException or PlatformNotSupportedException or ArgumentException)
         {
-            // A folder that can't be watched is read at the next solution all the same.
+            // A folder that can't be watched is still read at the next solution.
             _watcher?.Dispose();
             _watcher = null;
         }

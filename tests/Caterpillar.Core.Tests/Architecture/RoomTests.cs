@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Architecture;
 
-/// <summary>Reads the compiled Core and checks which room of it uses which.</summary>
+/// <summary>Reads the compiled Core and checks which of its rooms uses which.</summary>
 public class RoomTests
 {
     private static readonly string[] Data = ["Basics", "Files", "Geometry", "Expressions", "Toolpaths", "Dialects", "Machines"];
@@ -52,10 +52,10 @@ public class RoomTests
     }
 
     [Test]
-    public void The_graph_of_rooms_has_no_circle()
+    public void The_graph_of_rooms_has_no_cycle()
     {
         var uses = Uses(typeof(Caterpillar.Basics.Diagnostic).Assembly.Location).Where(u => u.From != u.To).Select(u => (u.From, u.To)).Distinct().ToList();
-        // Rooms that use nothing that is left are taken away until none remains; a circle never goes.
+        // Rooms that use no remaining room are removed until none is left; a cycle is never removed.
         while (uses.Count > 0 && uses.RemoveAll(u => uses.All(other => other.From != u.To)) > 0)
         {
         }
@@ -65,7 +65,7 @@ public class RoomTests
     [Test]
     public void The_check_sees_uses_in_method_bodies()
     {
-        // Toolpaths certainly calls Geometry from a body; had the reader missed bodies, this would be absent.
+        // Toolpaths certainly calls Geometry from a method body; if the reader missed bodies, this would be absent.
         var uses = Uses(typeof(Caterpillar.Basics.Diagnostic).Assembly.Location).ToArray();
         Assert.That(uses.Any(u => u.From == "Toolpaths" && u.To == "Geometry" && u.Where.Contains("ToolpathTotals::Of")), Is.True);
     }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests.Architecture;
@@ -24,7 +25,7 @@ public class SourceTests
     [Test]
     public void Code_has_American_spelling()
     {
-        // Names of Grasshopper and of slicers keep their own spelling.
+        // Names of Grasshopper and of slicers keep their spelling.
         string[] kept = ["GH_Colour", "Param_Colour", "WireColour", "extruder_colour", "filament_colour", "\"colour", "x,y,colour"];
         string[] british = ["co" + "lour", "cen" + "tre", "gr" + "ey", "neigh" + "bour", "behav" + "iour", "normal" + "ise"];
         var found = Sources()
@@ -34,6 +35,40 @@ public class SourceTests
             .Select(l => l.Place + ": " + l.Text.Trim());
         Assert.That(found, Is.Empty);
     }
+
+    [Test]
+    public void Sentences_and_names_are_plain_English_of_the_field()
+    {
+        // Words in a sense that the field does not have, old names, and words for which there is a plainer one.
+        string[] banned =
+        [
+            @"\b[Bb]ehind\w*", @"\b[Aa]new\b", @"out_of_room", @"\b(its|their) room\b", @"\bstands? where", @"\bfor people\b", @"\blaw of\b", @"\bstuff\b",
+            @"\b(var|out|string|double|int|bool) how\b", @"\bblanks\b", @"\b\w*Blanks?(Before|After)?\b", @"increments or (as )?sums",
+                @"mistake of the program",
+            @"lie over them", @"\.Perspective\b", @"\.(Need|Long)\(", @"\b\w*Ways?\b", @"(?<!\b(this|either|any|other|same|some|a|no) )\bways?\b",
+            @"\b(Homers|DrivenWord|LayerBook|Tally|Retooler|GapGauge|WholeFile|WholeFormat|FlagFormat|WithoutSpecks|PlanCounts)\b",
+        ];
+        // Not looked at: the rooms of G-code, whose words are not those of plain English, and this list.
+        string[] apart =
+        [
+            "src/Caterpillar.Core/GCode/", "src/Caterpillar.Core/Checks/", "src/Caterpillar.Core/Dialects/", "Core.Tests/GCode/", "docs/gcode.md",
+                "SourceTests.cs",
+        ];
+        var words = new Regex(string.Join("|", banned), RegexOptions.CultureInvariant);
+        var found = Sources().Concat(Texts())
+            .Where(file => !apart.Any(a => file.Replace(Path.DirectorySeparatorChar, '/').Contains(a)))
+            .SelectMany(file => File.ReadLines(file).Select((line, i) => (Text: line, Place: $"{file}:{i + 1}")))
+            .Where(l => words.IsMatch(l.Text))
+            .Select(l => $"{l.Place}: \"{words.Match(l.Text).Value}\" in: {l.Text.Trim()}");
+        Assert.That(found, Is.Empty);
+    }
+
+    // Manual, profiles and example scripts.
+    private static IEnumerable<string> Texts()
+        => new[] { "README.md", "CONTRIBUTING.md", "CHANGELOG.md" }.Select(name => Path.Combine(TestData.Repository, name))
+            .Concat(Directory.EnumerateFiles(Path.Combine(TestData.Repository, "docs"), "*.md"))
+            .Concat(Directory.EnumerateFiles(Path.Combine(TestData.Repository, "printers"), "*.json", SearchOption.AllDirectories))
+            .Concat(Directory.EnumerateFiles(Path.Combine(TestData.Repository, "examples"), "*.turtle", SearchOption.AllDirectories));
 
     // The stand-ins of tests/headless keep the spelling of what they stand in for.
     private static IEnumerable<string> Sources()

@@ -4,7 +4,7 @@ using System.IO.Compression;
 
 namespace Caterpillar.Tests;
 
-/// <summary>Packs bytes with gzip.</summary>
+/// <summary>Compresses bytes with gzip.</summary>
 internal static class Gzip
 {
     public static byte[] Packed(byte[] bytes)

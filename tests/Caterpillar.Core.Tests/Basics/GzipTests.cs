@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Basics;
 
-/// <summary>One unpacker for every reader: what it gives is whole, or it is an error.</summary>
+/// <summary>One decompressor for every reader: its result is complete, or it is an error.</summary>
 public class GzipTests
 {
     private static readonly byte[] Empty = [];
@@ -36,7 +36,7 @@ public class GzipTests
     }
 
     [Test]
-    public void Garbage_behind_the_end_is_left_alone_and_told()
+    public void Garbage_after_the_end_is_ignored_and_reported()
     {
         foreach (var garbage in new byte[][] { [65], [0, 0, 65], [0x1F, 0x20], Noise(3, 30_000) })
         {
@@ -55,18 +55,18 @@ public class GzipTests
     }
 
     [Test]
-    public void Whatever_the_sizes_are_the_bytes_come_back()
+    public void Bytes_of_any_size_come_back()
     {
         var random = new Random(4);
         foreach (var size in new[] { 0, 1, 7, 8, 8191, 8192, 8193, 16_384, 65_535, 81_920, 200_001 })
         {
             foreach (var data in new[] { Noise(size, size), Enumerable.Repeat((byte)65, size).ToArray() })
             {
-                // Some runtimes pack nothing to nothing at all.
+                // Some runtimes compress no bytes to no bytes at all.
                 foreach (var packed in new[] { Gzip.Packed(data), Gzip.Stored(data) }.Where(p => p.Length > 0))
                 {
                     Assert.That(Unpacked(Join(packed, packed), out _), Is.EqualTo(Join(data, data)));
-                    // A stream that gives what it likes, and readers that ask for little.
+                    // A stream that returns any number of bytes, and readers that ask for few.
                     using var slow = new GzipReader(new Slow(packed, random));
                     using var memory = new MemoryStream();
                     var block = new byte[5000];
@@ -110,7 +110,7 @@ public class GzipTests
                     try
                     {
                         Assert.That(Unpacked(copy, out _), Is.EqualTo(data), $"byte {at}");
-                        Assert.That(at, Is.LessThan(packed.Length - 8), "Checksum and length are looked at.");
+                        Assert.That(at, Is.LessThan(packed.Length - 8), "Checksum and length are checked.");
                     }
                     catch (InvalidDataException)
                     {
@@ -143,14 +143,14 @@ public class GzipTests
     }
 
     [Test]
-    public void The_error_of_a_disk_stays_one()
+    public void An_error_of_the_disk_stays_one()
     {
         using var stream = new GzipReader(new Failing(Gzip.Packed(Noise(6, 200_000))));
         Assert.That(() => stream.CopyTo(Stream.Null), Throws.InstanceOf<IOException>().With.Message.EqualTo("The disk is gone."));
     }
 
     [Test]
-    public void What_is_not_packed_is_handed_on()
+    public void What_is_not_packed_is_passed_on()
     {
         foreach (var bytes in new byte[][] { [], [0x1F], [65, 66, 67], [0x1F, 0x1F, 0x8B] })
         {
@@ -164,7 +164,7 @@ public class GzipTests
         }
     }
 
-    // A member that is flushed twice and holds nothing.
+    // An empty member that is flushed twice.
     private static byte[] Flushed() => Join([0x1F, 0x8B, 8, 0, 0, 0, 0, 0, 0, 255, 0, 0, 0, 0xFF, 0xFF, 0, 0, 0, 0xFF, 0xFF, 3, 0], new byte[8]);
 
     private static byte[] Unpacked(byte[] packed, out bool trailing)

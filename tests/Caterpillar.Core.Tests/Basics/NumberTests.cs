@@ -92,7 +92,7 @@ public class NumberTests
     [TestCase("NaN")]
     [TestCase("−1")]
     [TestCase("1 ")]
-    public void Text_that_is_no_number_is_refused(string text) => Assert.That(NumberReader.TryParse(text, out _), Is.False);
+    public void Text_that_is_not_a_number_is_rejected(string text) => Assert.That(NumberReader.TryParse(text, out _), Is.False);
 
 #if NET
     [Test]

@@ -24,7 +24,7 @@ public class WholeFileTests
     public void RemoveFolder() => Directory.Delete(_folder, true);
 
     [Test]
-    public void A_file_is_there_once_it_is_whole()
+    public void A_file_appears_once_it_is_complete()
     {
         var file = In("part.gcode");
         foreach (var text in new[] { "first", "2nd" })
@@ -56,7 +56,7 @@ public class WholeFileTests
     }
 
     [Test]
-    public void Folders_and_places_that_are_not_there_are_errors()
+    public void Folders_and_missing_folders_are_errors()
     {
         Assert.That(() => new AtomicFile(_folder), Throws.InstanceOf<IOException>().With.Message.Contains("is a folder"));
         Assert.That(() => new AtomicFile(In("no/part.gcode")), Throws.InstanceOf<IOException>());
@@ -71,7 +71,7 @@ public class WholeFileTests
     }
 
     [Test]
-    public void A_link_stays_a_link_and_rights_stay()
+    public void A_link_stays_a_link_and_permissions_stay()
     {
         Unix();
         File.WriteAllText(In("real.gcode"), "a longer old text");

@@ -37,7 +37,7 @@ public class LimitCheckTests
     }
 
     [Test]
-    public void Moves_below_the_bed_say_so()
+    public void Moves_below_the_bed_are_reported_as_such()
         => Assert.That(Run(Generic, b => Print(b, new Vec3(20, 10, -0.1))).Single().Code, Is.EqualTo("bed.below"));
 
     [Test]
@@ -163,7 +163,7 @@ public class LimitCheckTests
             "the other one is cold");
         Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210, Tool: 0), new ToolEvent(1))).Single().Code, Is.EqualTo("limit.cold_extrusion"));
         Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210, Tool: 0), new ToolEvent(1), new NozzleTemperatureEvent(205, true))), Is.Empty,
-            "the tool at work is meant");
+            "the current tool is meant");
     }
 
     [Test]

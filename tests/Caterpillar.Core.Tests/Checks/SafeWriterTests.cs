@@ -27,7 +27,7 @@ public class SafeWriterTests
     public void RemoveFolder() => Directory.Delete(_folder, true);
 
     [Test]
-    public void What_is_fine_is_written_and_replaces_an_older_file()
+    public void A_valid_print_is_written_and_replaces_an_older_file()
     {
         var file = Path.Combine(_folder, "part.gcode");
         File.WriteAllText(file, "old");
@@ -38,7 +38,7 @@ public class SafeWriterTests
     }
 
     [Test]
-    public void A_name_that_ends_in_bgcode_asks_for_binary_code()
+    public void A_name_that_ends_in_bgcode_requests_binary_code()
     {
         var file = Path.Combine(_folder, "part.bgcode");
         Assert.That(SafeWriter.WriteFile(Line(50), new PrintSetup(), file).Value, Is.Not.Null);
@@ -63,7 +63,7 @@ public class SafeWriterTests
     [TestCase("")]
     [TestCase("   ")]
     [TestCase("1")]
-    public void An_override_needs_words(string reason)
+    public void An_override_needs_a_reason(string reason)
         => Assert.That(SafeWriter.ToDocument(Line(500), new PrintSetup(), reason).Value, Is.Null);
 
     [Test]
@@ -77,11 +77,11 @@ public class SafeWriterTests
     }
 
     [Test]
-    public void A_folder_that_is_not_there_is_an_error_of_the_disk()
+    public void A_missing_folder_is_an_error_of_the_disk()
         => Assert.That(() => SafeWriter.WriteFile(Line(50), new PrintSetup(), Path.Combine(_folder, "no", "part.gcode")), Throws.InstanceOf<IOException>());
 
     [Test]
-    public void Canceling_leaves_nothing_behind()
+    public void Canceling_leaves_no_files()
     {
         using var cancel = new System.Threading.CancellationTokenSource();
         cancel.Cancel();

@@ -13,7 +13,7 @@ namespace Caterpillar.Tests.Display;
 public class PictureTests
 {
     [Test]
-    public void A_strand_stands_where_it_was_printed()
+    public void A_strand_is_drawn_where_it_was_printed()
     {
         // 10 mm along X seen from above: the middle row is covered over 92 % of the width, the corners are background.
         var image = Picture.Draw(Line(Vec3.Zero, new Vec3(10, 0, 0)), new PictureOptions { Width = 200, Height = 100, View = View.Top });
@@ -68,7 +68,7 @@ public class PictureTests
     }
 
     [Test]
-    public void Sizes_that_make_no_picture_are_refused()
+    public void Invalid_sizes_are_rejected()
         => Assert.That(() => new RasterImage(0, 10, default), Throws.InstanceOf<ArgumentOutOfRangeException>());
 
     private static Toolpath Line(Vec3 from, Vec3 to)

@@ -15,7 +15,7 @@ public class CurvePathsTests
     [Test]
     public void The_E_per_mm_of_the_sample_in_the_paper_is_reproduced()
     {
-        // G1 X65.7029 Y68.4932 Z40.1287 E1.3947, then G1 X66.6977 Y67.4932 Z40.2310 E1.5861: 0.1353 mm of filament for one mm.
+        // G1 X65.7029 Y68.4932 Z40.1287 E1.3947, then G1 X66.6977 Y67.4932 Z40.2310 E1.5861: 0.1353 mm of filament per mm.
         var line = new LineCurve(new Vec3(65.7029, 68.4932, 40.1287), new Vec3(66.6977, 67.4932, 40.2310));
         var options = new CurveOptions { Width = 0.8, Height = 0.4, Multiplier = 1.017 };
         var path = CurvePaths.ToPaths([new UserCurve(line)], options).Value!.Single();
@@ -44,7 +44,7 @@ public class CurvePathsTests
     }
 
     [Test]
-    public void Settings_of_a_curve_come_before_those_for_all()
+    public void Settings_of_a_curve_take_precedence_over_those_for_all()
     {
         var line = new LineCurve(Vec3.Zero, Vec3.UnitX);
         var options = new CurveOptions { Width = 0.5, Height = 0.2, Speed = 30 };
@@ -94,7 +94,7 @@ public class CurvePathsTests
     }
 
     [Test]
-    public void A_closed_polyline_with_values_comes_back_to_the_first_value()
+    public void A_closed_polyline_with_values_returns_to_the_first_value()
     {
         var curve = new UserCurve(new PolylineCurve([new(0, 0), new(4, 0), new(4, 4)], closed: true)) { Along = new PointValues(areas: [0.1, 0.2, 0.3]) };
         var path = CurvePaths.ToPaths([curve]).Value!.Single();
@@ -104,7 +104,7 @@ public class CurvePathsTests
     }
 
     [Test]
-    public void Arcs_are_kept_or_fitted_when_asked()
+    public void Arcs_are_kept_or_fitted_on_request()
     {
         var circle = new UserCurve(ArcCurve.Circle(new Vec3(5, 5, 0.2), 5));
         var kept = CurvePaths.ToPaths([circle], new CurveOptions { Subdivision = SubdivisionOptions.ByDistance(1) with { KeepArcs = true } }).Value!.Single();
@@ -116,7 +116,7 @@ public class CurvePathsTests
     }
 
     [Test]
-    public void Touching_curves_are_joined_when_asked()
+    public void Touching_curves_are_joined_on_request()
     {
         var curves = new[] { new UserCurve(new LineCurve(Vec3.Zero, Vec3.UnitX)), new UserCurve(new LineCurve(Vec3.UnitX, new Vec3(1, 1))) };
         Assert.That(CurvePaths.ToPaths(curves).Value, Has.Count.EqualTo(2));

@@ -30,7 +30,7 @@ public class CurveReaderTests
     [TestCase("# points\n\"x\"\t\"y\"\t\"z\"\n0\t0\t0\n10\t0\t5e-1\n")]
     [TestCase("\ufeffz,y,x\n0,0,0\n.5,+0,10.\n")]
     [TestCase("0,0,0\r10,0,0.5\r")]
-    public void Points_are_read_in_all_their_spellings(string text)
+    public void Points_are_read_in_all_notations(string text)
     {
         if (text.EndsWith("\t\n", StringComparison.Ordinal)) text = text.Substring(0, text.Length - 5);
         var curve = Read(text, "p.csv").Value!.Single().Curve;
@@ -79,7 +79,7 @@ public class CurveReaderTests
     }
 
     [Test]
-    public void Unknown_columns_and_single_points_are_left_out_with_a_word()
+    public void Unknown_columns_and_single_points_are_ignored_with_a_warning()
     {
         var read = Read("x,y,colour\n0,0,7\n1,0,8\n\n3,3,9\n", "c.csv");
         Assert.That(read.Value, Has.Count.EqualTo(1));
@@ -87,7 +87,7 @@ public class CurveReaderTests
     }
 
     [Test]
-    public void Json_holds_all_kinds_of_curves()
+    public void Json_can_contain_all_kinds_of_curves()
     {
         const string Text = """
             {"units": "cm", "speed": 20, "curves": [
@@ -136,7 +136,7 @@ public class CurveReaderTests
     }
 
     [Test]
-    public void Lines_of_obj_are_read_and_faces_left_out()
+    public void Lines_of_obj_are_read_and_faces_ignored()
     {
         var read = Read("# lines\nv 0 0 0\nv 1 0 0\nv 1 1 0.5\no first\nl 1 2 3\nf 1 2 3\ng second one\nl -1/1 \\\n -3/2\nl 1 2 3 1\n", "a.obj");
         var curves = read.Value!;

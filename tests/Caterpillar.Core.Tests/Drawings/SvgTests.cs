@@ -51,7 +51,7 @@ public class SvgTests
         var full = One("<path d=\"M0 0q5 10 10 0q5-10 10 0q5 10 10 0\"/>").Curve;
         for (var i = 0; i <= 30; i++) Near(shorter.PointAt(i / 10.0), full.PointAt(i / 10.0));
         Near(full.PointAt(0.5), Up(5, 5));
-        // Behind another command the control point is the point itself.
+        // After another command the control point is the point itself.
         Near(One("<path d=\"M0 0 L10 0 T20 0\"/>").Curve.PointAt(1.5), Up(12.5, 0));
     }
 
@@ -73,7 +73,7 @@ public class SvgTests
     }
 
     [Test]
-    public void Elliptical_arcs_follow_the_ellipse_and_grow_when_too_small()
+    public void Elliptical_arcs_follow_the_ellipse_and_are_scaled_up_if_too_small()
     {
         var curve = One("<path d=\"M10 50 a30 15 0 0 1 60 0\"/>").Curve;
         Near(curve.PointAt(curve.ParameterAtLength(curve.Length / 2)), Up(40, 35));
@@ -87,7 +87,7 @@ public class SvgTests
     }
 
     [Test]
-    public void Closing_and_going_on_starts_at_the_first_point()
+    public void A_command_after_closing_starts_at_the_first_point()
     {
         var curves = CurveReaderTests.Read(Page("<path d=\"M10 10h10v10z l-5 5 M50 50 q5 5 10 0 z m10 10 l1 1\"/>"), "a.svg").Value!;
         Assert.That(curves, Has.Count.EqualTo(4));
@@ -162,7 +162,7 @@ public class SvgTests
     }
 
     [Test]
-    public void What_is_hidden_or_only_defined_is_left_out()
+    public void Hidden_elements_and_definitions_are_ignored()
     {
         var read = CurveReaderTests.Read(Page(
             "<defs><path d=\"M0 0h1\"/></defs><g display=\"none\"><path d=\"M0 0h2\"/></g><path style=\"fill:none; display : none\" d=\"M0 "

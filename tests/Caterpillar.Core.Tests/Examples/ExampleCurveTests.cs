@@ -45,7 +45,7 @@ public class ExampleCurveTests
     }
 
     [Test]
-    public void The_thick_cup_deposits_what_its_columns_say()
+    public void The_thick_cup_deposits_what_its_columns_state()
     {
         var path = CurvePaths.ToPaths(Read("thick_cup.csv", new PrintSetup())).Value!.Single();
         // Width, height and multiplier beyond the first turn.

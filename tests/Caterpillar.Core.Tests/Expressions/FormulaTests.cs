@@ -38,7 +38,7 @@ internal sealed class FormulaTests
     [TestCase("1 > 2 or 3 != 3", 0)]
     [TestCase("1 > 2 ? 10 : 2 > 1 ? 20 : 30", 20)]
     [TestCase("5 \u2212 2 \u00D7 2", 1)]
-    public void Operators_bind_as_in_school(string text, double expected) => Assert.That(Value(text), Is.EqualTo(expected));
+    public void Operators_have_their_usual_precedence(string text, double expected) => Assert.That(Value(text), Is.EqualTo(expected));
 
     [TestCase("sin(30)", 0.5)]
     [TestCase("cos(60)", 0.5)]
@@ -136,7 +136,7 @@ internal sealed class FormulaTests
     [TestCase("", 1, 1, "formula.syntax")]
     [TestCase("3x", 1, 1, "formula.number")]
     [TestCase("\n  1 +\n  * 2", 3, 3, "formula.syntax")]
-    public void Errors_say_where(string text, int line, int column, string code)
+    public void Errors_state_their_position(string text, int line, int column, string code)
     {
         var error = Error(text, "x");
         Assert.That((error.Source!.Line, error.Source.Column, error.Code), Is.EqualTo((line, column, code)), error.Message);

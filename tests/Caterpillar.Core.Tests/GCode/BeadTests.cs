@@ -28,7 +28,7 @@ public class BeadTests
         Assert.That(Decode("M83\nG1 X10 E0.5\n", null).BeadOf(Decode("M83\nG1 X10 E0.5\n", null)[0]), Is.Null, "without a diameter");
     }
 
-    // PrusaSlicer says in comments how wide it means its strands.
+    // PrusaSlicer states the intended width of its strands in comments.
     [TestCase("ps_fandisk_marlin2_absE.gcode.gz")]
     [TestCase("ps_spot_marlin2_relE.gcode.gz")]
     [TestCase("ps_plate_mach3_A.gcode")]

@@ -119,7 +119,7 @@ internal sealed class BinaryFile(bool checksums = true)
     }
 
     /// <summary>
-    /// MeatPack as slicers use it: G lines lose their blanks; comments are dropped, or with <paramref name="comments"/> whole lines of them are kept unpacked.
+    /// MeatPack as slicers use it: G lines lose their spaces; comments are dropped, or with <paramref name="comments"/> whole lines of them are kept unpacked.
     /// </summary>
     public static byte[] MeatPacked(string text, bool comments)
     {

@@ -87,7 +87,7 @@ public class BinaryGCodeTests
         // FF FF FB switches packing on; "G1" is D and 1; " X" B and E; "5" and Y as a whole byte; "3" with the line end.
         byte[] packed = [0xFF, 0xFF, 0xFB, 0x1D, 0xEB, 0xF5, (byte)'Y', 0xC3, 0xFF, (byte)'A', (byte)'B', 0x0C];
         Assert.That(Encoding.ASCII.GetString(MeatPack.Unpack(packed)), Is.EqualTo("G1 X5Y3\nAB\n"));
-        // FF FF F7: no blanks; B stands for E.
+        // FF FF F7: no spaces; B stands for E.
         Assert.That(Encoding.ASCII.GetString(MeatPack.Unpack([0xFF, 0xFF, 0xFB, 0xFF, 0xFF, 0xF7, 0x1D, 0x5E, 0x2B, 0x0C])), Is.EqualTo("G1 X5 E2\n"));
         // FF FF FA: off again, and FF alone is a byte.
         Assert.That(MeatPack.Unpack([0xFF, 0xFF, 0xFB, 0xC1, 0xFF, 0xFF, 0xFA, (byte)';', 0xFF, (byte)'x']),
@@ -114,7 +114,7 @@ public class BinaryGCodeTests
         {
             var file = Whole(1, 2, checksums);
             var bytes = file.ToArray();
-            // Behind a block of G-code the rest might be no more than another one: nothing says that it is missing.
+            // After a block of G-code the rest might just be another one: nothing shows that it is missing.
             var unknown = file.Starts.Skip(file.Starts.Count - 2).ToArray();
             for (var length = 4; length < bytes.Length; length++)
             {

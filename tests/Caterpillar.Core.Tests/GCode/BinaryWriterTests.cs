@@ -26,7 +26,7 @@ public class BinaryWriterTests
             + "\n;\n; thumbnail_QOI begin 16x17 8\n; AQIDBA==\n; thumbnail_QOI end\n;\n\nM83\n\n;TYPE:Perimeter\nG1 X1 Y2 E3 ; in words\n"
             + "\n; total toolchanges = 0\n; filament used [mm] = 3.00\n\n; prusaslicer_config = begin\n; layer_height = 0.2\n; notes = a = b\n; "
                 + "prusaslicer_config = end\n\n"));
-        // A second time nothing moves any more, and the same text gives the same bytes.
+        // The second time nothing moves, and the same text gives the same bytes.
         Assert.That(Packed(Unpacked(file)), Is.EqualTo(file));
     }
 
@@ -37,7 +37,7 @@ public class BinaryWriterTests
         [
             "G1 X1 Y2.5 Z-3 E.1 F1800", "G1X1", "G1  X1", "G1 X1 ", " G1 X1", "g1 x1", "G2 X1 I1 K0 E1", "G92 B0", "G1 X1e-05", "G1 X1 ; EE X", "G1 X1 ;E",
                 "G28 W", "G28", "G", "G1 X1*12", "N1 G1 X1 E2*55", "M117 G1 hello X9 E",
-            "M117 EXTRA  blanks", "T1", ";", "; G1 X1", ";E E", "START_PRINT BED=60 E=G", "(G1 X1)", "%", "\t", "M862.3 P \"MK4\"", "G1 X1 E2 A3 C4 H5",
+            "M117 EXTRA  spaces", "T1", ";", "; G1 X1", ";E E", "START_PRINT BED=60 E=G", "(G1 X1)", "%", "\t", "M862.3 P \"MK4\"", "G1 X1 E2 A3 C4 H5",
                 "G1 X1 U2", "; caf\u00e9 \u00fe", "G1 X+1", "EEE", "E", "G1 F", "/G1 X1", "M1\0E",
         ];
         foreach (var line in lines) Assert.That(Unpacked(Packed(line + "\n")), Is.EqualTo("\n" + line + "\n"), line);

@@ -72,7 +72,7 @@ public class EditPropertyTests
         });
 
     [Test]
-    public void Behind_another_start_code_the_layers_are_the_same()
+    public void After_another_start_code_the_layers_are_the_same()
         => ForAll(8, (decoding, random) =>
         {
             string[] any = ["G28", "G91", "G90", "M83", "M82", "G1 X5 Y7 Z9 F900", "G92 X3", "M106 S9", "G20", "T1", "G1 F77", "; hello", "G10"];
@@ -106,7 +106,7 @@ public class EditPropertyTests
             Moves_can_be_mapped_and_their_material_and_speed_scaled();
             Edits_can_follow_one_another();
             Random_programs_can_be_converted();
-            Behind_another_start_code_the_layers_are_the_same();
+            After_another_start_code_the_layers_are_the_same();
         }
         finally
         {
@@ -138,20 +138,20 @@ public class EditPropertyTests
         }
     }
 
-    // Both ways of writing.
+    // Both methods of writing.
     private static string? Check(DecodedGCode decoding, Toolpath edited)
     {
         // A and B extrude where they do so along X or Y; without any strand nothing says so.
         if (decoding.Axis != ExtrusionAxis.E && !edited.Moves().Any(m => m.E != 0 && (m.End - m.Start).LengthXY > 2e-3)) return null;
         var spliced = RoundTrips.Edited(decoding, edited, new MoveTolerance { Chords = 0.01, LayersOfStrands = true, UnknownRoles = true });
         if (spliced is not null) return spliced + "\n" + Text(decoding, edited);
-        return RoundTrips.Written(decoding, edited, true) is { } written ? "written anew: " + written : null;
+        return RoundTrips.Written(decoding, edited, true) is { } written ? "rewritten: " + written : null;
     }
 
     private static string Text(DecodedGCode decoding, Toolpath edited)
         => string.Concat(GCodeEditor.ToDocument(decoding, edited).Value!.ToBytes().Select(b => (char)b)) + "\n-----";
 
-    // What is kept is the same moves, each of which finds its tool as much pulled back as before.
+    // The kept moves are the same, and each finds its tool retracted as much as before.
     private static string? Kept(Toolpath before, Toolpath after)
     {
         var states = States(before).ToDictionary(s => s.Move.Source);
@@ -162,7 +162,7 @@ public class EditPropertyTests
             if (move.End != was.Move.End || move.E != was.Move.E || move.Kind != was.Move.Kind || move.Speed != was.Move.Speed
                 || move.Tool != was.Move.Tool) return "a kept move changed: " + was.Move + " to " + move;
             if (move.Kind == MoveKind.Travel) continue;
-            if (firmware != was.Firmware || Math.Abs(pulled - was.Pulled) > 1e-6) return "pulled back otherwise before " + move + ": " + pulled + " "
+            if (firmware != was.Firmware || Math.Abs(pulled - was.Pulled) > 1e-6) return "different retraction before " + move + ": " + pulled + " "
                 + firmware + " instead of " + was.Pulled + " " + was.Firmware;
         }
         return null;
@@ -199,7 +199,7 @@ public class EditPropertyTests
         1 => new MoveFilter { Roles = [Role.Infill, Role.OuterWall] },
         2 => new MoveFilter { Tool = random.Next(3) },
         3 => new MoveFilter { Kinds = [(MoveKind)random.Next(8)] },
-        _ => new MoveFilter { Region = new Bounds(new Vec3(0, 0, 0), new Vec3(25, 50, 5)) },
+        _ => new MoveFilter { Box = new Bounds(new Vec3(0, 0, 0), new Vec3(25, 50, 5)) },
     };
 
     private static PrinterEvent Event(Random random) => random.Next(7) switch

@@ -34,7 +34,7 @@ public class EditTests
     }
 
     [Test]
-    public void The_speed_of_a_layer_changes_its_lines_and_the_state_behind_it()
+    public void The_speed_of_a_layer_changes_its_lines_and_the_state_after_it()
     {
         var edited = Edit(Small, t => t.ScaleSpeed(new MoveFilter { FirstLayer = 1, LastLayer = 1, Kinds = [MoveKind.Print] }, 0.5));
         Assert.That(edited, Is.EqualTo(Small.Replace("G1 X10 E3 F1200", "G1 X10 E3 F600").Replace("G0 X0 Y0 Z0.6\n", "G1 F1200\nG0 X0 Y0 Z0.6\n")));
@@ -85,7 +85,7 @@ public class EditTests
     }
 
     [Test]
-    public void Numbers_and_checksums_are_renewed_behind_an_inserted_line()
+    public void Numbers_and_checksums_are_renewed_after_an_inserted_line()
     {
         var builder = new StringBuilder();
         var lines = new[] { "G21", "G90", "M83", "G1 X0 Y0 Z0.2 F1800", "G1 X10 E0.5", "G1 X20 E0.5" };

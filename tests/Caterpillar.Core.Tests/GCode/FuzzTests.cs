@@ -123,7 +123,7 @@ public class FuzzTests
     private static void Reshape(DecodedGCode decoding, Random random)
     {
         var filter = new MoveFilter { FirstLayer = random.Next(2) == 0 ? null : random.Next(3), Kinds = random.Next(2) == 0 ? null : [MoveKind.Print] };
-        var turned = decoding.Toolpath.Transformed(filter, Affine.Rotate(Vec3.UnitZ, random.Next(360)).Then(Affine.Scale(random.Next(1, 3), 1, 1)));
+        var turned = decoding.Toolpath.Transform(filter, Affine.Rotate(Vec3.UnitZ, random.Next(360)).Then(Affine.Scale(random.Next(1, 3), 1, 1)));
         GCodeEditor.ToDocument(decoding, turned.InsertAtLayer(random.Next(3), new ToolEvent(random.Next(3))).Value ?? turned);
         GCodeEditor.ToDocument(decoding, decoding.Toolpath.Deform(filter, p => p.WithZ(p.Z + Math.Abs(p.X) / 1000), 0.5));
     }

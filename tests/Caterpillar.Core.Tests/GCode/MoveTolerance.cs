@@ -28,7 +28,7 @@ internal sealed record MoveTolerance
     /// <summary>Arcs may be chains of chords whose vertices lie on the arc (and whose chords keep this close to it, mm); 0 where arcs stay arcs.</summary>
     public double Chords { get; init; }
 
-    /// <summary>Where a target has no G10 and G11: the length that stands for them, 0 where they are left out; null where they stay.</summary>
+    /// <summary>Where a target has no G10 and G11: the length that stands for them, 0 where they are left out; null if they stay.</summary>
     public double? RetractionLength { get; init; }
 
     /// <summary>Numbers of layers and names of objects are equal; otherwise moves are in one layer here where they are in one layer there.</summary>
@@ -46,6 +46,6 @@ internal sealed record MoveTolerance
     /// <summary>False where the target has no tools.</summary>
     public bool Tools { get; init; } = true;
 
-    /// <summary>False where the target has no E at all: only the way of the head is compared, and which of it prints.</summary>
+    /// <summary>False where the target has no E at all: only the motion of the head is compared, and which moves print.</summary>
     public bool Amounts { get; init; } = true;
 }

@@ -13,7 +13,7 @@ namespace Caterpillar.Tests.GCode;
 public class RoundTripTests
 {
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
-    public void Every_move_marked_as_changed_is_written_anew(string file)
+    public void Every_move_marked_as_changed_is_rewritten(string file)
     {
         var decoding = RoundTrips.Decode(GCodeFiles.Document(file), null);
         Assert.That(RoundTrips.RewriteAll(decoding), Is.Null);
@@ -21,7 +21,7 @@ public class RoundTripTests
     }
 
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
-    public void The_toolpath_alone_is_written_anew(string file)
+    public void The_toolpath_alone_is_written(string file)
     {
         var decoding = RoundTrips.Decode(GCodeFiles.Document(file), null);
         foreach (var relative in new[] { true, false })
@@ -60,11 +60,11 @@ public class RoundTripTests
         }
     }
 
-    // Of two ways, large files go one.
+    // Large files take only one of two round trips.
     private static bool InTurn(DecodedGCode decoding, bool first) => decoding.Toolpath.Count < 15000 || decoding.Toolpath.Count % 2 == (first ? 0 : 1);
 
     [Test]
-    [Explicit("Every file in every way; some minutes.")]
+    [Explicit("Every round trip of every file; some minutes.")]
     public void Every_file_makes_every_round_trip()
     {
         var watch = Stopwatch.StartNew();
@@ -91,7 +91,7 @@ public class RoundTripTests
 
     private static IEnumerable<(string Name, Func<DecodedGCode, string?> Trip)> Trips()
     {
-        yield return ("anew", RoundTrips.RewriteAll);
+        yield return ("rewritten", RoundTrips.RewriteAll);
         yield return ("shifted", RoundTrips.Shifted);
         yield return ("written relative", d => RoundTrips.Written(d, true));
         yield return ("written absolute", d => RoundTrips.Written(d, false));

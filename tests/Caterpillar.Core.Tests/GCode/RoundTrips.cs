@@ -11,7 +11,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Tests.GCode;
 
 /// <summary>
-/// The ways from a decoded file to another text and back; each gives the first difference between what was wanted and what came back, or null.
+/// Round trips from a decoded file to another text and back; each gives the first difference between the expected and the decoded moves, or null.
 /// </summary>
 internal static class RoundTrips
 {
@@ -24,7 +24,7 @@ internal static class RoundTrips
     /// <summary>Every move shifted and faster.</summary>
     public static string? Shifted(DecodedGCode decoding)
     {
-        var edited = decoding.Toolpath.Transformed(Affine.Move(Shift)).ScaleSpeed(new MoveFilter(), 1.25);
+        var edited = decoding.Toolpath.Transform(Affine.Move(Shift)).ScaleSpeed(new MoveFilter(), 1.25);
         return Edited(decoding, edited, new MoveTolerance());
     }
 
@@ -49,14 +49,14 @@ internal static class RoundTrips
             LayersOfStrands = !ReferenceEquals(toolpath, decoding.Toolpath) });
     }
 
-    /// <summary>Converted to another dialect or notation; null also where it cannot be, and says so.</summary>
+    /// <summary>Converted to another dialect or notation; null also if that is impossible and reported.</summary>
     public static string? Converted(DecodedGCode decoding, ConvertOptions options, double chords = 0)
     {
         var dialect = options.Dialect ?? decoding.Dialect;
         var result = GCodeConverter.ToDocument(decoding, options);
         if (result.Value is null)
         {
-            // What a switch pushes out is not known; and some firmware takes E as volumes only.
+            // The amount of a switched extruder is unknown; and some firmware takes E only as volume.
             var must = decoding.Axis == ExtrusionAxis.Switched && !dialect.SwitchedExtruder ? "gcode.no_amounts" : options.Volumetric == false
                 && dialect.StartsVolumetric ? "gcode.volumes_only" : "";
             return result.Diagnostics.Any(d => d.Code == must) ? null : Said(result.Diagnostics);
@@ -84,7 +84,7 @@ internal static class RoundTrips
         return Edited(decoding, decoding.Toolpath.FitArcs(new ArcFitOptions { Tolerance = 0.02 }), new MoveTolerance { Chords = 0.01 });
     }
 
-    // E stays, or becomes mm³ of mm, or the other way round.
+    // E stays, or is converted between mm³ and mm.
     private static double[] Factors(DecodedGCode before, DecodedGCode after, ConvertOptions options)
     {
         var isVolume = before.Toolpath.Tools[0].VolumePerE == 1;

@@ -57,7 +57,7 @@ internal sealed partial class SameMoves
         _sums.Expect(a.Tool, a.E * _t.Factor(a.Tool), a.Deposited * _t.Factor(a.Tool));
         _sums.Find(a.Tool, sum, deposited);
         _i++;
-        return Drift(a.Tool) is { } drift ? Said(drift + " behind an arc") : null;
+        return Drift(a.Tool) is { } drift ? Said(drift + " after an arc") : null;
     }
 
     // Where on the arc, from 0 to 1, a vertex is, not before the last one.

@@ -9,8 +9,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Tests.GCode;
 
 /// <summary>
-/// Walks two toolpaths move by move. Ways home are left out: they follow from where the head is (the event is compared, and the move behind it begins there). A
-/// move that prints as nothing, because its way and its E are below the last decimal, may be missing in either.
+/// Walks two toolpaths move by move. Homing moves are skipped: they follow from the position of the head (the event is compared, and the next move starts
+/// there). A move that is written as nothing, because its length and its E are below the last decimal, may be missing in either.
 /// </summary>
 internal sealed partial class SameMoves
 {
@@ -40,8 +40,8 @@ internal sealed partial class SameMoves
         _t = tolerance;
         _a = expected.Moves().ToArray();
         _b = actual.Moves().ToArray();
-        _homeA = WaysHome(expected, _a);
-        _homeB = WaysHome(actual, _b);
+        _homeA = HomingMoves(expected, _a);
+        _homeB = HomingMoves(actual, _b);
         _sums = new Sums(Math.Max(expected.Tools.Count, actual.Tools.Count));
     }
 
@@ -130,7 +130,7 @@ internal sealed partial class SameMoves
         return a.Arc is null == b.Arc is null ? SameCurve(a, b) : Tiny(a);
     }
 
-    // Less than a unit of E prints as none; a way of less than a unit of length as none.
+    // Less than a unit of E is written as none; a length of less than a unit as none.
     private bool MayChange(Move a, Move b)
     {
         if (!_t.Amounts) return (a.Kind == MoveKind.Print) == (b.Kind == MoveKind.Print);
@@ -186,7 +186,7 @@ internal sealed partial class SameMoves
 
     private void Take(List<PrinterEvent> events, PrinterEvent what, ref int tool)
     {
-        // The tool that works already is no change.
+        // The current tool is not a change.
         if (what is ToolEvent change)
         {
             if (!_t.Tools) return;
@@ -219,17 +219,17 @@ internal sealed partial class SameMoves
         _ => a.Equals(b),
     };
 
-    private static bool[] WaysHome(Toolpath toolpath, Move[] moves)
+    private static bool[] HomingMoves(Toolpath toolpath, Move[] moves)
     {
-        var ways = new bool[moves.Length];
+        var homing = new bool[moves.Length];
         foreach (var what in toolpath.Events)
         {
             if (what.Event is not HomeEvent home || what.Move >= moves.Length) continue;
             var m = moves[what.Move];
-            ways[what.Move] |= m.Kind == MoveKind.Travel && m.E == 0
+            homing[what.Move] |= m.Kind == MoveKind.Travel && m.E == 0
                 && m.End == new Vec3(home.X ? 0 : m.Start.X, home.Y ? 0 : m.Start.Y, home.Z ? 0 : m.Start.Z);
         }
-        return ways;
+        return homing;
     }
 
     private string Said(string what)

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.GCode;
 
-/// <summary>The comparer sees every kind of difference, and none where rounding is all.</summary>
+/// <summary>The comparer sees every kind of difference, and none if rounding is all.</summary>
 public class SameMovesTests
 {
     private static IEnumerable<TestCaseData> Changes()

@@ -39,7 +39,7 @@ public class SlicerCommentTests
     }
 
     [Test]
-    public void Slic3r_says_it_behind_the_moves()
+    public void Slic3r_states_it_after_the_moves()
     {
         const string Text = "M83\nG1 Z0.300 F7800 ; move to next layer (0)\nG1 X10 E1 ; perimeter\nG1 Y10 E1 ; infill\nG1 Z0.600 F7800 ; move to next layer "
             + "(1)\nG1 Y0 E1 ; infill\n";

@@ -11,7 +11,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.GCode;
 
-/// <summary>What the state is where moves are cut out, put in or converted: each by hand.</summary>
+/// <summary>The state where moves are removed, inserted or converted: each case by hand.</summary>
 public class SpliceStateTests
 {
     [Test]
@@ -24,7 +24,7 @@ public class SpliceStateTests
     }
 
     [Test]
-    public void A_cut_G11_is_made_up_for()
+    public void A_cut_G11_is_compensated()
     {
         const string Text = "M83\nG1 X1 Y1 Z1 F600\n;LAYER:0\nG1 X5 E1\nG10\n;LAYER:1\nG1 X9\nG11\nG1 X12 E1\n;LAYER:2\nG1 X20 E1\n";
         var edited = Edit(Text, t => t.Remove(new MoveFilter { FirstLayer = 1, LastLayer = 1 }));
@@ -43,7 +43,7 @@ public class SpliceStateTests
     }
 
     [Test]
-    public void Modes_units_and_names_in_cut_lines_hold_behind_them()
+    public void Modes_units_and_names_in_cut_lines_apply_after_them()
     {
         const string Text = "G21\nM83\nG1 X10 Y10 Z1 F600\n;LAYER:0\nG1 X50 E1\n;LAYER:1\nG20\nG91\nG1 X1 E1\nG92 X0\nM82\nG92 E7\n;LAYER:2\nG1 X1 E0.1 "
             + "F20\nG90\nG21\nG1 X5 E30\n";
@@ -60,7 +60,7 @@ public class SpliceStateTests
     }
 
     [Test]
-    public void Fans_temperatures_and_tools_stay_where_moves_go()
+    public void Fans_temperatures_and_tools_stay_if_moves_are_removed()
     {
         const string Text = "M83\nG1 X1 Y1 Z1 F600\n;LAYER:0\nG1 X5 E1\n;LAYER:1\nM106 S255\nM104 S210\nT1\nG1 X9 E1\nG4 P500\n;LAYER:2\nG1 X20 E1\n";
         var edited = Edit(Text, t => t.Remove(new MoveFilter { FirstLayer = 1, LastLayer = 1 }));
@@ -69,7 +69,7 @@ public class SpliceStateTests
     }
 
     [Test]
-    public void Roles_and_layers_that_began_in_cut_lines_hold_behind_them()
+    public void Roles_and_layers_that_began_in_cut_lines_apply_after_them()
     {
         const string Text = "M83\nG1 X1 Y1 Z1 F600\n;LAYER:3\n;TYPE:FILL\nG1 X5 E1\nG1 X9 E1\n";
         var edited = Edit(Text, t => new MoveRemover(t, m => m.Index == 1).Run());
@@ -80,7 +80,7 @@ public class SpliceStateTests
     public void Homing_stays_whatever_is_done_around_it()
     {
         const string Text = "M83\nG28\nG1 X10 Y10 Z1 F600\nG1 X20 E1\nG28 X\nG1 X5 E1\n";
-        static Toolpath Moved(Toolpath t) => t.Transformed(Affine.Move(new Vec3(3, 2, 1)));
+        static Toolpath Moved(Toolpath t) => t.Transform(Affine.Move(new Vec3(3, 2, 1)));
         Assert.That(Moved(Decode(Text).Toolpath).Moves().Select(m => m.End),
             Is.EqualTo(new[] { new Vec3(13, 12, 2), new Vec3(23, 12, 2), new Vec3(0, 12, 2), new Vec3(8, 12, 2) }));
         Assert.That(Edit(Text, Moved), Is.EqualTo("M83\nG28\nG1 X13 Y12 Z2 F600\nG1 X23 E1\nG28 X\nG1 X8 E1.6\n"));
@@ -168,7 +168,7 @@ public class SpliceStateTests
             Assert.That(Decode(text).Toolpath.Moves().Select(m => Math.Round(m.E, 9)), Is.EqualTo(new[] { 0, 1.5, 0.5, 0.25 }), text);
             Assert.That(text, Does.Not.Contain("A").And.Not.Contain("B"));
         }
-        var slower = decoding.Toolpath.ScaleFlow(new MoveFilter { Region = new Bounds(new Vec3(0, 0, 0), new Vec3(6, 9, 9)) }, 2);
+        var slower = decoding.Toolpath.ScaleFlow(new MoveFilter { Box = new Bounds(new Vec3(0, 0, 0), new Vec3(6, 9, 9)) }, 2);
         var edited = Said(GCodeEditor.ToDocument(decoding, slower).Value!.ToBytes());
         Assert.That(Decode(edited, "sailfish").Toolpath.Moves().Select(m => Math.Round(m.E, 9)), Is.EqualTo(new[] { 0, 3, 0.5, 0.25 }), edited);
     }

@@ -166,7 +166,7 @@ public class RegionOffsetTests
     }
 
     [Test]
-    public void Insets_leave_out_what_is_too_thin_and_the_rest_says_where()
+    public void Insets_drop_what_is_too_thin_and_the_rest_tells_where()
     {
         // Two blocks with a neck of 1 mm between them.
         var dumbbell = Region.Rectangle(0, 0, 10, 10).Union(Region.Rectangle(14, 0, 24, 10)).Union(Region.Rectangle(9, 4.5, 15, 5.5));
@@ -228,7 +228,7 @@ public class RegionOffsetTests
     }
 
     [Test]
-    public void Every_vertex_that_simplifying_leaves_away_is_near_a_chord()
+    public void Every_vertex_that_simplifying_drops_is_near_a_chord()
     {
         var random = new Random(15);
         for (var k = 0; k < (Fast ? 15 : 6); k++)
@@ -241,7 +241,7 @@ public class RegionOffsetTests
                 Assert.That(simple.VertexCount, Is.LessThanOrEqualTo(region.VertexCount));
                 var turned = Region.From(region.Contours.Select(c => new Polyline(c.Points.Skip(77).Concat(c.Points.Take(77)), closed: true)))
                     .Simplified(tolerance);
-                Assert.That(turned.Xor(simple).IsEmpty, "it depends on where the contour begins");
+                Assert.That(turned.Xor(simple).IsEmpty, "it depends on where the contour starts");
                 foreach (var p in region.Contours[0].Points)
                 {
                     var nearest = simple.Contours.Min(c => Enumerable.Range(0, c.Count).Min(i => Distance(p, c[i], c[(i + 1) % c.Count])));

@@ -64,7 +64,7 @@ internal static class RegionReference
     }
 
     /// <summary>
-    /// An offset without an offset curve: the region and, added or taken away, a rectangle at every edge and the join at every corner that turns away, each a
+    /// An offset without an offset curve: the region and, added or taken away, a rectangle at every edge and the join at every convex corner, each a
     /// polygon of its own.
     /// </summary>
     public static Region OffsetBySweeping(Region region, double d, JoinStyle join, double miterLimit)
@@ -120,7 +120,7 @@ internal static class RegionReference
         yield return v + w * d;
     }
 
-    /// <summary>Holds when rings are simple, do not cross, have the inside on their left and alternate in depth. Brute force, exact.</summary>
+    /// <summary>Holds if rings are simple, do not cross, have the inside on their left and alternate in depth. Brute force, exact.</summary>
     public static void AssertValid(Region region)
     {
         var segments = new List<Segment>();

@@ -101,7 +101,7 @@ public class RegionTests
     }
 
     [Test]
-    public void Specks_are_dropped_and_regions_move()
+    public void Small_contours_are_dropped_and_regions_move()
     {
         var region = Square(0, 0, 30).Subtract(Square(5, 5, 20)).Union(Square(10, 10, 1)).Subtract(Square(1, 1, 0.5));
         Assert.That(region.Contours, Has.Count.EqualTo(4));

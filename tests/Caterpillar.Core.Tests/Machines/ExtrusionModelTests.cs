@@ -11,7 +11,7 @@ public class ExtrusionLawTests
     [Test]
     public void The_papers_third_line_has_a_strand_of_a_third_of_a_square_millimeter()
     {
-        // Caterpillar 2019: 0.1353 mm of filament for each mm of path; π/4 · 1.75² · 0.1353 = 0.3254 mm².
+        // Caterpillar 2019: 0.1353 mm of filament per mm of path; π/4 · 1.75² · 0.1353 = 0.3254 mm².
         Assert.That(Filament.AreaOfFactor(0.1353), Is.EqualTo(0.3254).Within(5e-5));
         Assert.That(Filament.E(10, 0.3254), Is.EqualTo(1.353).Within(1e-3));
     }
@@ -86,6 +86,6 @@ public class ExtrusionLawTests
     [TestCase(-1)]
     [TestCase(double.NaN)]
     [TestCase(double.PositiveInfinity)]
-    public void Senseless_diameters_are_refused(double diameter)
+    public void Invalid_diameters_are_rejected(double diameter)
         => Assert.That(() => new ExtrusionModel(ExtrusionUnit.Mm, diameter), Throws.InstanceOf<ArgumentOutOfRangeException>());
 }

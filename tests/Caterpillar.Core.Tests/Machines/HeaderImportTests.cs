@@ -12,7 +12,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Machines;
 
-/// <summary>Headers and footers in the manner of ExtruderTurtle's, with the flaws that these are known for.</summary>
+/// <summary>Headers and footers in the style of ExtruderTurtle's, with their known flaws.</summary>
 public class HeaderImportTests
 {
     private const string Ender = """
@@ -66,7 +66,7 @@ public class HeaderImportTests
         """;
 
     [Test]
-    public void Fixed_headers_tell_temperatures_mode_and_bed()
+    public void Fixed_headers_state_temperatures_mode_and_bed()
     {
         var found = Import(Ender, Footer, out var problems);
         Assert.That((found.Material.NozzleTemperature, found.Material.BedTemperature), Is.EqualTo((205.0, 60.0)));
@@ -139,7 +139,7 @@ public class HeaderImportTests
     }
 
     [Test]
-    public void Negative_places_mean_an_origin_in_the_middle()
+    public void Negative_positions_mean_an_origin_in_the_middle()
     {
         var found = Import("G28\nG90\nM82\nG1 X-90 Y0 Z0.3\nG1 X0 Y90 E10\nG1 X0 Y0", "", out _);
         Assert.That(found.Printer.Origin, Is.EqualTo(BedOrigin.Center));
@@ -158,7 +158,7 @@ public class HeaderImportTests
     }
 
     [Test]
-    public void Macros_texts_and_flags_are_no_mistakes()
+    public void Macros_texts_and_flags_are_not_errors()
     {
         var found = Import("START_PRINT BED=60 EXTRUDER=210\nM117 Hello, 5 words {x}\nG28 X Y\nM84 X Y E\nN5 G1 X5*33\n(note) G1 X{x}\nM98 P\"start.g\"\nG4 S5",
             "", out var problems);
@@ -180,7 +180,7 @@ public class HeaderImportTests
     }
 
     [Test]
-    public void Inches_and_empty_files_are_told()
+    public void Inches_and_empty_files_are_reported()
     {
         var inches = HeaderImport.Read("G20\nG28", "");
         Assert.That(inches.Value, Is.Null);
@@ -206,7 +206,7 @@ public class HeaderImportTests
     }
 
     [Test]
-    public void No_text_whatsoever_throws()
+    public void No_text_throws()
     {
         var random = new Random(5);
         const string Letters = "GMTXYZESFN0123456789.-+ {}xyz:;()*\"<=>\r\n\t\u00e4\0_";

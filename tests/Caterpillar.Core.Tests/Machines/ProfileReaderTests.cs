@@ -43,7 +43,7 @@ public class ProfileReaderTests
     [TestCase("print_speed_m_s", "print_speed_mm_s")]
     [TestCase("infill_angle_rad", "infill_angle_deg")]
     [TestCase("infill_overlap_mm", "infill_overlap_percent")]
-    public void A_key_with_another_unit_is_answered_with_the_right_key(string wrong, string right)
+    public void A_key_with_another_unit_suggests_the_right_key(string wrong, string right)
     {
         var error = Settings($"{{\n  \"wall_count\": 3,\n  \"{wrong}\": 0.2\n}}").Single();
         Assert.That(error.Code, Is.EqualTo("profile.wrong_unit"));
@@ -65,14 +65,14 @@ public class ProfileReaderTests
     [TestCase("""{ "layer_height_mm": [0.2] }""", "profile.wrong_kind", "layer_height_mm")]
     [TestCase("""{ "layer_height_mm": null }""", "profile.wrong_kind", "layer_height_mm")]
     [TestCase("""{ "layer_height_mm": {} }""", "profile.wrong_kind", "layer_height_mm")]
-    [TestCase("""{ "layer_height_mm": -0.2 }""", "profile.out_of_room", "layer_height_mm")]
-    [TestCase("""{ "layer_height_mm": 0 }""", "profile.out_of_room", "layer_height_mm")]
+    [TestCase("""{ "layer_height_mm": -0.2 }""", "profile.out_of_range", "layer_height_mm")]
+    [TestCase("""{ "layer_height_mm": 0 }""", "profile.out_of_range", "layer_height_mm")]
     [TestCase("""{ "wall_count": 2.5 }""", "profile.wrong_kind", "wall_count")]
     [TestCase("""{ "wall_count": 1e300 }""", "profile.bad_json", null)]
     [TestCase("""{ "sort_paths": 1 }""", "profile.wrong_kind", "sort_paths")]
     [TestCase("""{ "sort_paths": "yes" }""", "profile.wrong_kind", "sort_paths")]
     [TestCase("""{ "travel_lift": "high" }""", "profile.wrong_kind", "travel_lift")]
-    [TestCase("""{ "title": "" }""", "profile.out_of_room", "title")]
+    [TestCase("""{ "title": "" }""", "profile.out_of_range", "title")]
     [TestCase("""{ "wall_count": 2, "wall_count": 3 }""", "profile.repeated_key", "wall_count")]
     [TestCase("""{ "inherits": 3 }""", "profile.wrong_kind", "inherits")]
     [TestCase("""{ "inherits": "no_such" }""", "profile.no_parent", "inherits")]
@@ -107,7 +107,7 @@ public class ProfileReaderTests
     }
 
     [Test]
-    public void An_error_in_a_template_says_where()
+    public void An_error_in_a_template_states_its_position()
         => Assert.That(
             ProfileReader.ReadPrinter("""{ "start_template": ["G28", "M104 S{temperature}"] }""", "p.json", "p").Diagnostics.Single().Message,
             Does.Contain("line 2:8").And.Contain("temperature"));

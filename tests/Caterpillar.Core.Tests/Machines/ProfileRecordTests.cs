@@ -9,7 +9,7 @@ namespace Caterpillar.Tests.Machines;
 public class ProfileRecordTests
 {
     [Test]
-    public void Values_outside_their_room_are_refused_with_the_key()
+    public void Values_out_of_range_are_rejected_with_the_key()
     {
         Assert.That(() => new PrintSettings { LayerHeight = 0 }, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("layer_height_mm"));
         Assert.That(() => new PrintSettings { LayerHeight = double.NaN }, Throws.InstanceOf<ArgumentOutOfRangeException>());

@@ -80,7 +80,7 @@ public class ProfileSchemaTests
             Directory.CreateDirectory(Path.GetDirectoryName(file)!);
             File.WriteAllText(file, expected, new UTF8Encoding(false));
         }
-        Assert.That(File.Exists(file) ? File.ReadAllText(file) : "", Is.EqualTo(expected), "CATERPILLAR_RENEW=1 writes the file anew.");
+        Assert.That(File.Exists(file) ? File.ReadAllText(file) : "", Is.EqualTo(expected), "CATERPILLAR_RENEW=1 rewrites the file.");
     }
 
     // The part of JSON schema that the schemas use.

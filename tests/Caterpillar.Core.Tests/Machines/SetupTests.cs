@@ -44,7 +44,7 @@ public class SetupTests
     [TestCase("layer_height_mm", "profile.no_value", "key=value")]
     [TestCase("layer_height_mm=0,3", "profile.wrong_kind", "0,3")]
     [TestCase("layer_height_mm=", "profile.wrong_kind", "a number")]
-    [TestCase("layer_height_mm=-1", "profile.out_of_room", "0.001")]
+    [TestCase("layer_height_mm=-1", "profile.out_of_range", "0.001")]
     [TestCase("layer_height_mm=NaN", "profile.wrong_kind", "NaN")]
     [TestCase("title=x", "profile.unknown_key", "title")]
     [TestCase("wall_count=1e99", "profile.wrong_kind", "whole")]
@@ -59,7 +59,7 @@ public class SetupTests
     }
 
     [Test]
-    public void Profiles_of_the_user_lie_over_those_of_the_house()
+    public void Profiles_of_the_user_override_the_built_in_ones()
     {
         File.WriteAllText(Path.Combine(_folder, "ender3.json"), """{ "inherits": "ender3", "nozzle_diameter_mm": 0.6 }""");
         File.WriteAllText(Path.Combine(_folder, "mine.json"), """{ "inherits": "ender3", "title": "Mine" }""");
@@ -85,7 +85,7 @@ public class SetupTests
     }
 
     [Test]
-    public void A_circle_of_profiles_is_an_error()
+    public void A_cycle_of_profiles_is_an_error()
     {
         File.WriteAllText(Path.Combine(_folder, "a.json"), """{ "inherits": "b" }""");
         File.WriteAllText(Path.Combine(_folder, "b.json"), """{ "inherits": "a" }""");
@@ -95,7 +95,7 @@ public class SetupTests
     }
 
     [Test]
-    public void Unknown_profiles_are_answered_with_the_near_ones()
+    public void Unknown_profiles_suggest_similar_ones()
     {
         var library = new ProfileLibrary();
         Assert.That(library.Setup("ender4").Diagnostics.Single().Message, Does.Contain("ender3"));
@@ -114,7 +114,7 @@ public class SetupTests
     }
 
     [Test]
-    public void What_does_not_go_together_is_said()
+    public void Conflicting_values_are_reported()
     {
         var library = new ProfileLibrary();
         Assert.That(library.Setup(values: ["line_width_mm=0.1"]).Diagnostics.Single().Code, Is.EqualTo("setup.narrow_bead"));

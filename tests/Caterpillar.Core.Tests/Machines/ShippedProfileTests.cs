@@ -15,7 +15,7 @@ public class ShippedProfileTests
     public static IEnumerable<string> Printers => Library.PrinterNames;
 
     [Test]
-    public void They_are_there()
+    public void All_of_them_exist()
     {
         Assert.That(Library.PrinterNames, Is.SupersetOf(new[]
         {
@@ -26,7 +26,7 @@ public class ShippedProfileTests
     }
 
     [TestCaseSource(nameof(Printers))]
-    public void Every_printer_makes_a_setup_without_complaint(string name)
+    public void Every_printer_makes_a_setup_without_problems(string name)
     {
         var setup = Library.Setup(name);
         Assert.That(setup.Diagnostics, Is.Empty);
@@ -57,7 +57,7 @@ public class ShippedProfileTests
     }
 
     [TestCaseSource(nameof(Printers))]
-    public void It_heats_what_the_material_wants_and_cools_down_at_the_end(string name)
+    public void It_heats_to_the_temperatures_of_the_material_and_cools_down_at_the_end(string name)
     {
         var printer = Library.Printer(name).Value!;
         var start = Start(name, null);

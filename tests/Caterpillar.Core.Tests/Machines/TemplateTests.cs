@@ -41,7 +41,7 @@ public class TemplateTests
     }
 
     [Test]
-    public void Branches_nest_and_stand_inside_lines()
+    public void Branches_nest_and_work_inside_lines()
     {
         Assert.That(Render(Pla, "A{if bed_temperature_c > 0}B{if nozzle_temperature_c > 300}C{else}D{endif}{endif}E"), Is.EqualTo(new[] { "ABDE" }));
         Assert.That(Render(Pla, "{if nozzle_temperature_c > 300}", "{if bed_temperature_c > 0}", "x", "{else}", "y", "{endif}", "{else}", "z", "{endif}"),
@@ -88,11 +88,11 @@ public class TemplateTests
     }
 
     [Test]
-    public void A_wrong_name_is_answered_with_the_right_one()
+    public void A_wrong_name_suggests_the_right_one()
         => Assert.That(Template.Parse(["M104 S{nozle_temperature_c}"]).Diagnostics.Single().Message, Does.Contain("nozzle_temperature_c"));
 
     [Test]
-    public void What_is_not_known_yet_is_an_error()
+    public void What_is_not_yet_known_is_an_error()
     {
         var result = Template.Parse(["{layer_count}", "{if print_max_z_mm > 3}a{endif}", "{1 / (nozzle_temperature_c - 205)}"])
             .Value!.Render(TemplateValues.Of(Pla));

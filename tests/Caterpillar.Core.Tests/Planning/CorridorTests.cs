@@ -13,9 +13,9 @@ public class CorridorTests
     private static readonly PlanRules Rules = PlanningTests.Rules with { Lift = LiftRule.Corridor, Head = new HeadCorridor(0.4), MinRetractTravel = 1000 };
 
     [Test]
-    public void What_is_not_under_the_way_does_not_lift_it()
+    public void What_is_not_under_a_travel_does_not_lift_it()
     {
-        // A tower at y = 50, a low wall at x = 12, and ways along y = 0.
+        // A tower at y = 50, a low wall at x = 12, and travels along y = 0.
         Step[] steps = [Line(0, 50, 5, 50, 20), Line(12, -3, 12, 3, 1), Line(0, 0, 10, 0, 0.2), Line(14, 0, 20, 0, 0.2), Line(22, 0, 30, 0, 0.2)];
         var plan = PlanningTests.Plan(steps, Rules, new PlanOptions { Start = new Vec3(0, 50, 20) });
         Assert.That(PlanningTests.Text(plan.Toolpath), Is.EqualTo(new[]
@@ -29,23 +29,23 @@ public class CorridorTests
     }
 
     [Test]
-    public void The_width_of_the_head_counts_as_high_up_as_it_begins()
+    public void The_width_of_the_head_counts_from_its_height()
     {
-        // A wall 3 mm beside the way, 1 mm and then 6 mm higher than it; the head is 5 mm wide from 4 mm above its tip.
+        // A wall 3 mm beside the travel, 1 mm and then 6 mm higher than it; the head is 5 mm wide from 4 mm above its tip.
         var rules = Rules with { Head = new HeadCorridor([(0.4, 0), (5, 4)]) };
         foreach (var (height, lift) in new[] { (1.0, 0.0), (4.0, 0.0), (6.0, 2.5) })
         {
             Step[] steps = [Line(10, 3, 20, 3, height), Line(0, 0, 5, 0, 0), Line(25, 0, 30, 0, 0)];
             var moves = PlanningTests.Plan(steps, rules).Toolpath.Moves().ToList();
-            var way = moves.Single(m => m.Kind == MoveKind.Travel && m.End.X == 25 && m.Start.X == 5);
-            Assert.That(way.Start.Z, Is.EqualTo(lift).Within(1e-12));
+            var travel = moves.Single(m => m.Kind == MoveKind.Travel && m.End.X == 25 && m.Start.X == 5);
+            Assert.That(travel.Start.Z, Is.EqualTo(lift).Within(1e-12));
         }
     }
 
     [Test]
-    public void A_detour_is_taken_where_it_is_quicker_than_a_lift()
+    public void A_detour_is_taken_if_it_is_faster_than_a_lift()
     {
-        // A wall 4 mm long and 10 mm high stands in the way: over it takes 2 s up and down, around it next to nothing.
+        // A wall 4 mm long and 10 mm high blocks the travel: over it takes 2 s up and down, around it almost nothing.
         Step[] steps = [Line(15, -2, 15, 2, 10), Line(0, 0, 10, 0, 0.2), Line(20, 0, 30, 0, 0.2)];
         var plan = PlanningTests.Plan(steps, Rules with { Detour = true });
         Assert.That(plan.Report.Detours, Is.EqualTo(1));

@@ -29,7 +29,7 @@ public class PlanPropertyTests
     }
 
     [Test]
-    public void The_balance_of_each_tool_is_never_negative_nor_doubled_and_zero_where_it_prints()
+    public void The_balance_of_each_tool_is_never_negative_or_doubled_and_zero_where_it_prints()
     {
         foreach (var (steps, rules, _) in Designs(60))
         {
@@ -52,7 +52,7 @@ public class PlanPropertyTests
     }
 
     [Test]
-    public void As_drawn_has_only_paths_and_straight_ways()
+    public void As_drawn_has_only_paths_and_straight_travels()
     {
         foreach (var (steps, rules, _) in Designs(40))
         {
@@ -121,7 +121,7 @@ public class PlanPropertyTests
             var oneTool = steps.Where(s => s is not PathStep { Path.Tool: 1 }).ToList();
             var planned = PlanningTests.Plan(oneTool, rules with { Tools = [rules.Tools[0]] }).Toolpath;
             var decoded = GCodeDecoder.Decode(GCodeWriter.ToBytes(planned)).Value!.Toolpath;
-            // The first way leads from an unknown place.
+            // The first travel starts at an unknown position.
             var before = planned.Moves().SkipWhile(m => m.Kind == MoveKind.Travel).ToArray();
             var after = decoded.Moves().SkipWhile(m => m.Kind == MoveKind.Travel).ToArray();
             Assert.That(after.Select(m => m.Kind), Is.EqualTo(before.Select(m => m.Kind)));

@@ -57,7 +57,7 @@ public class PlannerTests
     }
 
     [Test]
-    public void Fan_and_temperature_change_behind_the_first_layers()
+    public void Fan_and_temperature_change_after_the_first_layers()
     {
         Step[] steps = [Line(0, 0, 0.2, 0), Line(0, 0, 0.4, 1), Line(0, 0, 0.6, 2), Line(0, 0, 0.8, 3)];
         var material = new Material { FanPercent = 50, FanOffLayers = 2, NozzleTemperature = 200, FirstLayerNozzleTemperature = 215 };
@@ -68,7 +68,7 @@ public class PlannerTests
     }
 
     [Test]
-    public void Paths_that_name_no_layer_count_by_their_height()
+    public void Paths_without_a_layer_count_by_their_height()
     {
         var helix = new PrintPath([new Vec3(0, 0, 0.1), new Vec3(10, 0, 0.2), new Vec3(10, 10, 0.3)], new Bead(0.1));
         var toolpath = Planner.Plan([helix], new PrintSetup(Printer, new Material(), Settings), From0).Value!;
@@ -98,10 +98,10 @@ public class PlannerTests
     [Test]
     public void Every_count_of_the_report_has_a_key()
     {
-        var report = new PlanReport { Paths = 3, SortedWay = 2.5 };
+        var report = new PlanReport { Paths = 3, SortedTravel = 2.5 };
         Assert.That(report.ToValues().Count, Is.EqualTo(typeof(PlanReport).GetProperties().Count(p => p.CanWrite)));
         Assert.That(report.ToValues().Select(v => v.Key), Is.Unique);
-        Assert.That(report.ToValues().Where(v => v.Value != 0).Select(v => (v.Key, v.Value)), Is.EqualTo(new[] { ("paths", 3), ("sorted_way_mm", 2.5) }));
+        Assert.That(report.ToValues().Where(v => v.Value != 0).Select(v => (v.Key, v.Value)), Is.EqualTo(new[] { ("paths", 3), ("sorted_travel_mm", 2.5) }));
     }
 
     [Test]

@@ -12,7 +12,7 @@ namespace Caterpillar.Tests.Planning;
 /// <summary>Hand cases: the moves of small plans, written as text (kind, end, E, speed).</summary>
 public class PlanningTests
 {
-    // 0.5 mm² of bead is 0.25 mm of filament for each mm.
+    // 0.5 mm² of bead is 0.25 mm of filament per mm.
     internal static readonly PlanRules Rules = new()
     {
         Policy = PlanPolicy.Printer,
@@ -82,7 +82,7 @@ public class PlanningTests
     }
 
     [Test]
-    public void An_unknown_start_is_left_for_a_place_above_the_first_path()
+    public void From_an_unknown_start_the_head_moves_above_the_first_path()
     {
         var plan = Plan([Line(5, 5, 10, 5, 0.2)], Rules, new PlanOptions());
         Assert.That(Text(plan.Toolpath), Is.EqualTo(new[] { "Travel 5,5,0.7 0 150", "Travel 5,5,0.2 0 10", "Print 10,5,0.2 1.25 50" }));
@@ -104,7 +104,7 @@ public class PlanningTests
     }
 
     [Test]
-    public void A_short_drawn_travel_followed_by_a_long_way_retracts_before_it()
+    public void A_short_drawn_travel_followed_by_a_long_one_retracts_before_it()
     {
         Assert.That(Moves([Line(0, 0, 10, 0, 0), new TravelStep(new Vec3(10, 0, 1)), Line(20, 0, 30, 0, 0)]), Is.EqualTo(new[]
         {
@@ -115,7 +115,7 @@ public class PlanningTests
     }
 
     [Test]
-    public void Extruding_in_place_fills_up_what_is_retracted_first()
+    public void Extruding_in_place_restores_retraction_first()
     {
         Step[] steps = [Line(0, 0, 10, 0, 0), new ExtrudeEvent(-6), new TravelStep(new Vec3(20, 0)), new ExtrudeEvent(10, 7), Line(20, 0, 30, 0, 0)];
         foreach (var policy in new[] { PlanPolicy.Printer, PlanPolicy.AsDrawn })
@@ -160,7 +160,7 @@ public class PlanningTests
     }
 
     [Test]
-    public void Overrides_are_set_before_the_path_and_taken_back_after_it_and_not_in_between()
+    public void Overrides_are_set_before_the_path_and_reverted_after_it_and_not_in_between()
     {
         var hot = new PathOverrides(NozzleTemperature: 230, Fan: 0);
         Step[] steps =
@@ -179,7 +179,7 @@ public class PlanningTests
     }
 
     [Test]
-    public void Events_hang_on_the_move_that_follows_them()
+    public void Events_are_attached_to_the_move_that_follows_them()
     {
         Step[] steps = [new FanEvent(1), Line(0, 0, 10, 0, 0), new DwellEvent(2), new CommentEvent("x")];
         var toolpath = Plan(steps, Rules).Toolpath;
@@ -252,7 +252,7 @@ public class PlanningTests
     }
 
     [Test]
-    public void Repeated_points_and_paths_without_length_are_left_out_and_said()
+    public void Repeated_points_and_paths_without_length_are_dropped_and_reported()
     {
         Step[] steps =
         [

@@ -32,13 +32,13 @@ public class ReturnTests
         Assert.That((plan.Report.ReturnsOver, plan.Report.ReturnsAlong, plan.Report.BlockedReturns), Is.EqualTo((0, 1, 0)));
         Assert.That(PlanningTests.Text(plan.Toolpath).Skip(6),
             Is.EqualTo(new[] { "Travel 8,6,0 0 150", "Travel 0,6,0 0 150", "Travel 0,0,0 0 150", "Print -5,0,0 1.25 50" }));
-        // A strand across the branch closes the way along.
+        // A strand across the branch blocks the path along it.
         steps = [.. steps.Take(1), Path(1, 6, 20, 1, 7, 20), .. steps.Skip(1)];
         Assert.That(PlanningTests.Plan(steps, Rules).Report.ReturnsOver, Is.EqualTo(1));
     }
 
     [Test]
-    public void A_return_to_a_place_that_has_been_printed_over_is_said()
+    public void A_return_to_a_point_that_has_been_printed_over_is_reported()
     {
         Step[] steps = [Path(0, 0, 0, 10, 0, 0), new TravelStep(new Vec3(0, -5, 2)), Path(0, -5, 2, 0, 5, 2), Return(0, 0, 0)];
         var result = PlanRun.Run(steps, Rules, new PlanOptions { Start = Vec3.Zero }, null, default);
@@ -55,16 +55,16 @@ public class ReturnTests
     }
 
     [Test]
-    public void The_way_back_is_the_way_that_the_head_came()
+    public void The_return_follows_the_path_of_the_head()
     {
-        var way = new ReturnPath();
-        foreach (var x in new[] { 0, 1, 2, 3, 4 }) way.Visit(new Vec3(x, 0));
-        Assert.That(way.BackTo(new Vec3(2, 0)), Is.EqualTo(new[] { new Vec3(3, 0), new Vec3(2, 0) }));
-        way.Visit(new Vec3(2, 5));
-        Assert.That(way.BackTo(new Vec3(0, 0)), Is.EqualTo(new[] { new Vec3(2, 0), new Vec3(1, 0), new Vec3(0, 0) }));
-        Assert.That(way.BackTo(new Vec3(9, 9)), Is.Null);
-        way.Visit(new Vec3(9, 8));
-        Assert.That(way.BackTo(new Vec3(9, 9)), Is.EqualTo(new[] { new Vec3(9, 9) }));
+        var path = new ReturnPath();
+        foreach (var x in new[] { 0, 1, 2, 3, 4 }) path.Visit(new Vec3(x, 0));
+        Assert.That(path.BackTo(new Vec3(2, 0)), Is.EqualTo(new[] { new Vec3(3, 0), new Vec3(2, 0) }));
+        path.Visit(new Vec3(2, 5));
+        Assert.That(path.BackTo(new Vec3(0, 0)), Is.EqualTo(new[] { new Vec3(2, 0), new Vec3(1, 0), new Vec3(0, 0) }));
+        Assert.That(path.BackTo(new Vec3(9, 9)), Is.Null);
+        path.Visit(new Vec3(9, 8));
+        Assert.That(path.BackTo(new Vec3(9, 9)), Is.EqualTo(new[] { new Vec3(9, 9) }));
     }
 
     [Test]

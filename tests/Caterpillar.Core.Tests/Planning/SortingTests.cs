@@ -13,14 +13,14 @@ public class SortingTests
     private static readonly Bead Bead = new(0.08, 0.2);
 
     [Test]
-    public void Nearest_goes_from_end_to_start_and_turns_open_paths()
+    public void Nearest_goes_from_end_to_start_and_reverses_open_paths()
     {
         PrintPath[] paths = [Line(0, 0, 10, 0), Line(30, 0, 20, 0), Line(11, 0, 18, 0)];
         var order = PathSorter.Order(paths);
         Assert.That(order, Is.EqualTo(new[] { new PathPlacement(0), new PathPlacement(2), new PathPlacement(1, true) }));
         var sorted = PathSorter.Sort(paths);
         Assert.That(sorted[2].Start, Is.EqualTo(new Vec3(20, 0)));
-        Assert.That(PathSorter.WayBetween(sorted), Is.EqualTo(3).Within(1e-12));
+        Assert.That(PathSorter.TravelBetween(sorted), Is.EqualTo(3).Within(1e-12));
     }
 
     [Test]
@@ -32,7 +32,7 @@ public class SortingTests
     }
 
     [Test]
-    public void Loops_begin_at_the_vertex_nearest_to_the_head()
+    public void Loops_start_at_the_vertex_nearest_to_the_head()
     {
         PrintPath[] paths = [Line(0, 0, 10, 0), Loop(20, 10, 30, 10, 30, 20, 12, 1)];
         Assert.That(PathSorter.Order(paths)[1], Is.EqualTo(new PathPlacement(1, false, 3)));
@@ -41,7 +41,7 @@ public class SortingTests
     }
 
     [Test]
-    public void Loops_of_many_vertices_still_begin_at_the_nearest()
+    public void Loops_of_many_vertices_still_start_at_the_nearest()
     {
         var circle = new PrintPath(Enumerable.Range(0, 1000).Select(i => new Vec3(100 + 50 * Math.Cos(i * 0.00628), 50 * Math.Sin(i * 0.00628))), Bead,
             closed: true);
@@ -80,12 +80,12 @@ public class SortingTests
     }
 
     [Test]
-    public void A_tour_undoes_what_nearest_gets_wrong()
+    public void A_tour_improves_what_nearest_gets_wrong()
     {
-        // From 0 the nearest neighbor runs 1, -1.5, 4, -8 to and fro.
+        // From 0 the nearest neighbor goes back and forth: 1, -1.5, 4, -8.
         PrintPath[] paths = [Dot(0), Dot(4), Dot(-8), Dot(1), Dot(-1.5)];
-        var nearest = PathSorter.WayBetween(PathSorter.Sort(paths));
-        var tour = PathSorter.WayBetween(PathSorter.Sort(paths, new SortOptions(SortRule.Tour)));
+        var nearest = PathSorter.TravelBetween(PathSorter.Sort(paths));
+        var tour = PathSorter.TravelBetween(PathSorter.Sort(paths, new SortOptions(SortRule.Tour)));
         Assert.That(nearest, Is.EqualTo(1 + 2.5 + 5.5 + 12).Within(0.1));
         Assert.That(tour, Is.EqualTo(4 + 12).Within(0.1));
 
@@ -100,7 +100,7 @@ public class SortingTests
         for (var round = 0; round < 20; round++)
         {
             var paths = Random(6, random);
-            sum += PathSorter.WayBetween(PathSorter.Sort(paths, new SortOptions(SortRule.Tour)));
+            sum += PathSorter.TravelBetween(PathSorter.Sort(paths, new SortOptions(SortRule.Tour)));
             best += Shortest(paths);
         }
         Assert.That(sum, Is.GreaterThanOrEqualTo(best - 1e-9));
@@ -112,7 +112,7 @@ public class SortingTests
     [TestCase(SortRule.Layer)]
     [TestCase(SortRule.Z)]
     [TestCase(SortRule.Tour)]
-    public void No_path_is_lost_or_doubled_and_runs_agree(SortRule rule)
+    public void No_path_is_lost_or_duplicated_and_runs_agree(SortRule rule)
     {
         var random = new Random(7);
         foreach (var count in new[] { 0, 1, 2, 3, 17, 150 })
@@ -141,14 +141,14 @@ public class SortingTests
         for (var round = 0; round < 200; round++)
         {
             var paths = Random(random.Next(2, 40), random);
-            var nearest = PathSorter.WayBetween(PathSorter.Sort(paths));
-            Assert.That(nearest, Is.LessThanOrEqualTo(PathSorter.WayBetween(paths) + 1e-9));
-            Assert.That(PathSorter.WayBetween(PathSorter.Sort(paths, new SortOptions(SortRule.Tour))), Is.LessThanOrEqualTo(nearest + 1e-9));
+            var nearest = PathSorter.TravelBetween(PathSorter.Sort(paths));
+            Assert.That(nearest, Is.LessThanOrEqualTo(PathSorter.TravelBetween(paths) + 1e-9));
+            Assert.That(PathSorter.TravelBetween(PathSorter.Sort(paths, new SortOptions(SortRule.Tour))), Is.LessThanOrEqualTo(nearest + 1e-9));
         }
     }
 
     [Test]
-    public void Nearest_equals_a_search_over_all_that_are_left()
+    public void Nearest_equals_a_search_over_all_remaining_paths()
     {
         var random = new Random(13);
         for (var round = 0; round < 50; round++)
@@ -172,14 +172,14 @@ public class SortingTests
     }
 
     [Test]
-    public void Distances_beyond_all_numbers_are_sorted_too()
+    public void Infinite_distances_are_sorted_too()
     {
         PrintPath[] paths = [Line(-1e300, 0, -9e299, 0), Line(1e300, 0, 9e299, 0), Line(0, 1e300, 0, 9e299)];
         Assert.That(PathSorter.Order(paths, new SortOptions(SortRule.Tour)).Select(o => o.Index), Is.EquivalentTo(new[] { 0, 1, 2 }));
     }
 
     [Test]
-    public void Paths_that_may_not_be_turned_keep_their_direction_in_a_tour()
+    public void Paths_that_may_not_be_reversed_keep_their_direction_in_a_tour()
     {
         var random = new Random(17);
         var paths = Random(60, random);
@@ -195,21 +195,21 @@ public class SortingTests
         Visit(paths[0].End, 1, 0);
         return best;
 
-        void Visit(Vec3 at, int done, double way)
+        void Visit(Vec3 at, int done, double length)
         {
-            if (done == paths.Length) best = Math.Min(best, way);
+            if (done == paths.Length) best = Math.Min(best, length);
             for (var i = 1; i < paths.Length; i++)
             {
                 if (used[i]) continue;
                 used[i] = true;
                 if (paths[i].IsClosed)
                 {
-                    foreach (var vertex in paths[i].Points) Visit(vertex, done + 1, way + at.DistanceTo(vertex));
+                    foreach (var vertex in paths[i].Points) Visit(vertex, done + 1, length + at.DistanceTo(vertex));
                 }
                 else
                 {
-                    Visit(paths[i].End, done + 1, way + at.DistanceTo(paths[i].Start));
-                    Visit(paths[i].Start, done + 1, way + at.DistanceTo(paths[i].End));
+                    Visit(paths[i].End, done + 1, length + at.DistanceTo(paths[i].Start));
+                    Visit(paths[i].Start, done + 1, length + at.DistanceTo(paths[i].End));
                 }
                 used[i] = false;
             }

@@ -36,7 +36,7 @@ public class StepOrderTests
     }
 
     [Test]
-    public void Islands_below_zero_lead()
+    public void Islands_below_zero_come_first()
     {
         Step[] steps = [Path(0, 1, new StepGroup(0, 0)), Path(90, 91, new StepGroup(0, -1)), Path(99, 100, new StepGroup(0, -2)),
             Path(80, 81, new StepGroup(0, 1))];
@@ -88,7 +88,7 @@ public class StepOrderTests
                     if (rule == SortRule.None) continue;
                     var group = ((PathStep)order[i].Step).Group!.Value;
                     if (done.Count > 0 && done[done.Count - 1] == group) continue;
-                    Assert.That(done, Has.No.Member(group), "a group is printed in one go");
+                    Assert.That(done, Has.No.Member(group), "a group is printed without interruption");
                     if (done.Count > 0)
                     {
                         var last = done[done.Count - 1];

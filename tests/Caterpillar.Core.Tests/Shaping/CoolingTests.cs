@@ -9,7 +9,7 @@ namespace Caterpillar.Tests.Shaping;
 public class CoolingTests
 {
     [Test]
-    public void By_length_a_segment_is_as_fast_as_it_is_long_and_one_more()
+    public void By_length_the_speed_is_the_length_plus_one()
     {
         // The skewed pyramid of Kanada 2015: speed(linelen + 1).
         var path = new PrintPath([Vec3.Zero, new Vec3(30, 0), new Vec3(30, 9), new Vec3(29, 9)], new Bead(0.2, 0, 25));
@@ -39,7 +39,7 @@ public class CoolingTests
     }
 
     [Test]
-    public void What_cannot_be_reached_is_said()
+    public void A_time_that_cannot_be_reached_is_reported()
     {
         var result = new Cooling { MinLayerTime = 60, MinSpeed = 10 }.Apply([Line(0, 40, 0.2, 40)]);
         Assert.That(result.Value!.Single().BeadOf(0).Speed, Is.EqualTo(10));
@@ -47,7 +47,7 @@ public class CoolingTests
     }
 
     [Test]
-    public void Too_many_short_segments_a_second_are_a_warning()
+    public void Too_many_short_segments_per_second_are_a_warning()
     {
         PrintPath Fine(double step) => new(Enumerable.Range(0, 50).Select(i => new Vec3(i * step, 0)), new Bead(0.2, 0, 20));
         Assert.That(new Cooling().Apply([Fine(0.1)]).Diagnostics.Single().Code, Is.EqualTo("shape.short_segments"));

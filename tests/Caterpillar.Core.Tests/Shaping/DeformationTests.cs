@@ -60,7 +60,7 @@ public class DeformationTests
     }
 
     [Test]
-    public void Angles_run_on_through_full_turns()
+    public void Angles_continue_through_full_turns()
     {
         // Two turns of a circle unrolled by angle: x = angle must run from 0 to 720 without a jump.
         var points = Enumerable.Range(0, 73).Select(i => new Vec3(10 * Angle.Cos(10 * i), 10 * Angle.Sin(10 * i), 0));

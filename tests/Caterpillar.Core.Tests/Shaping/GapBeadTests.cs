@@ -41,13 +41,13 @@ public class GapBeadTests
         Assert.That(path.SegmentCount, Is.EqualTo(11));
         Assert.That(path.Volume, Is.EqualTo(1.6).Within(1e-9));
         Assert.That(path.BeadOf(0).Area, Is.LessThan(path.BeadOf(10).Area));
-        // A steep one too: the length in plan counts.
+        // A steep one, too: the length in plan counts.
         var steep = Apply(Gap with { MaxGap = 20, AirGap = 20 }, Line(0, 0, 0, 10, 0, 10)).Single();
         Assert.That(steep.Volume, Is.EqualTo(20).Within(0.05));
     }
 
     [Test]
-    public void The_gap_to_an_earlier_path_is_taken_from_what_was_deposited()
+    public void The_gap_to_an_earlier_path_is_measured_to_what_was_deposited()
     {
         var shaped = Apply(Gap, Line(0, 0, 0.2, 20, 0, 0.6), Line(0, 0, 0.8, 20, 0, 0.8), Line(0, 0.1, 1.1, 20, 0.1, 1.1));
         // Above the ramp the gap falls from 0.6 to 0.2, above the second path it is 0.3.
@@ -65,7 +65,7 @@ public class GapBeadTests
     }
 
     [Test]
-    public void Between_two_strands_the_nearer_of_them_counts()
+    public void Between_two_strands_the_nearer_one_counts()
     {
         var shaped = Apply(Gap, Line(0, 0, 0.2, 20, 0, 0.2), Line(0, 0.5, 0.2, 20, 0.5, 0.2), Line(0, 0.25, 0.5, 20, 0.25, 0.5));
         Assert.That(shaped[2].BeadOf(0).Height, Is.EqualTo(0.3).Within(1e-12));
@@ -83,7 +83,7 @@ public class GapBeadTests
     }
 
     [Test]
-    public void Limits_are_kept_and_said()
+    public void Limits_are_kept_and_reported()
     {
         var result = Gap.Apply([Line(0, 0, 0.01, 5, 0, 0.01), Line(0, 5, 2, 5, 5, 2), Line(0, 9, 4, 5, 9, 4)]);
         Assert.That(result.Value!.Select(p => p.BeadOf(0).Height), Is.EqualTo(new[] { 0.05, 1, 0.2 }).Within(1e-12));
@@ -99,7 +99,7 @@ public class GapBeadTests
     }
 
     [Test]
-    public void A_helix_starts_thin_and_then_lies_on_its_own_last_turn()
+    public void A_helix_starts_thin_and_then_lies_on_its_previous_turn()
     {
         // Two turns of radius 10 with a pitch of 0.4 mm.
         var helix = new PrintPath([new Vec3(10, 0, 0), new Vec3(10, 0, 0.4), new Vec3(10, 0, 0.8)], [Bead, Bead], false,

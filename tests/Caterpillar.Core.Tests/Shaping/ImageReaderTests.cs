@@ -31,7 +31,7 @@ public class ImageReaderTests
     }
 
     [Test]
-    public void A_png_of_our_own_comes_back()
+    public void A_png_that_was_written_is_read_back()
     {
         var picture = new RasterImage(5, 4, new Rgb(255, 255, 255));
         picture[1, 2] = new Rgb(51, 51, 51);

@@ -38,7 +38,7 @@ public class ModulationTests
     }
 
     [Test]
-    public void Displacement_moves_to_the_left_or_upwards()
+    public void Displacement_moves_to_the_left_or_up()
     {
         var left = new Modulation(ModulationMode.DisplaceLeft, Fields.Function(p => p.X / 20), 0, 2) { Resolution = 5 }.Apply([Line]).Value!.Single();
         Assert.That(left.Points, Is.EqualTo(new[] { Vec3.Zero, new Vec3(5, 0.5), new Vec3(10, 1), new Vec3(15, 1.5), new Vec3(20, 2) }));
@@ -49,7 +49,7 @@ public class ModulationTests
     [Test]
     public void A_circle_displaced_to_the_left_shrinks_evenly()
     {
-        // Counter-clockwise: left is inwards. The vertices of a regular polygon move along their radius.
+        // Counterclockwise: left is inward. The vertices of a regular polygon move along their radius.
         var points = Enumerable.Range(0, 36).Select(i => new Vec3(10 * Basics(i).Cos, 10 * Basics(i).Sin));
         var circle = new PrintPath(points, new Bead(1), closed: true);
         var smaller = new Modulation(ModulationMode.DisplaceLeft, Fields.Constant(1), 0, 1).Apply([circle]).Value!.Single();
@@ -73,32 +73,32 @@ public class ModulationTests
     {
         var map = new GrayImage(4, 2, [0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]);
         var field = Fields.Image(map, ImageMappings.Globe(new Vec3(0, 0, 10)));
-        double At(double x, double y, double z) => field(new PathPlace(new Vec3(x, y, z), 0, 1, 0, Role.Unspecified));
+        double At(double x, double y, double z) => field(new PathSample(new Vec3(x, y, z), 0, 1, 0, Role.Unspecified));
         Assert.That(At(1, 0.1, 11), Is.EqualTo(0));
         Assert.That(At(-0.1, 1, 11), Is.EqualTo(0.1));
         Assert.That(At(-1, -0.1, 9), Is.EqualTo(0.6));
         Assert.That(At(0.1, -1, 9), Is.EqualTo(0.7));
         var repeated = Fields.Image(map, ImageMappings.Cylinder(0, 10, repeats: 2));
-        Assert.That(repeated(new PathPlace(new Vec3(-1, -0.01, 9), 0, 1, 0, Role.Unspecified)), Is.EqualTo(0));
+        Assert.That(repeated(new PathSample(new Vec3(-1, -0.01, 9), 0, 1, 0, Role.Unspecified)), Is.EqualTo(0));
     }
 
     [Test]
     public void Between_pixels_the_brightness_is_linear()
     {
         var field = Fields.Image(new GrayImage(4, 1, [0, 1, 0, 0]), ImageMappings.Plan(Vec3.Zero, 4, 1), smooth: true);
-        Assert.That(field(new PathPlace(new Vec3(1, 0.5), 0, 1, 0, Role.Unspecified)), Is.EqualTo(0.5).Within(1e-12));
-        Assert.That(field(new PathPlace(new Vec3(1.5, 0.5), 0, 1, 0, Role.Unspecified)), Is.EqualTo(1).Within(1e-12));
+        Assert.That(field(new PathSample(new Vec3(1, 0.5), 0, 1, 0, Role.Unspecified)), Is.EqualTo(0.5).Within(1e-12));
+        Assert.That(field(new PathSample(new Vec3(1.5, 0.5), 0, 1, 0, Role.Unspecified)), Is.EqualTo(1).Within(1e-12));
     }
 
     [Test]
     public void Noise_repeats_for_a_seed_and_differs_between_cells()
     {
         var noise = Fields.Noise(7, 1);
-        var values = Enumerable.Range(0, 1000).Select(i => noise(new PathPlace(new Vec3(i + 0.5, -i, 3), 0, 1, 0, Role.Unspecified))).ToArray();
+        var values = Enumerable.Range(0, 1000).Select(i => noise(new PathSample(new Vec3(i + 0.5, -i, 3), 0, 1, 0, Role.Unspecified))).ToArray();
         Assert.That(values, Is.All.InRange(0, 1));
         Assert.That(values.Average(), Is.EqualTo(0.5).Within(0.05));
         Assert.That(values.Distinct().Count(), Is.EqualTo(1000));
-        Assert.That(Fields.Noise(8, 1)(new PathPlace(new Vec3(0.5, 0, 3), 0, 1, 0, Role.Unspecified)), Is.Not.EqualTo(values[0]));
+        Assert.That(Fields.Noise(8, 1)(new PathSample(new Vec3(0.5, 0, 3), 0, 1, 0, Role.Unspecified)), Is.Not.EqualTo(values[0]));
     }
 
     [Test]

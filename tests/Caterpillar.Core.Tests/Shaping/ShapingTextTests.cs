@@ -57,7 +57,7 @@ public class ShapingTextTests
     }
 
     [Test]
-    public void What_has_no_formula_stays()
+    public void Values_without_a_formula_stay()
     {
         var path = Only(DeformationText.Compile("", null, ""));
         Assert.That(path.Points, Is.EqualTo(Line.Points));
@@ -75,7 +75,7 @@ public class ShapingTextTests
     [TestCase("x, y +, z", "formula.", "position.y", null)]
     [TestCase("x, random(), z", "formula.random", "position.y", null)]
     [TestCase("x, sin(y, 4", "shape.position_formulas", "position", null)]
-    public void Mistakes_in_positions_name_the_formula_and_the_column(string text, string code, string key, int? column)
+    public void Errors_in_positions_name_the_formula_and_the_column(string text, string code, string key, int? column)
     {
         var problem = DeformationText.Compile(text);
         Assert.That(problem.Value, Is.Null);
@@ -85,7 +85,7 @@ public class ShapingTextTests
     }
 
     [Test]
-    public void Mistakes_in_area_and_speed_name_the_formula()
+    public void Errors_in_area_and_speed_name_the_formula()
     {
         var problems = DeformationText.Compile("x, y, z", "2 * v", "c +", source: new SourceLocation("part.txt")).Diagnostics;
         Assert.That(problems.Select(p => p.Source!.Key), Is.EqualTo(new[] { "area", "speed" }));
@@ -111,8 +111,8 @@ public class ShapingTextTests
     [TestCase("u", 0.25)]
     [TestCase("path", 2)]
     [TestCase("0.5 + 0.5 * cos(720 * u)", 0)]
-    public void Fields_see_the_place(string text, double expected)
-        => Assert.That(Field(text)(new PathPlace(new Vec3(4, 6, 9), 25, 100, 2, Role.Unspecified)), Is.EqualTo(expected).Within(1e-12));
+    public void Fields_see_the_position(string text, double expected)
+        => Assert.That(Field(text)(new PathSample(new Vec3(4, 6, 9), 25, 100, 2, Role.Unspecified)), Is.EqualTo(expected).Within(1e-12));
 
     [TestCase("", "formula.empty")]
     [TestCase("  ", "formula.empty")]
@@ -135,7 +135,7 @@ public class ShapingTextTests
     public void Fields_work_on_any_thread()
     {
         var field = Field("x * 2 + s");
-        Parallel.For(0, 1000, i => Assert.That(field(new PathPlace(new Vec3(i, 0, 0), i, 1000, 0, Role.Unspecified)), Is.EqualTo(3.0 * i)));
+        Parallel.For(0, 1000, i => Assert.That(field(new PathSample(new Vec3(i, 0, 0), i, 1000, 0, Role.Unspecified)), Is.EqualTo(3.0 * i)));
     }
 
     private static Field Field(string text) => FieldText.Compile(text, new Vec3(1, 2)).Value!;

@@ -58,7 +58,7 @@ public class PlanarSlicerTests
     }
 
     [Test]
-    public void Holes_get_walls_of_their_own_that_run_the_other_way()
+    public void Holes_get_their_own_walls_in_the_opposite_direction()
     {
         // A block with a shaft: outer walls of 4 · 19.6 and 4 · 10.4, the second clockwise.
         var settings = Plain with { InfillPercent = 0, WallCount = 1, MendMeshes = false };
@@ -70,7 +70,7 @@ public class PlanarSlicerTests
     }
 
     [Test]
-    public void Objects_keep_their_layers_and_share_the_way_up()
+    public void Objects_keep_their_layers_and_are_printed_upward_together()
     {
         var result = PlanarSlicer.Slice([new NamedMesh("low", Block(0, 0, 0, 10, 10, 1)), new NamedMesh("high", Block(20, 0, 0, 30, 10, 2))], Plain);
         var layers = result.Value!.Layers;

@@ -22,7 +22,7 @@ public class AxisMappingTests
         Assert.That(mapped[1].End, Is.EqualTo(new Vec3(5, 0, 1)));
         // Only the platform turns: degrees per second over the same two seconds.
         Assert.That(mapped[1].Speed, Is.EqualTo(around / 2).Within(1e-12));
-        // Along Y and around: what is left of the way is along Y.
+        // Along Y and around: the remaining motion is along Y.
         Assert.That(mapped[2].Start.DistanceTo(mapped[2].End) / mapped[2].Speed, Is.EqualTo(5 / 10.0).Within(1e-12));
         Assert.That(mapped.Moves().Sum(m => m.E), Is.EqualTo(drawn.Moves().Sum(m => m.E)).Within(1e-12));
         Assert.That(mapped.Events, Has.Count.EqualTo(2));
@@ -51,7 +51,7 @@ public class AxisMappingTests
     }
 
     [Test]
-    public void Mappings_that_make_no_sense_are_refused()
+    public void Invalid_mappings_are_rejected()
     {
         Assert.That(() => new AxisMapping(PathAxis.X, OutputAxis.A, 0).Apply(Toolpath()), Throws.InvalidOperationException);
         Assert.That(() => new AxisMapping(PathAxis.X, OutputAxis.Y, 1).Apply(Toolpath()), Throws.InvalidOperationException);

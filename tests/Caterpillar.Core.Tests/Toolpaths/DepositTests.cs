@@ -38,7 +38,7 @@ public class DepositTests
     }
 
     [Test]
-    public void Of_a_slope_the_part_in_reach_counts()
+    public void Only_the_part_of_a_slope_in_reach_counts()
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 0), new Vec3(10, 0, 10), 0.25);
@@ -86,7 +86,7 @@ public class DepositTests
                 var b = random.Next(5) == 0 ? a : Point(random);
                 var radius = random.NextDouble() * 2;
                 var top = deposit.TopAlong(a, b, radius);
-                // Sampling misses at most what a step and a hair of the radius hold.
+                // Sampling misses at most one step and a small part of the radius.
                 Assert.That(top, Is.GreaterThanOrEqualTo(Brute(strands, a, b, radius - 1e-9) - 1e-9));
                 Assert.That(top, Is.LessThanOrEqualTo(Brute(strands, a, b, radius + 0.05) + 1.0));
                 Assert.That(top <= Brute(strands, a, b, radius + 0.05) + 0.05 || strands.Any(s => s.A.Z != s.B.Z));
@@ -109,7 +109,7 @@ public class DepositTests
             var z = 0.2 * (layer + 1);
             for (var i = 0; i < 60; i++)
             {
-                // Ever smaller, so that low strands stay in sight beside the high ones.
+                // Smaller and smaller, so that low strands stay visible beside the high ones.
                 var a = new Vec3(random.NextDouble() * (40 - layer * 0.6), random.NextDouble() * 10, z);
                 var b = a + new Vec3(random.NextDouble() * 4 - 2, random.NextDouble() * 4 - 2);
                 exact.Add(a, b, 0.2);
@@ -128,7 +128,7 @@ public class DepositTests
     }
 
     [Test]
-    public void Free_ways_on_a_slope_agree_with_sampling()
+    public void Free_paths_on_a_slope_agree_with_sampling()
     {
         var random = new Random(47);
         int free = 0, blocked = 0;

@@ -26,7 +26,7 @@ public sealed class MappingTests
     }
 
     [Test]
-    public void A_mirror_turns_arcs_the_other_way()
+    public void A_mirror_reverses_arcs()
         => Assert.That(HalfCircle().Transformed(Affine.Scale(1, -1, 1)).ArcOf(0)!.Value.Sweep, Is.EqualTo(-180));
 
     [Test]
@@ -57,7 +57,7 @@ public sealed class MappingTests
         builder.Add(new Vec3(20, 0, 0.2), 0.5, 0.5, 40, MoveKind.Print, Role.OuterWall, layer, 0, 7);
         builder.Add(new Vec3(10, 0, 0.2), 0.7, 0.7, 40, MoveKind.Print, Role.OuterWall, layer, 0, 8, new Arc(new Vec3(15, 0, 0.2), 180));
         builder.AddEvent(new CommentEvent("end"));
-        var image = builder.Build([new ToolpathTool(2.4)]).Transformed(Affine.Scale(2, 2, 1).Then(Affine.Move(new Vec3(0, 0, 1))));
+        var image = builder.Build([new ToolpathTool(2.4)]).Transform(Affine.Scale(2, 2, 1).Then(Affine.Move(new Vec3(0, 0, 1))));
         Assert.That(image.Moves().Select(m => m.E), Is.EqualTo(new[] { 0, 0.8, 1, 1.4 }).Within(1e-12));
         Assert.That(image[2].End, Is.EqualTo(new Vec3(40, 0, 1.2)));
         Assert.That(image[3].Arc, Is.Not.Null);
@@ -72,7 +72,7 @@ public sealed class MappingTests
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 0));
         builder.Add(new Vec3(-10, 0), 3, 3, 40, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 180));
-        var image = builder.Build([new ToolpathTool(1)]).Transformed(Affine.Scale(1, 2, 1));
+        var image = builder.Build([new ToolpathTool(1)]).Transform(Affine.Scale(1, 2, 1));
         var ratio = 3 / (System.Math.PI * 10);
         foreach (var move in image.Moves()) Assert.That(move.Deposited, Is.EqualTo(ratio * move.Length).Within(1e-9));
     }

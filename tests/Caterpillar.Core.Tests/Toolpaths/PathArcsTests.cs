@@ -58,7 +58,7 @@ public class PathArcsTests
         Assert.That(PathArcs.Fit(path), Is.SameAs(path));
         var line = new PrintPath(Enumerable.Range(0, 50).Select(i => new Vec3(i, 0)), Thin);
         Assert.That(PathArcs.Fit(line).HasArcs, Is.False);
-        // A regular hexagon is no circle unless the tolerance says so.
+        // A regular hexagon is not a circle unless the tolerance allows it.
         var hexagon = new PrintPath(OnCircle(Vec3.Zero, 5, 0, 360, 6).Take(6), Thin, closed: true);
         Assert.That(PathArcs.Fit(hexagon).HasArcs, Is.False);
         Assert.That(PathArcs.Fit(hexagon, new ArcFitOptions { Tolerance = 0.7 }).HasArcs, Is.True);
@@ -124,7 +124,7 @@ public class PathArcsTests
     }
 
     [Test]
-    public void A_circle_of_two_arcs_survives_the_way_to_chords_and_back()
+    public void A_circle_of_two_arcs_survives_expansion_to_chords_and_refitting()
     {
         var circle = new PrintPath([new(5, 0, 1), new(-5, 0, 1)], [Thin, Thin], true, [new Arc(Vec3.Zero, 180), new Arc(Vec3.Zero, 180)]);
         var chords = PathArcs.Expand(circle, 0.002);

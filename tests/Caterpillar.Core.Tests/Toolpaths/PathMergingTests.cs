@@ -29,7 +29,7 @@ public class PathMergingTests
     }
 
     [Test]
-    public void Paths_are_turned_only_when_asked()
+    public void Paths_are_reversed_only_on_request()
     {
         PrintPath[] paths = [Path(Thin, (1, 0), (0, 0)), Path(Thin, (2, 0), (1, 0)), Path(Thin, (2, 0), (3, 0))];
         Assert.That(PathMerging.Merge(paths), Has.Count.EqualTo(3));

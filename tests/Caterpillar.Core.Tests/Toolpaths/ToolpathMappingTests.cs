@@ -23,7 +23,7 @@ public class ToolpathMappingTests
     public void A_shift_of_the_layers_keeps_arcs_lengths_and_what_is_outside()
     {
         var before = Decode(TwoLayers);
-        var after = before.Transformed(Layers, Affine.Move(new Vec3(5, 6, 1)));
+        var after = before.Transform(Layers, Affine.Move(new Vec3(5, 6, 1)));
         Assert.That(after[0].End, Is.EqualTo(before[0].End), "the purge line has no layer");
         Assert.That(after.Count, Is.EqualTo(before.Count));
         for (var i = 1; i < before.Count; i++)
@@ -37,10 +37,10 @@ public class ToolpathMappingTests
     }
 
     [Test]
-    public void A_shift_of_one_layer_leads_there_by_travel_and_back()
+    public void A_shift_of_one_layer_adds_travels_there_and_back()
     {
         var before = Decode(TwoLayers);
-        var after = before.Transformed(new MoveFilter { FirstLayer = 1, LastLayer = 1, Kinds = [MoveKind.Print] }, Affine.Move(new Vec3(0, 100)));
+        var after = before.Transform(new MoveFilter { FirstLayer = 1, LastLayer = 1, Kinds = [MoveKind.Print] }, Affine.Move(new Vec3(0, 100)));
         var moves = after.Moves().ToArray();
         Assert.That(moves.Where(m => m.Layer == 0).Select(m => m.End), Is.EqualTo(before.Moves().Where(m => m.Layer == 0).Select(m => m.End)));
         var strand = moves.First(m => m.Layer == 1 && m.Kind == MoveKind.Print);
@@ -50,10 +50,10 @@ public class ToolpathMappingTests
     }
 
     [Test]
-    public void What_is_done_in_place_or_straight_up_stays_so_and_the_way_home_stays()
+    public void Moves_in_place_and_vertical_moves_stay_so_and_homing_stays()
     {
         var before = Decode("G90\nM83\n;LAYER:0\nG0 Z0.2 F600\nG0 X10 Y10 F6000\nG1 E1 F2400\nG1 X20 E1 F1200\nG1 E-1 F2400\nG0 Z5 F600\nG0 X0 Y200 F6000\n");
-        var after = before.Transformed(new MoveFilter { Kinds = [MoveKind.Print] }, Affine.Move(new Vec3(3, 4)));
+        var after = before.Transform(new MoveFilter { Kinds = [MoveKind.Print] }, Affine.Move(new Vec3(3, 4)));
         Assert.That(after.Moves().Select(m => m.End), Is.EqualTo(new[]
         {
             new Vec3(0, 0, 0.2), new Vec3(13, 14, 0.2), new Vec3(13, 14, 0.2), new Vec3(23, 14, 0.2), new Vec3(23, 14, 0.2), new Vec3(23, 14, 5),
@@ -104,7 +104,7 @@ public class ToolpathMappingTests
     }
 
     [Test]
-    public void Angles_run_on_along_strands()
+    public void Angles_continue_along_strands()
     {
         // Three quarters of a circle in chords, whose angle is halved: three eighths, without a jump at 180°.
         var text = "G90\nM83\n;LAYER:0\nG0 X10 Y0 Z0.2 F6000\n"
@@ -137,7 +137,7 @@ public class ToolpathMappingTests
             for (var i = 0; i < 70_000; i++) builder.Add(new Vec3(i % 2, i % 3, layer + 1), 1, 1, 10, MoveKind.Print, Role.Infill, layer, 0, i);
         }
         var before = builder.Build([new ToolpathTool(1)]);
-        var after = before.Transformed(new MoveFilter { FirstLayer = 2 }, Affine.Move(new Vec3(1, 0)));
+        var after = before.Transform(new MoveFilter { FirstLayer = 2 }, Affine.Move(new Vec3(1, 0)));
         Assert.That(after.Blocks[0], Is.SameAs(before.Blocks[0]));
         Assert.That(after.Blocks[1], Is.SameAs(before.Blocks[1]));
         Assert.That(after[209_999].End.X, Is.EqualTo(before[209_999].End.X + 1));
@@ -145,7 +145,7 @@ public class ToolpathMappingTests
     }
 
     [Test]
-    public void A_tool_that_is_put_in_makes_the_moves_up_to_the_next_tool()
+    public void An_inserted_tool_makes_the_moves_up_to_the_next_tool()
     {
         var before = Decode(TwoLayers + ";LAYER:2\nT1\nG0 X0 Y0 Z0.6\nG1 X10 E1\n");
         var after = before.InsertAtLayer(1, new ToolEvent(2)).Value!;

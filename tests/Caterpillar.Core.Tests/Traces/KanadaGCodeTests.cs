@@ -19,7 +19,7 @@ public class KanadaGCodeTests
     public static IEnumerable<string> Names => KanadaParts.All.Select(p => p.Name);
 
     [TestCaseSource(nameof(Names))]
-    public void Parts_write_the_same_code_everywhere(string name)
+    public void Parts_give_the_same_code_everywhere(string name)
     {
         var setup = new PrintSetup();
         var toolpath = Golden.Under("tr-TR", () => Plan(name, setup));

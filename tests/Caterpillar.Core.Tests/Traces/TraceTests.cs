@@ -9,7 +9,7 @@ namespace Caterpillar.Tests.Traces;
 public class TraceTests
 {
     [Test]
-    public void Moves_leave_no_string_and_draws_do()
+    public void Moves_add_no_string_and_draws_do()
     {
         var trace = new Trace(0.2, new Vec3(1, 0, 0)).Move(new Vec3(2, 0, 0)).Draw(new Vec3(2, 3, 0)).SetArea(0.3).SetSpeed(20).Draw(new Vec3(2, 3, 4));
         Assert.That(trace.Strings, Is.EqualTo(new[]
@@ -25,7 +25,7 @@ public class TraceTests
     }
 
     [Test]
-    public void A_move_begins_another_path()
+    public void A_move_starts_another_path()
     {
         var trace = new Trace(0.2).Draw(new Vec3(1, 0, 0)).Move(new Vec3(5, 0, 0)).Draw(new Vec3(6, 0, 0));
         Assert.That(trace.ToPaths().Select(p => (p.Start.X, p.End.X)), Is.EqualTo(new[] { (0.0, 1.0), (5.0, 6.0) }));
@@ -124,7 +124,7 @@ public class TraceTests
     }
 
     [Test]
-    public void Values_that_make_no_part_are_refused()
+    public void Invalid_values_are_rejected()
     {
         Assert.That(() => new Trace(-1), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => new Trace(1).Draw(new Vec3(double.NaN, 0, 0)), Throws.InstanceOf<ArgumentOutOfRangeException>());

@@ -9,7 +9,7 @@ using Caterpillar.Turtles;
 
 namespace Caterpillar.Tests.Turtles;
 
-/// <summary>Reads the command lists of the shared data, whose <c>lift</c> is <c>lift_world</c>, and carries them out with a turtle.</summary>
+/// <summary>Reads the command lists of the shared data, whose <c>lift</c> is <c>lift_world</c>, and replays them with a turtle.</summary>
 internal static class CommandList
 {
     public static IEnumerable<string[]> Read(string file)

@@ -44,7 +44,8 @@ internal sealed class ExampleTests
         var expected = Expected[name];
         var turtle = Run(name);
         var totals = CommandList.Total(turtle, default);
-        Assert.That(File.ReadLines(Path.Combine(Folder, name + ".turtle")).First(), Does.StartWith("# "), "the first comment says what the recipe leaves open");
+        Assert.That(File.ReadLines(Path.Combine(Folder, name + ".turtle")).First(), Does.StartWith("# "),
+            "the first comment states what the recipe leaves open");
         Assert.That(turtle.ToSteps().OfType<PathStep>().Sum(p => p.Path.SegmentCount), expected.Segments, "segments");
         if (expected.End is { } end) Assert.That(turtle.Position.DistanceTo(end), Is.LessThan(1e-8), $"end {turtle.Position}");
         if (expected.Z is { } z) Assert.That(turtle.Z, Is.EqualTo(z).Within(1e-9), "height");
@@ -60,7 +61,7 @@ internal sealed class ExampleTests
         ["nonplanar_star"] = Of(30 * 7 * 51, At(0.15 + 30 * 0.15), 0.05 * 7 * Sum(0, 29, l => Sum(-25, 25, x => Hypot(1, l / 30 * (x / 25) * 0.3)))),
         ["nonplanar_column"] = Of(100 * 100, At(0.25 + 100 * 0.25),
             0.05 * Sum(0, 99, l => Sum(0, 99, k => Hypot(40 * Math.PI / 100, 18 * Math.Min(l / 20, 1) * Sin(10.8 * k) / 100)))),
-        // The circles close; what remains is the way of the spiral, whose first step has no length.
+        // The circles close; the length of the spiral remains, whose first step has no length.
         ["nonplanar_vase"] = Of(3999 + 200 * 100, Walk(0.5 + 200 * 0.25, 0, 3999, k => k * 0.005 * 2 * Math.PI / 100, -3.6),
             0.05 * (0.005 * 2 * Math.PI / 100 * 3999 * 4000 / 2
                 + Sum(0, 199, l => Sum(0, 99, k => Hypot(2 * Math.PI * VaseRadius(l) / 100, 18 * Math.Min(l / 20, 1) * Sin(10.8 * k) / 100))))),
@@ -161,7 +162,7 @@ internal sealed class ExampleTests
     }
 
     [TestCaseSource(nameof(Names))]
-    public void Programs_write_the_same_code_everywhere(string name)
+    public void Programs_give_the_same_code_everywhere(string name)
     {
         byte[] Write()
         {

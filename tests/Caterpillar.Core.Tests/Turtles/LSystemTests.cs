@@ -71,7 +71,7 @@ internal sealed class LSystemTests
     }
 
     [Test]
-    public void Growth_beyond_the_bound_is_an_error()
+    public void Growth_beyond_the_limit_is_an_error()
     {
         var result = System("F", "F -> FF").Grow(40, maxSymbols: 1000);
         Assert.That(result.Value, Is.Null);
@@ -88,7 +88,7 @@ internal sealed class LSystemTests
     [TestCase("F", "F(x) : y > 1 -> F", 1, 8, "formula.unknown")]
     [TestCase("F(", "F -> F", 0, 2, "lsystem.bracket")]
     [TestCase("F)", "F -> F", 0, 2, "lsystem.bracket")]
-    public void Errors_say_where(string axiom, string rule, int line, int column, string code)
+    public void Errors_state_their_position(string axiom, string rule, int line, int column, string code)
     {
         var error = LSystem.Parse(axiom, [rule]).Diagnostics.Single();
         Assert.That((error.Source!.Line, error.Source.Column, error.Code), Is.EqualTo(((int?)line, (int?)column, code)), error.Message);
@@ -118,7 +118,7 @@ internal sealed class LSystemTests
     }
 
     [Test]
-    public void Brackets_come_back_to_their_branch()
+    public void Brackets_return_to_their_branch()
     {
         // A ternary tree of n levels has (3^n - 1) / 2 branches and ends where its trunk does.
         var turtle = new Turtle();

@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Turtles;
 
-/// <summary>Returns from branches, resolved by planning, held against every strand by brute force.</summary>
+/// <summary>Returns from branches, resolved by planning, checked against every strand by brute force.</summary>
 internal sealed class SafeReturnTests
 {
     private const string Tree =
@@ -32,7 +32,7 @@ internal sealed class SafeReturnTests
         Assert.That(moves.Count(m => m.Kind == MoveKind.Print), Is.EqualTo(255));
         // Where branches begin, strands of the same height lie side by side.
         Assert.That(worst, Is.LessThan(0.08));
-        // The check sees what it should: straight ways back do go through strands.
+        // The check works: straight returns do go through strands.
         var drawn = Planner.Plan(TurtleScript.Compile(Tree).Value!.Run().Value!.ToSteps(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn })
             .Value!.Moves().ToArray();
         Assert.That(drawn.Where(m => m.Kind == MoveKind.Print).Sum(m => m.Length),
@@ -41,7 +41,7 @@ internal sealed class SafeReturnTests
     }
 
     [Test]
-    public void Returning_gives_back_all_that_was_retracted()
+    public void Returning_restores_everything_that_was_retracted()
     {
         var moves = Plan(Tree).Moves().ToArray();
         Assert.That(moves.Where(m => m.Kind is MoveKind.Retract or MoveKind.Restore).Sum(m => m.E), Is.LessThanOrEqualTo(1e-9).And.GreaterThanOrEqualTo(-5));

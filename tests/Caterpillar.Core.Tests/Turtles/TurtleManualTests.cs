@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Turtles;
 
-/// <summary>docs/turtle.md says what the code does.</summary>
+/// <summary>docs/turtle.md states what the code does.</summary>
 internal sealed class TurtleManualTests
 {
     private const string Begin = "<!-- commands -->\n";
@@ -24,7 +24,7 @@ internal sealed class TurtleManualTests
         var rows = TurtleCommands.All.Select(c => $"| `{c.Usage}` | {string.Join(", ", c.Aliases.Select(a => $"`{a}`"))} | {c.Help} |\n");
         var table = "| command | also | |\n|---|---|---|\n" + string.Concat(rows);
         if (Environment.GetEnvironmentVariable("CATERPILLAR_RENEW") == "1") File.WriteAllText(Manual, text.Substring(0, from) + table + text.Substring(to));
-        else Assert.That(text.Substring(from, to - from), Is.EqualTo(table), "CATERPILLAR_RENEW=1 writes it anew.");
+        else Assert.That(text.Substring(from, to - from), Is.EqualTo(table), "CATERPILLAR_RENEW=1 rewrites it.");
     }
 
     [Test]

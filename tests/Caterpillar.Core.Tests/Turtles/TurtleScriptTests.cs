@@ -35,7 +35,7 @@ internal sealed class TurtleScriptTests
     private static void Near(Vec3 actual, Vec3 expected) => Assert.That(actual.DistanceTo(expected), Is.LessThan(1e-12), $"{actual} is not {expected}");
 
     [Test]
-    public void Commands_stand_one_a_line_or_behind_each_other()
+    public void Commands_are_one_per_line_or_follow_each_other()
     {
         Near(Run("forward 10\nleft 90\nforward 5").Position, new Vec3(10, 5));
         Near(Run("forward 10; left 90; forward 5").Position, new Vec3(10, 5));
@@ -45,7 +45,7 @@ internal sealed class TurtleScriptTests
     }
 
     [Test]
-    public void Values_are_separated_by_blanks_or_commas_and_may_be_formulas()
+    public void Values_are_separated_by_spaces_or_commas_and_may_be_formulas()
     {
         Near(Run("forward_lift 1 -2").Position, new Vec3(1, 0, -2));
         Near(Run("forward_lift 1, -2").Position, new Vec3(1, 0, -2));
@@ -76,7 +76,7 @@ internal sealed class TurtleScriptTests
     }
 
     [Test]
-    public void Choices_choose()
+    public void Conditions_choose()
     {
         const string Program = "param x = 0\nif x > 2 [ forward 3 ]\nelse if x > 1 [ forward 2 ] else [ forward 1 ]\nforward 10";
         var script = TurtleScript.Compile(Program).Value!;
@@ -91,7 +91,7 @@ internal sealed class TurtleScriptTests
         Assert.That(X("x = 3\ndef go [ let x = 5\n forward x ]\ngo\nforward x"), Is.EqualTo(8));
         Assert.That(X("x = 3\ndef go [ x = 5 ]\ngo\nforward x"), Is.EqualTo(5));
         Assert.That(X("def go n [ y = n * 2\n forward y ]\ngo 4"), Is.EqualTo(8));
-        Assert.That(X("size = 7\ngo 2\ndef go n [ forward n * size ]"), Is.EqualTo(14), "names are known above their line");
+        Assert.That(X("size = 7\ngo 2\ndef go n [ forward n * size ]"), Is.EqualTo(14), "names are known before their line");
         Assert.That(Error("go 2\ndef go n [ forward n * size ]\nsize = 7").Code, Is.EqualTo("turtle.no_value"), "but not their values");
     }
 
@@ -101,7 +101,7 @@ internal sealed class TurtleScriptTests
         Near(Run("def square s [ repeat 4 [ forward s; left 90 ] ]\nsquare 10\nforward 1").Position, new Vec3(1, 0));
         Assert.That(X("def down n [ if n == 0 [ return ]\n forward n\n down n - 1 ]\ndown 4"), Is.EqualTo(10));
         Assert.That(X("def even n [ if n > 0 [ forward 1; odd n-1 ] ]\ndef odd n [ if n > 0 [ forward 10; even n-1 ] ]\neven 4"), Is.EqualTo(22));
-        // Each call has its own variables, also after a deeper one has come back.
+        // Each call has its own variables, also after a deeper one has returned.
         Assert.That(X("def tree n [ if n > 0 [ let d = n\n for i = 1 to 2 [ tree n-1 ]\n forward d ] ]\ntree 3"), Is.EqualTo(3 + (2 * 2) + (4 * 1)));
         Assert.That(X("def f [ forward 1; stop ]\nrepeat 3 [ f ]\nforward 5"), Is.EqualTo(1), "stop ends the program");
         Assert.That(X("forward 1; return; forward 5"), Is.EqualTo(1));
@@ -119,7 +119,7 @@ internal sealed class TurtleScriptTests
     public void Formulas_see_the_turtle() => Near(Run("start 3 4\nleft 90\nforward turtle_x\nleft turtle_yaw\nforward 1").Position, new Vec3(2, 7));
 
     [Test]
-    public void Parameters_are_given_from_outside()
+    public void Parameters_are_set_from_outside()
     {
         var script = TurtleScript.Compile("param side = 10\nparam n = 2\nrepeat n [ forward side ]").Value!;
         Assert.That(script.Parameters, Is.EqualTo(new[] { "side", "n" }));
@@ -206,7 +206,7 @@ internal sealed class TurtleScriptTests
     [TestCase("let length = 3\nforward lenght", 2, 9, "formula.unknown", "Did you mean 'length'?")]
     [TestCase("repeat 4 [\n forward 1\n", 1, 10, "turtle.bracket", "never closed")]
     [TestCase("forward 1 ]", 1, 11, "turtle.bracket", "closes nothing")]
-    [TestCase("repeat 4 forward 1", 1, 10, "turtle.syntax", "'[' was expected")]
+    [TestCase("repeat 4 forward 1", 1, 10, "turtle.syntax", "expected '['")]
     [TestCase("forward 1 +", 1, 12, "formula.syntax", "end")]
     [TestCase("forward (1 + 2", 1, 9, "formula.bracket", "never closed")]
     [TestCase("x = 1\nforward 10 / (x - 1)", 2, 9, "turtle.not_finite", "division by zero")]
@@ -215,7 +215,7 @@ internal sealed class TurtleScriptTests
     [TestCase("if y > 1 [ ]\ny = 2", 1, 4, "turtle.no_value", "no value yet")]
     [TestCase("rate 0", 1, 1, "turtle.value", "above 0")]
     [TestCase("pop", 1, 1, "turtle.value", "no state")]
-    [TestCase("forward 1\nstart 1 1", 2, 1, "turtle.value", "before all moves")]
+    [TestCase("forward 1\nstart 1 1", 2, 1, "turtle.value", "come before all moves")]
     [TestCase("tool 1.5", 1, 1, "turtle.value", "whole number")]
     [TestCase("for i = 1 to 10 step 0 [ ]", 1, 22, "turtle.value", "must not be 0")]
     [TestCase("def f x x [ ]", 1, 9, "turtle.name", "twice")]
@@ -225,24 +225,24 @@ internal sealed class TurtleScriptTests
     [TestCase("def f a b [ ]\nf 1", 2, 1, "turtle.values", "needs 2 values")]
     [TestCase("array a 3\na[3] = 1", 2, 1, "turtle.index", "from 0 to 2")]
     [TestCase("array a 3\nforward a[-1]", 2, 9, "turtle.index", "from 0 to 2")]
-    [TestCase("forward a[1]\narray a 3", 1, 9, "turtle.index", "not been made")]
+    [TestCase("forward a[1]\narray a 3", 1, 9, "turtle.index", "not been created")]
     [TestCase("array a -3", 1, 9, "turtle.value", "whole number")]
     [TestCase("break", 1, 1, "turtle.syntax", "no loop")]
     [TestCase("comment 3", 1, 9, "turtle.values", "needs a text")]
     [TestCase("comment \"abc", 1, 9, "formula.text", "closing quotation mark")]
     [TestCase("comment \"a {1 +} b\"", 1, 16, "formula.syntax", "end")]
     [TestCase("forward 1 § 2", 1, 11, "formula.character", "no meaning")]
-    [TestCase("10 20", 1, 1, "turtle.syntax", "command was expected")]
+    [TestCase("10 20", 1, 1, "turtle.syntax", "expected a command")]
     [TestCase("x 3\nx = 1", 1, 1, "turtle.syntax", "is a variable")]
     [TestCase("keep 3", 1, 1, "turtle.unknown", "no command")]
     [TestCase("forward keep", 1, 9, "turtle.values", "keep")]
     [TestCase("color \"red\"", 1, 1, "turtle.value", "rrggbb")]
     [TestCase("role \"infil\"", 1, 1, "turtle.value", "Did you mean 'infill'?")]
-    [TestCase("repeat = 3", 1, 1, "turtle.name", "meaning of its own")]
+    [TestCase("repeat = 3", 1, 1, "turtle.name", "reserved name")]
     [TestCase("lsystem 3 \"F\" \"F -> F(\"", 1, 22, "lsystem.bracket", "never closed")]
     [TestCase("lsystem 3 \"F]\" \"F -> FF\"", 1, 1, "lsystem.bracket", "no state")]
     [TestCase("lsystem -1 \"F\"", 1, 9, "turtle.value", "whole number")]
-    public void Errors_say_what_and_where(string text, int line, int column, string code, string message)
+    public void Errors_state_what_and_where(string text, int line, int column, string code, string message)
     {
         var error = Error(text);
         Assert.That((error.Source!.Line, error.Source.Column, error.Code), Is.EqualTo(((int?)line, (int?)column, code)), error.Message);
@@ -251,7 +251,7 @@ internal sealed class TurtleScriptTests
     }
 
     [Test]
-    public void Programs_without_end_are_stopped_with_line_and_column()
+    public void Endless_programs_are_stopped_with_line_and_column()
     {
         var few = new TurtleLimits { MaxSteps = 100_000, MaxMoves = 1000, MaxDepth = 500, MaxSymbols = 1000 };
         (string, int, string)[] programs =

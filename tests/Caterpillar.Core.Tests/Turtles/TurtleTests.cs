@@ -33,7 +33,7 @@ internal sealed class TurtleTests
     }
 
     [Test]
-    public void Moves_go_where_they_say()
+    public void Moves_go_to_their_targets()
     {
         Near(new Turtle().TurnPitch(90).Forward(3).Position, new Vec3(0, 0, 3));
         Near(new Turtle().TurnYaw(90).Backward(3).Position, new Vec3(0, -3));
@@ -167,7 +167,7 @@ internal sealed class TurtleTests
     }
 
     [Test]
-    public void Pop_returns_by_a_travel_that_states_its_intention()
+    public void Pop_returns_by_a_travel_that_states_its_intent()
     {
         var t = new Turtle().Forward(1).Push().SetRate(120).SetDensity(0.2).Left(90).Forward(5).PenUp().Pop();
         Assert.That(t.Position, Is.EqualTo(new Vec3(1, 0)));
@@ -181,7 +181,7 @@ internal sealed class TurtleTests
     }
 
     [Test]
-    public void Events_stand_at_their_place()
+    public void Events_keep_their_position()
     {
         var t = new Turtle().NozzleTemperature(210).BedTemperature(0, wait: false).StartAt(5, 5).Extrude(2).Fan(0.5).Dwell(250).Forward(1).Pause("turn")
             .Comment("c").Raw("M400").Mix(0.25).Acceleration(500);
@@ -194,7 +194,7 @@ internal sealed class TurtleTests
             new RawEvent("M163 S0 P0.25").ToString(), new RawEvent("M163 S1 P0.75").ToString(), new RawEvent("M164 S0").ToString(),
                 new AccelerationEvent(500).ToString(),
         }));
-        Assert.That(t.ToSteps().OfType<TravelStep>().Single().Points.Single(), Is.EqualTo(new Vec3(5, 5)), "an extrusion in place needs a place");
+        Assert.That(t.ToSteps().OfType<TravelStep>().Single().Points.Single(), Is.EqualTo(new Vec3(5, 5)), "an extrusion in place needs a position");
     }
 
     [Test]
@@ -232,7 +232,7 @@ internal sealed class TurtleTests
     }
 
     [Test]
-    public void Values_that_make_no_sense_are_refused()
+    public void Senseless_values_are_rejected()
     {
         IEnumerable<TestDelegate> bad =
         [

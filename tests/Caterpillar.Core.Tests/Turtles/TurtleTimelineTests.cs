@@ -8,35 +8,35 @@ namespace Caterpillar.Tests.Turtles;
 
 internal sealed class TurtleWayTests
 {
-    private static TurtleTimeline Way(Turtle turtle) => new(turtle.ToSteps());
+    private static TurtleTimeline Timeline(Turtle turtle) => new(turtle.ToSteps());
 
     [Test]
-    public void The_pose_looks_along_the_way()
+    public void The_pose_looks_along_the_path()
     {
-        var way = Way(new Turtle().StartAt(1, 1).Forward(10).Dwell(5).Left(90).PenUp().Forward(10).PenDown().Extrude(1).LiftWorld(5).Forward(5));
-        Assert.That(way.Length, Is.EqualTo(30));
-        Assert.That(way.PoseAt(0).Origin, Is.EqualTo(new Vec3(1, 1)));
-        Assert.That(way.PoseAt(1 / 6.0).Origin.DistanceTo(new Vec3(6, 1)), Is.LessThan(1e-12));
-        Assert.That(way.PoseAt(0.5).X.DistanceTo(Vec3.UnitY), Is.LessThan(1e-12));
-        var lifted = way.PoseAt(22.5 / 30);
+        var timeline = Timeline(new Turtle().StartAt(1, 1).Forward(10).Dwell(5).Left(90).PenUp().Forward(10).PenDown().Extrude(1).LiftWorld(5).Forward(5));
+        Assert.That(timeline.Length, Is.EqualTo(30));
+        Assert.That(timeline.PoseAt(0).Origin, Is.EqualTo(new Vec3(1, 1)));
+        Assert.That(timeline.PoseAt(1 / 6.0).Origin.DistanceTo(new Vec3(6, 1)), Is.LessThan(1e-12));
+        Assert.That(timeline.PoseAt(0.5).X.DistanceTo(Vec3.UnitY), Is.LessThan(1e-12));
+        var lifted = timeline.PoseAt(22.5 / 30);
         Assert.That(lifted.Origin.DistanceTo(new Vec3(11, 11, 2.5)), Is.LessThan(1e-12));
-        Assert.That(lifted.X.DistanceTo(Vec3.UnitZ) + lifted.Y.DistanceTo(-Vec3.UnitX), Is.LessThan(1e-12), "upwards it keeps its left side");
-        Assert.That(way.PoseAt(1).Origin.DistanceTo(new Vec3(11, 16, 5)), Is.LessThan(1e-12));
-        Assert.That(way.PoseAt(7).Origin, Is.EqualTo(way.PoseAt(1).Origin));
+        Assert.That(lifted.X.DistanceTo(Vec3.UnitZ) + lifted.Y.DistanceTo(-Vec3.UnitX), Is.LessThan(1e-12), "upward it keeps its left side");
+        Assert.That(timeline.PoseAt(1).Origin.DistanceTo(new Vec3(11, 16, 5)), Is.LessThan(1e-12));
+        Assert.That(timeline.PoseAt(7).Origin, Is.EqualTo(timeline.PoseAt(1).Origin));
     }
 
     [Test]
-    public void What_is_printed_grows_with_the_way()
+    public void What_is_printed_grows_along_the_path()
     {
-        var way = Way(new Turtle().Forward(10).PenUp().Forward(10).PenDown().Forward(10).Left(90).Forward(10));
-        double Printed(double part) => way.PrintedUntil(part).Sum(r => new Polyline(r).Length);
+        var timeline = Timeline(new Turtle().Forward(10).PenUp().Forward(10).PenDown().Forward(10).Left(90).Forward(10));
+        double Printed(double part) => timeline.PrintedUntil(part).Sum(r => new Polyline(r).Length);
         Assert.That(new[] { 0, 0.125, 0.25, 0.5, 0.75, 1 }.Select(Printed), Is.EqualTo(new double[] { 0, 5, 10, 10, 20, 30 }).Within(1e-12));
-        Assert.That(way.PrintedUntil(1), Has.Count.EqualTo(2));
-        Assert.That(way.PrintedUntil(1)[1], Has.Count.EqualTo(3));
+        Assert.That(timeline.PrintedUntil(1), Has.Count.EqualTo(2));
+        Assert.That(timeline.PrintedUntil(1)[1], Has.Count.EqualTo(3));
     }
 
     [Test]
-    public void Nothing_is_a_way_of_no_length()
+    public void No_steps_are_a_path_without_length()
     {
         Assert.That(new TurtleTimeline([]).PoseAt(0.5), Is.EqualTo(Frame.World));
         Assert.That(new TurtleTimeline([]).PrintedUntil(1), Is.Empty);

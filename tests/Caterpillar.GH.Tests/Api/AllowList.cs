@@ -5,7 +5,8 @@ using System.IO;
 namespace Caterpillar.GH.Tests.Api;
 
 /// <summary>
-/// Facts that the lists do not hold, each with a public source. A line is <c>kind subject | source</c>; the kinds are <c>public</c> and <c>protected</c> for a
+/// Facts that the lists do not contain, each with a public source. A line is <c>kind subject | source</c>; the kinds are <c>public</c> and <c>protected</c> for
+/// a
 /// member,
 /// <c>base</c> for <c>type : base</c>, and <c>abstract</c> for a member that types of ours must implement.
 /// </summary>

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.GH.Tests.Api;
 
-/// <summary>The check finds what would fail in Rhino: it is fed assemblies with one mistake each.</summary>
+/// <summary>The check finds what would fail in Rhino: it is tested with assemblies that have one error each.</summary>
 public sealed class ApiCheckProofTests
 {
     private const TypeAttributes Public = TypeAttributes.Public | TypeAttributes.Class;

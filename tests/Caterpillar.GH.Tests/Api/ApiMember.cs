@@ -5,8 +5,8 @@ namespace Caterpillar.GH.Tests.Api;
 
 /// <summary>A member as the lists of the public API give it.</summary>
 /// <param name="Name">Its name; accessors under their property, constructors as <c>#ctor</c>.</param>
-/// <param name="Parameters">Canonical types of its parameters; null where only their number is known.</param>
-/// <param name="Count">Number of parameters; by reference ones may be missing where the types are not known.</param>
+/// <param name="Parameters">Canonical types of its parameters; null if only their number is known.</param>
+/// <param name="Count">Number of parameters; by reference ones may be missing where the types are unknown.</param>
 internal sealed record ApiMember(string Name, string[]? Parameters, int Count)
 {
     public bool IsStatic { get; init; }

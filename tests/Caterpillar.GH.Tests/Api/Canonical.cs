@@ -6,7 +6,7 @@ using Mono.Cecil;
 namespace Caterpillar.GH.Tests.Api;
 
 /// <summary>
-/// One spelling for types, whatever list or assembly they come from: <c>Name{Arguments}</c>, nested types behind a dot, <c>@</c> for by reference, <c>*</c> for
+/// One spelling for types, whatever list or assembly they come from: <c>Name{Arguments}</c>, nested types after a dot, <c>@</c> for by reference, <c>*</c> for
 /// any generic parameter.
 /// </summary>
 internal static class Canonical
@@ -68,6 +68,6 @@ internal static class Canonical
     /// <summary>Name of a type definition, with its number of generic parameters.</summary>
     public static string Name(TypeReference type) => type.GetElementType().FullName.Replace('/', '.');
 
-    // The number behind a name is kept only where no arguments follow it.
+    // The number after a name is kept only if no arguments follow it.
     private static string KeepTop(string type) => Regex.Replace(type, "`[0-9]+(?=\\{)", "");
 }

@@ -72,7 +72,7 @@ internal static class ListReader
         }
     }
 
-    /// <summary>Stubs in the manner of Python: names, numbers of parameters, static or not, values of enums.</summary>
+    /// <summary>Stubs in Python style: names, numbers of parameters, static or not, values of enums.</summary>
     public static void ReadStubs(IEnumerable<string> lines, ApiList list)
     {
         foreach (var line in lines)

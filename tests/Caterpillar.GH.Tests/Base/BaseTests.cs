@@ -55,7 +55,7 @@ public sealed class BaseTests
     }
 
     [Test]
-    public void A_mistake_in_long_work_arrives_as_itself()
+    public void An_exception_in_long_work_keeps_its_type()
         => Assert.That(() => LongWork.Run<string>("Testing", (_, _) => throw new ArgumentException("wrong")),
             Throws.ArgumentException.With.Message.EqualTo("wrong"));
 

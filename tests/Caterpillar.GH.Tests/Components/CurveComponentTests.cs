@@ -75,7 +75,7 @@ public sealed class CurveComponentTests
     }
 
     [Test]
-    public void Bad_items_give_null_and_the_rest_goes_on()
+    public void Bad_items_give_null_and_the_rest_continues()
     {
         var line = new Rg.LineCurve(new Rg.Point3d(0, 0, 0), new Rg.Point3d(10, 0, 0));
         var canvas = new Canvas<ConstructPrintPathComponent>().Feed("Curve", line, null, line).Solve();
@@ -122,7 +122,7 @@ public sealed class CurveComponentTests
         PrintPath[] lines = [Line(0, 10), Line(20, 11)];
         var oriented = new Canvas<OrientPathsComponent>().Feed("Print Paths", lines[0], lines[1]).Solve();
         Assert.That(oriented.All("Print Paths").Cast<PrintPath>().Select(p => p.Start.X), Is.EqualTo(new[] { 0.0, 11 }));
-        Assert.That(oriented.One<double>("Way"), Is.EqualTo(1));
+        Assert.That(oriented.One<double>("Travel"), Is.EqualTo(1));
         var kept = new Canvas<OrientPathsComponent>().Feed("Print Paths", lines[0], lines[1]).Feed("Reverse", false).Solve();
         Assert.That(kept.All("Print Paths").Cast<PrintPath>().Select(p => p.Start.X), Is.EqualTo(new[] { 0.0, 20 }));
     }

@@ -38,7 +38,7 @@ public sealed class DeconstructPrintPathTests
     }
 
     [Test]
-    public void Null_and_wrong_items_give_null_and_name_their_place_and_the_rest_goes_on()
+    public void Null_and_wrong_items_give_null_and_name_their_place_and_the_rest_continues()
     {
         var canvas = new Canvas<DeconstructPrintPathComponent>().FeedTree("Print Path", [Path()], [null, Path(), "a wall"]).Solve();
         Assert.That(canvas.All("Role"), Is.EqualTo(new object?[] { "OuterWall", null, "OuterWall", null }));

@@ -24,7 +24,7 @@ public sealed class GCodeTests
         => new Canvas<PlanToolpathComponent>().Feed("Steps", Line(x)).Feed("Printer", "generic").Solve().One<Toolpath>("Toolpath");
 
     [Test]
-    public void The_whole_way_from_a_solid_to_G_code_and_back()
+    public void From_a_solid_to_G_code_and_back()
     {
         var document = new GH_Document();
         var slice = new Canvas<PlanarSlicerComponent>(document).Feed("Geometry", Shapes.Box(height: 1));
@@ -101,7 +101,7 @@ public sealed class GCodeTests
     {
         var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), null).Feed("Printer", "generic", null, "ender3", "nothing").Solve();
         Assert.That(canvas.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { false, true, false, true }));
-        Assert.That(canvas.Warnings, Has.Member("{0}[0]: Steps has 1 null item, which is left out.").And.Member("{0}[1]: Printer is missing."));
+        Assert.That(canvas.Warnings, Has.Member("{0}[0]: Steps has 1 null item, which is ignored.").And.Member("{0}[1]: Printer is missing."));
         Assert.That(canvas.Errors, Is.EqualTo(new[] { "Data conversion failed from Text to Printer" }));
     }
 
@@ -115,7 +115,7 @@ public sealed class GCodeTests
     }
 
     [Test]
-    public void What_would_hurt_the_machine_is_refused_and_only_a_reason_overrides_it()
+    public void What_could_damage_the_machine_is_refused_and_only_a_reason_overrides_it()
     {
         var canvas = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", new ToolpathGoo(Planned(215), new PrintSetup())).Solve();
         Assert.That(canvas.All("G-code"), Is.EqualTo(new object?[] { null }));
@@ -148,7 +148,7 @@ public sealed class GCodeTests
     [TestCase(-1, 5, new[] { "G1 X20 Y20 E0.5" })]
     [TestCase(50, 5, new string[0])]
     [TestCase(1, 0, new string[0])]
-    public void A_window_of_lines(int start, int count, string[] lines)
+    public void Some_lines_of_a_file(int start, int count, string[] lines)
     {
         var canvas = new Canvas<GCodeTextComponent>().Feed("G-code", Small).Feed("Start", start).Feed("Count", count).Solve();
         Assert.That(canvas.Errors, Is.Empty);
@@ -156,7 +156,7 @@ public sealed class GCodeTests
     }
 
     [Test]
-    public void A_window_that_makes_no_sense_is_an_error_and_trees_keep_their_branches()
+    public void An_invalid_range_of_lines_is_an_error_and_trees_keep_their_branches()
     {
         var canvas = new Canvas<GCodeTextComponent>().FeedTree("G-code", [Small], [Small, null]).Feed("Start", 1).Feed("Count", 1).Solve();
         Assert.That(canvas.Paths("Lines"), Is.EqualTo(new[] { "{0;0}", "{1;0}", "{1;1}" }));

@@ -44,7 +44,7 @@ public sealed class SetupTests
     }
 
     [Test]
-    public void A_wrong_name_is_an_error_with_advice_and_the_rest_goes_on()
+    public void A_wrong_name_is_an_error_with_advice_and_the_rest_continues()
     {
         var canvas = new Canvas<PrinterComponent>().Feed("Name", "ender33", null, "generic").Solve();
         Assert.That(canvas.All("Printer").Select(p => p is null), Is.EqualTo(new[] { true, true, false }));
@@ -63,7 +63,7 @@ public sealed class SetupTests
     }
 
     [Test]
-    public void A_file_counts_before_the_name_and_stands_relative_to_the_definition()
+    public void A_file_takes_precedence_over_the_name_and_is_relative_to_the_definition()
     {
         File.WriteAllText(Path.Combine(_folder, "mine.json"), "{\"inherits\": \"generic\", \"title\": \"Mine\", \"build_volume_mm\": [100, 100, 100]}");
         var canvas = new Canvas<PrinterComponent>();
@@ -77,7 +77,7 @@ public sealed class SetupTests
     }
 
     [Test]
-    public void Profiles_of_the_user_lie_over_those_of_the_plug_in_and_are_watched()
+    public void Profiles_of_the_user_override_those_of_the_plug_in_and_are_watched()
     {
         var printers = Path.Combine(_folder, "Caterpillar", "printers");
         Directory.CreateDirectory(printers);

@@ -20,7 +20,7 @@ public sealed class ShapingComponentsTests
     private static readonly PrintPath Helix = new Trace(0.196).SetSpeed(30).Helix(Vec3.Zero, 10, 4, 0.4, 36).ToPaths().Single();
 
     [Test]
-    public void Formulas_bend_paths()
+    public void Formulas_deform_paths()
     {
         var canvas = new Canvas<DeformComponent>().Feed("Print Paths", Line).Feed("X", "x + z").Feed("Area", "2 * c").Feed("Speed", "v / 3")
             .Feed("Tolerance", 0.0).Solve();
@@ -54,7 +54,7 @@ public sealed class ShapingComponentsTests
     }
 
     [Test]
-    public void A_path_that_cannot_be_bent_does_not_stop_the_others()
+    public void A_path_that_cannot_be_deformed_does_not_stop_the_others()
     {
         var canvas = new Canvas<DeformComponent>().Feed("Print Paths", Line, null, Helix).Feed("X", "x / (y - 0)").Feed("Tolerance", 0.0).Solve();
         Assert.That(canvas.All("Print Paths").Select(p => p is null), Is.EqualTo(new[] { true, true }));
@@ -67,7 +67,7 @@ public sealed class ShapingComponentsTests
     }
 
     [Test]
-    public void Mistakes_in_formulas_have_their_column()
+    public void Errors_in_formulas_have_their_column()
     {
         var canvas = new Canvas<DeformComponent>().Feed("Print Paths", Line).Feed("X", "x + w").Feed("Area", "2 *").Solve();
         Assert.That(canvas.All("Print Paths"), Is.Empty);
@@ -95,7 +95,7 @@ public sealed class ShapingComponentsTests
     }
 
     [Test]
-    public void Images_lie_around_the_paths()
+    public void Images_are_mapped_around_the_paths()
     {
         var file = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-modulate-" + Guid.NewGuid().ToString("N") + ".pgm");
         File.WriteAllBytes(file, Encoding.ASCII.GetBytes("P2 2 1 255 0 255\n"));
@@ -131,7 +131,7 @@ public sealed class ShapingComponentsTests
     }
 
     [Test]
-    public void Masks_resolution_and_reference_speed_count()
+    public void Masks_resolution_and_reference_speed_take_effect()
     {
         var path = new PrintPath([Vec3.Zero, new Vec3(10, 0, 0)], new Bead(0.2));
         var canvas = new Canvas<ModulateComponent>().Feed("Print Paths", path).Feed("Expression", "1").Feed("Mask", "step(5, x)").Feed("Resolution", 2.5)

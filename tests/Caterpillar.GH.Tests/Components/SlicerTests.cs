@@ -59,7 +59,7 @@ public sealed class SlicerTests
         var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick)
             .FeedTree("Geometry", [Shapes.Box(), null], [new Rg.LineCurve(new Rg.Point3d(0, 0, 0), new Rg.Point3d(1, 0, 0))], [null], [Shapes.Box()]).Solve();
         Assert.That(canvas.All("Walls"), Has.Count.EqualTo(8));
-        Assert.That(canvas.Warnings, Has.Member("{0}[0]: Geometry has 1 null item, which is left out.").And.Some.Contains("Geometry is missing."));
+        Assert.That(canvas.Warnings, Has.Member("{0}[0]: Geometry has 1 null item, which is ignored.").And.Some.Contains("Geometry is missing."));
         Assert.That(canvas.Errors, Has.One.Contains("A LineCurve has no surface to slice"));
     }
 
@@ -92,7 +92,7 @@ public sealed class SlicerTests
         => Assert.That(Slice(Shapes.Box(size: 0.1)).Errors, Has.Some.Contains("slice.nothing"));
 
     [Test]
-    public void The_last_solve_is_kept_until_something_changes()
+    public void The_last_result_is_kept_until_something_changes()
     {
         var canvas = Slice(Shapes.Box());
         var first = canvas.All("Walls")[0];

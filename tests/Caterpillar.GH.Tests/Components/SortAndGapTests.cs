@@ -17,13 +17,13 @@ public sealed class SortAndGapTests
     private static PrintPath Line(double from, double to, double z = 0.2) => new([new Vec3(from, 0, z), new Vec3(to, 0, z)], Bead);
 
     [Test]
-    public void Sort_takes_the_nearest_start_and_turns_paths()
+    public void Sort_takes_the_nearest_start_and_reverses_paths()
     {
         var canvas = new Canvas<SortPathsComponent>().Feed("Print Paths", Line(0, 10), Line(30, 20), Line(11, 18)).Solve();
         Assert.That(canvas.Errors.Concat(canvas.Warnings), Is.Empty);
         Assert.That(canvas.All("Indices"), Is.EqualTo(new object[] { 0, 2, 1 }));
         Assert.That(canvas.All("Print Paths").Cast<PrintPath>().Select(p => p.Start.X), Is.EqualTo(new[] { 0.0, 11, 20 }));
-        Assert.That(canvas.One<double>("Way"), Is.EqualTo(3).Within(1e-12));
+        Assert.That(canvas.One<double>("Travel"), Is.EqualTo(3).Within(1e-12));
         var kept = canvas.Feed("Reverse", false).Solve();
         Assert.That(kept.All("Print Paths").Cast<PrintPath>().Select(p => p.Start.X), Is.EqualTo(new[] { 0.0, 11, 30 }));
     }
@@ -39,7 +39,7 @@ public sealed class SortAndGapTests
     }
 
     [Test]
-    public void Sort_solves_each_branch_and_leaves_out_nulls()
+    public void Sort_solves_each_branch_and_ignores_nulls()
     {
         var canvas = new Canvas<SortPathsComponent>().FeedTree("Print Paths", [Line(0, 10), Line(12, 20)], [Line(5, 6), null, Line(9, 7)]).Solve();
         Assert.That(canvas.Paths("Print Paths"), Is.EqualTo(new[] { "{0;0}", "{1;0}" }));
@@ -91,19 +91,19 @@ public sealed class SortAndGapTests
     }
 
     [Test]
-    public void Gap_beads_keep_the_limits_and_the_group_and_say_what_was_limited()
+    public void Gap_beads_keep_the_limits_and_the_group_and_report_what_was_limited()
     {
         var step = new PrintPathGoo(new PathStep(Line(0, 10, 0.7), new StepGroup(3, 1)));
         var canvas = new Canvas<GapBeadComponent>().Feed("Print Paths", step).Feed("Greatest Gap", 0.5).Solve();
         Assert.That(canvas.One<PrintPath>("Print Paths").BeadOf(0).Height, Is.EqualTo(0.5).Within(1e-9));
         Assert.That(((PrintPathGoo)canvas.Output("Print Paths").VolatileData.get_Branch(0)[0]!).Group, Is.EqualTo(new StepGroup(3, 1)));
         Assert.That(canvas.All("Diagnostics"), Has.One.Contains("gap.wide"));
-        Assert.That(canvas.Feed("Least Gap", 0.6).Solve().Errors, Has.One.Contains("Least Gap must not be above Greatest Gap"));
-        Assert.That(canvas.Feed("Least Gap", -1).Solve().Errors, Has.One.Contains("Least Gap must be greater than zero"));
+        Assert.That(canvas.Feed("Least Gap", 0.6).Solve().Errors, Has.One.Contains("Minimum Gap must not be above Maximum Gap"));
+        Assert.That(canvas.Feed("Least Gap", -1).Solve().Errors, Has.One.Contains("Minimum Gap must be greater than zero"));
     }
 
     [Test]
-    public void Gap_beads_refuse_what_has_no_surface_and_beads_without_a_width()
+    public void Gap_beads_reject_what_has_no_surface_and_beads_without_a_width()
     {
         var curve = new Canvas<GapBeadComponent>().Feed("Print Paths", Line(0, 10)).Feed("Geometry", new Rg.Point3d(0, 0, 0)).Solve();
         Assert.That(curve.Errors, Has.One.Contains("has no surface"));

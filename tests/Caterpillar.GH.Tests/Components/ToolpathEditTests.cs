@@ -24,7 +24,7 @@ public sealed class ToolpathEditTests
     private static Toolpath Value(ToolpathGoo goo) => goo.Value;
 
     [Test]
-    public void A_toolpath_comes_apart_with_a_branch_per_layer()
+    public void A_toolpath_is_taken_apart_with_a_branch_per_layer()
     {
         var canvas = new Canvas<DeconstructToolpathComponent>().Feed("Toolpath", Decoded()).Solve();
         Assert.That(canvas.Errors, Is.Empty);
@@ -63,7 +63,7 @@ public sealed class ToolpathEditTests
     }
 
     [Test]
-    public void A_box_is_meant_in_document_units()
+    public void A_box_is_in_document_units()
     {
         var goo = Decoded();
         using var _ = new InDocument(UnitSystem.Centimeters);
@@ -83,7 +83,7 @@ public sealed class ToolpathEditTests
         var lines = Encoding.UTF8.GetString(write.One<GCodeDocument>("G-code").ToBytes()).Split('\n');
         Assert.That(lines.Except(File.Split('\n')), Has.All.Contains("F"), "Only lines with another speed are new.");
         Assert.That(lines, Has.Some.EqualTo("G1 X20 Y10 E0.5 F1200 ; one").And.Some.Contains("X20 Y20 E0.5 F600"));
-        write.Feed("Write Anew", true).Solve();
+        write.Feed("Rewrite All", true).Solve();
         Assert.That(Encoding.UTF8.GetString(write.One<GCodeDocument>("G-code").ToBytes()), Does.Not.Contain("; by hand"));
     }
 
@@ -121,7 +121,7 @@ public sealed class ToolpathEditTests
     }
 
     [Test]
-    public void Formulas_bend_a_decoded_file()
+    public void Formulas_deform_a_decoded_file()
     {
         var bend = new Canvas<DeformToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Z", "z + x / 100").Solve();
         Assert.That(bend.Errors, Is.Empty);
@@ -147,7 +147,7 @@ public sealed class ToolpathEditTests
         Assert.That(text, Does.StartWith("M104 S200\nM109 S200\nG28\n").And.EndWith("M84\n").And.Contain("G1 X20 Y10 E0.5 F1200 ; one")
             .And.Not.Contain("by hand"));
         Assert.That(write.Feed("Start Code", "M104 S200\nG1 X900").Solve().Errors, Is.Not.Empty, "the new lines are checked too");
-        Assert.That(write.Feed("Write Anew", true).Solve().Warnings, Has.Some.Contains("Start Code"));
+        Assert.That(write.Feed("Rewrite All", true).Solve().Warnings, Has.Some.Contains("Start Code"));
     }
 
     private static string Written(object? goo)
@@ -155,7 +155,7 @@ public sealed class ToolpathEditTests
             .ToBytes());
 
     [Test]
-    public void Saving_happens_once_at_the_press_and_never_over_a_file_unasked()
+    public void Saving_happens_once_per_press_and_never_overwrites_a_file_by_default()
     {
         var folder = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N"));
         Directory.CreateDirectory(folder);
@@ -165,7 +165,7 @@ public sealed class ToolpathEditTests
             var canvas = new Canvas<SaveGCodeComponent>();
             canvas.Document.FilePath = Path.Combine(folder, "definition.gh");
             canvas.Feed("G-code", GCodeDocument.FromText(File)).Feed("File", "out.gcode").Solve();
-            Assert.That(System.IO.File.Exists(file), Is.False, "Nothing is written unasked.");
+            Assert.That(System.IO.File.Exists(file), Is.False, "Nothing is written without a press.");
             canvas.Feed("Save", true).Solve();
             Assert.That(canvas.Errors, Is.Empty);
             Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo(File));
@@ -173,10 +173,10 @@ public sealed class ToolpathEditTests
             System.IO.File.WriteAllText(file, "changed");
             canvas.Component.ExpireSolution(false);
             canvas.Solve();
-            Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo("changed"), "Held down it does not write again.");
+            Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo("changed"), "Held down, it does not write again.");
             Assert.That(canvas.Errors, Is.Empty, "Nor does it try to.");
             canvas.Feed("Save", false).Solve().Feed("Save", true).Solve();
-            Assert.That(canvas.Errors, Has.One.Contains("is there already, and Overwrite is false."));
+            Assert.That(canvas.Errors, Has.One.Contains("already exists, and Overwrite is false."));
             Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo("changed"));
             canvas.Feed("Save", false).Feed("Overwrite", true).Solve().Feed("Save", true).Solve();
             Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo(File));
@@ -194,7 +194,7 @@ public sealed class ToolpathEditTests
     }
 
     [Test]
-    public void A_folder_that_is_not_there_is_an_error()
+    public void A_missing_folder_is_an_error()
     {
         var canvas = new Canvas<SaveGCodeComponent>().Feed("G-code", "G28", null).Feed("File", Path.Combine(Path.GetTempPath(), "no such folder", "a.gcode"))
             .Feed("Save", true).Solve();

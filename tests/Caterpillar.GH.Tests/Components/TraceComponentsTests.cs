@@ -26,7 +26,7 @@ public sealed class TraceComponentsTests
     }
 
     [Test]
-    public void Bad_widths_of_beads_are_named_and_the_rest_goes_on()
+    public void Bad_widths_of_beads_are_named_and_the_rest_continues()
     {
         var canvas = new Canvas<ConstructBeadComponent>().Feed("Width", 0.5, null, -1.0, double.NaN, 0.6).Feed("Height", 0.2).Solve();
         Assert.That(canvas.All("Bead").Select(b => b is null), Is.EqualTo(new[] { false, true, true, true, false }));
@@ -98,7 +98,7 @@ public sealed class TraceComponentsTests
     }
 
     [Test]
-    public void Bad_shapes_are_named_and_the_rest_goes_on()
+    public void Bad_shapes_are_named_and_the_rest_continues()
     {
         var canvas = new Canvas<HelixTraceComponent>().Feed("Radius", 10.0, null, -1.0, 5.0).Feed("Height", 1.0).Feed("Pitch", 0.4).Solve();
         Assert.That(canvas.All("Print Path").Select(p => p is null), Is.EqualTo(new[] { false, true, true, false }));

@@ -47,7 +47,7 @@ public sealed class TurtleComponentsTests
     }
 
     [Test]
-    public void Commands_make_a_program_too()
+    public void Commands_make_a_program()
     {
         var canvas = new Canvas<TurtleProgramComponent>()
             .Feed("Commands", TurtleCommand.Of(TurtleAction.Forward, 5), null, TurtleCommand.Of(TurtleAction.Forward, 7)).Solve();
@@ -58,7 +58,7 @@ public sealed class TurtleComponentsTests
     }
 
     [Test]
-    public void Moves_turns_and_the_rest_give_their_commands()
+    public void Moves_turns_and_others_give_their_commands()
     {
         Assert.That(Line(new Canvas<TurtleMoveComponent>()), Is.EqualTo("forward 10"));
         Assert.That(Line(new Canvas<TurtleMoveComponent>().Feed("Kind", "Forward And Up").Feed("Distance", 2.0).Feed("Height", 3.0)),
@@ -91,7 +91,7 @@ public sealed class TurtleComponentsTests
     }
 
     [Test]
-    public void Bad_values_are_named_and_the_rest_goes_on()
+    public void Bad_values_are_named_and_the_rest_continues()
     {
         var canvas = new Canvas<TurtleMoveComponent>().Feed("Distance", 1.0, double.NaN, null, 3.0).Solve();
         Assert.That(canvas.All("Command").Select(c => c?.ToString()), Is.EqualTo(new[] { "forward 1", null, null, "forward 3" }));
@@ -120,7 +120,7 @@ public sealed class TurtleComponentsTests
     }
 
     [Test]
-    public void A_bead_is_what_the_turtle_begins_with()
+    public void A_bead_is_the_initial_one_of_the_turtle()
     {
         var canvas = new Canvas<TurtleComponent>().Feed("Program", "forward 10\narea 0.5\nforward 5").Feed("Bead", new BeadGoo(new Bead(0.2, 0.3, 25))).Solve();
         Assert.That(canvas.Errors, Is.Empty);
@@ -139,7 +139,7 @@ public sealed class TurtleComponentsTests
         Assert.That(new Canvas<TurtleComponent>().Feed("Program", "forwrd 10").Solve().Errors.Single(), Does.Contain("conversion failed"));
         var failed = new Canvas<TurtleComponent>().Feed("Program", Program("forward 1\nforward 1 / 0"), Program("forward 2")).Solve();
         Assert.That(failed.Errors.Single(), Does.Contain("line 2:9").And.Contain("division by zero"));
-        Assert.That(failed.All("Print Paths"), Has.Count.EqualTo(1), "the second item goes on");
+        Assert.That(failed.All("Print Paths"), Has.Count.EqualTo(1), "the second item is solved");
     }
 
     [Test]
@@ -159,7 +159,7 @@ public sealed class TurtleComponentsTests
     }
 
     [Test]
-    public void The_preview_draws_the_triangle_along_the_way()
+    public void The_preview_draws_the_triangle_along_the_path()
     {
         var steps = Program("forward 10\nleft 90\nforward 10").Run().Value!.ToSteps();
         var canvas = new Canvas<TurtlePreviewComponent>().Feed("Steps", steps.Cast<object?>().ToArray()).Feed("Position", 0.75).Solve();
@@ -167,7 +167,7 @@ public sealed class TurtleComponentsTests
         var plane = canvas.One<Rg.Plane>("Plane");
         Assert.That(plane.Origin.DistanceTo(new Rg.Point3d(10, 5, 0)), Is.LessThan(1e-12));
         Assert.That((plane.XAxis - Rg.Vector3d.YAxis).Length, Is.LessThan(1e-12));
-        // The sharp corner is 2.5 times as far ahead as the others are to the sides.
+        // The tip is 2.5 times as far ahead as the other corners are to the sides.
         var corners = canvas.One<Rg.Curve>("Triangle");
         Assert.That(corners.GetBoundingBox(true).Max.DistanceTo(new Rg.Point3d(12, 10, 0)), Is.LessThan(1e-12));
         var display = new Rhino.Display.DisplayPipeline();

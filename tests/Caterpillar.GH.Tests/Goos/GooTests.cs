@@ -54,11 +54,11 @@ public sealed class GooTests
         Assert.That(goo.Duplicate().IsValid, Is.False);
         Assert.That(goo.CastTo<string>(out _), Is.False);
         Assert.That(goo.CastFrom(null!), Is.False);
-        Assert.That(goo.CastFrom(1.0), Is.False, "A number is none of our values.");
+        Assert.That(goo.CastFrom(1.0), Is.False, "A number is not one of these values.");
     }
 
     [TestCaseSource(nameof(Full))]
-    public void Goo_with_a_value_says_what_it_is_and_copies_share_it(IGH_Goo goo)
+    public void Goo_with_a_value_describes_it_and_copies_share_it(IGH_Goo goo)
     {
         Assert.That(goo.IsValid && goo.IsValidWhyNot.Length == 0, Is.True);
         Assert.That(goo.TypeName, Is.Not.Empty);
@@ -98,7 +98,7 @@ public sealed class GooTests
     }
 
     [Test]
-    public void A_move_is_meant_in_document_units()
+    public void A_move_is_in_document_units()
     {
         using var _ = new InDocument(UnitSystem.Centimeters);
         var moved = (PrintPathGoo)new PrintPathGoo(Path()).Transform(Rg.Transform.Translation(1, 0, 0))!;
@@ -107,7 +107,7 @@ public sealed class GooTests
     }
 
     [Test]
-    public void Bending_a_path_moves_its_points()
+    public void Morphing_a_path_moves_its_points()
     {
         var bent = (PrintPathGoo)new PrintPathGoo(Turn()).Morph(new Lift())!;
         Assert.That(bent.Value.HasArcs, Is.False);
@@ -131,7 +131,7 @@ public sealed class GooTests
     }
 
     [Test]
-    public void Bending_a_toolpath_bends_what_it_prints()
+    public void Morphing_a_toolpath_moves_what_it_prints()
     {
         var bent = (ToolpathGoo)new ToolpathGoo(Toolpath(), new PrintSetup()).Morph(new Lift())!;
         var before = Toolpath().Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
@@ -190,7 +190,7 @@ public sealed class GooTests
     }
 
     [Test]
-    public void A_damaged_profile_in_a_definition_is_no_value()
+    public void A_damaged_profile_in_a_definition_gives_no_value()
     {
         var chunk = new GH_LooseChunk("Item");
         chunk.SetString("Name", "x");

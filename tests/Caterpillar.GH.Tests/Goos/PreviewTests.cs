@@ -19,7 +19,7 @@ using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Tests.Goos;
 
-/// <summary>What is drawn and baked, as the recording display and document show it.</summary>
+/// <summary>What is drawn and baked, as recorded by the display and the document.</summary>
 public sealed class PreviewTests
 {
     private static PrintPath Path(int points = 3) => new(Enumerable.Range(0, points).Select(i => new Vec3(i, i % 2, 1)), new Bead(0.08));
@@ -89,7 +89,7 @@ public sealed class PreviewTests
     }
 
     [Test]
-    public void What_can_be_baked_is_asked_of_the_outputs()
+    public void The_outputs_decide_what_can_be_baked()
     {
         using var document = new InDocument();
         var ids = new List<Guid>();

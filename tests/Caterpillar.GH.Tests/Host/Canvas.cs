@@ -61,7 +61,7 @@ internal sealed class Canvas<T>
 
     public IGH_Param Output(string name) => Component.Params.Output.Single(p => p.Name == name);
 
-    /// <summary>All items of an output, in order; null where the component gave none.</summary>
+    /// <summary>All items of an output, in order; null if the component gave none.</summary>
     public List<object?> All(string output)
     {
         var data = Output(output).VolatileData;
@@ -87,7 +87,7 @@ internal sealed class Canvas<T>
     private static IGH_Goo? Wrap(object? item) => item is null ? null : Casting.Wrap(item);
 }
 
-/// <summary>A Rhino document in other units for the length of a test.</summary>
+/// <summary>A Rhino document in other units for the duration of a test.</summary>
 internal sealed class InDocument : IDisposable
 {
     public InDocument(UnitSystem units = UnitSystem.Millimeters) => RhinoDoc.ActiveDoc = Document = new RhinoDoc { ModelUnitSystem = units };

@@ -85,7 +85,7 @@ public sealed class DefinitionTests
     }
 
     [Test]
-    public void An_object_that_no_library_has_is_left_out_and_said()
+    public void An_object_of_no_library_is_skipped_and_reported()
     {
         var archive = new GH_Archive();
         archive.Deserialize_Xml(Save(Make()).Replace(new PrinterComponent().ComponentGuid.ToString(), Guid.NewGuid().ToString()));

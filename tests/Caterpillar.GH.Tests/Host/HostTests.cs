@@ -98,7 +98,7 @@ public sealed class HostTests
         => Assert.That(new Canvas<Adder>().Feed("A", 13, 1).Solve().Errors, Is.EqualTo(new[] { "Unlucky." }));
 
     [Test]
-    public void Wires_carry_results_on_and_only_expired_objects_solve_again()
+    public void Wires_pass_results_on_and_only_expired_objects_solve_again()
     {
         var canvas = new Canvas<Adder>().Feed("A", 1);
         var second = new Adder();

@@ -12,7 +12,7 @@ namespace Caterpillar.GH.Tests.Plugin;
 
 /// <summary>
 /// Definitions find components by their id and ports by their position: neither may change. frozen-ports.txt lists them; new ports go to the end with a
-/// default. To renew the list for what is new, run the tests with CATERPILLAR_RENEW_PORTS=1 and look at the difference.
+/// default. To add what is new, run the tests with CATERPILLAR_RENEW_PORTS=1 and read the difference.
 /// </summary>
 public sealed class FrozenPortsTests
 {
@@ -32,7 +32,7 @@ public sealed class FrozenPortsTests
         var now = Sections(Describe());
         foreach (var frozen in Sections(File.ReadAllText(FrozenFile).Replace("\r\n", "\n")))
         {
-            Assert.That(now, Does.ContainKey(frozen.Key), "A component or parameter is gone or has another id: hide it instead, and keep it.");
+            Assert.That(now, Does.ContainKey(frozen.Key), "A component or parameter is gone or has another id: hide it instead of removing it.");
             foreach (var side in new[] { "in ", "out " })
             {
                 var before = frozen.Value.Where(l => l.StartsWith(side, StringComparison.Ordinal)).ToArray();

@@ -34,7 +34,7 @@ public sealed class MetadataTests
     }
 
     [TestCaseSource(typeof(PluginTypes), nameof(PluginTypes.Components))]
-    public void Names_and_descriptions_are_whole(Type type)
+    public void Names_and_descriptions_are_complete(Type type)
     {
         var component = PluginTypes.Make<GH_Component>(type);
         Assert.That(component.Category, Is.EqualTo("Caterpillar"));
@@ -71,7 +71,7 @@ public sealed class MetadataTests
     }
 
     [TestCaseSource(typeof(PluginTypes), nameof(PluginTypes.Components))]
-    public void Numbers_say_their_unit(Type type)
+    public void Numbers_state_their_unit(Type type)
     {
         var unit = new Regex(@"\b(mm|mm²|mm³|mm/s|°C|degrees|percent|seconds|ratio|factor|from [01-9]|from -?1|[Nn]umber of|[Cc]ounts?)\b|mm²|mm³|°C|0 to 1");
         var component = PluginTypes.Make<GH_Component>(type);
@@ -82,7 +82,7 @@ public sealed class MetadataTests
     [TestCaseSource(typeof(PluginTypes), nameof(PluginTypes.Components))]
     public void Singular_and_plural_follow_access(Type type)
     {
-        // Words that are the same in both, or mean many things as one value.
+        // Words that are the same in both, or one value for many things.
         string[] collective = ["Geometry", "Settings", "Diagnostics", "Infill", "Generations", "Script"];
         foreach (var port in PluginTypes.Make<GH_Component>(type).Params)
         {
@@ -130,7 +130,7 @@ public sealed class MetadataTests
 
     [TestCase("net48")]
     [TestCase("net8.0")]
-    public void No_part_of_the_host_lies_beside_the_plug_in(string framework)
+    public void No_part_of_the_host_is_next_to_the_plug_in(string framework)
     {
         var folder = Path.GetFullPath(Path.Combine(TestContext.CurrentContext.TestDirectory, "..", "..", "Caterpillar.GH"));
         var built = Directory.Exists(folder)
@@ -147,7 +147,7 @@ public sealed class MetadataTests
     [TestCase("RhinoCommon")]
     [TestCase("Grasshopper")]
     [TestCase("GH_IO")]
-    public void The_stand_ins_say_what_they_are(string name)
+    public void The_stand_ins_state_what_they_are(string name)
     {
         var type = name switch { "RhinoCommon" => typeof(Rhino.RhinoDoc), "Grasshopper" => typeof(GH_Document), _ => typeof(GH_IO.GH_ISerializable) };
         string Of(string attribute) => (string)type.Assembly.GetCustomAttributesData().Single(a => a.AttributeType.Name == attribute).ConstructorArguments[0]

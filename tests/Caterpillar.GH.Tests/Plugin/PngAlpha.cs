@@ -20,7 +20,7 @@ internal static class PngAlpha
         {
             if (Encoding.ASCII.GetString(bytes, at + 4, 4) == "IDAT") packed.Write(bytes, at + 8, Number(bytes, at));
         }
-        // Behind the two bytes of the zlib header.
+        // After the two bytes of the zlib header.
         packed.Position = 2;
         using var rows = new MemoryStream();
         using (var deflate = new DeflateStream(packed, CompressionMode.Decompress)) deflate.CopyTo(rows);

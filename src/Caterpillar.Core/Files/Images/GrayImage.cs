@@ -24,7 +24,7 @@ public sealed class GrayImage
     /// <summary>Brightness of a pixel; x from the left, y from the top.</summary>
     public double this[int x, int y] => _pixels[y * Width + x];
 
-    /// <summary>The nearest pixel at u from the left and v from the bottom; the image repeats in u, its edge is taken in v.</summary>
+    /// <summary>The nearest pixel at u from the left and v from the bottom; the image repeats in u and is clamped in v.</summary>
     internal double Nearest(double u, double v)
     {
         if (!IsPlace(u, v)) return double.NaN;

@@ -7,13 +7,13 @@ namespace Caterpillar.Files;
 /// <summary>Reads images as brightness: PNG (all color types and depths, interlaced too) and PGM or PBM (plain and raw).</summary>
 public static class ImageReader
 {
-    /// <summary>The most pixels that are read: 100 million.</summary>
+    /// <summary>The maximum number of pixels: 100 million.</summary>
     public const long MaxPixels = 100_000_000;
 
-    /// <summary>Reads a file. An exception only where the disk fails; a file that is no image gives an error.</summary>
+    /// <summary>Reads a file. Throws only if the disk fails; a file that is not an image gives an error.</summary>
     public static Result<GrayImage> Read(string path) => Read(File.ReadAllBytes(path), path);
 
-    /// <summary>Reads the bytes of a file; the name stands in messages. Colors become brightness by Rec. 709, transparency is laid over white.</summary>
+    /// <summary>Reads the bytes of a file; the name is used in messages. Colors become brightness by Rec. 709, transparency is blended with white.</summary>
     public static Result<GrayImage> Read(byte[] bytes, string name)
     {
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
@@ -28,7 +28,7 @@ public static class ImageReader
         }
         catch (IOException)
         {
-            // Mono's way to say that compressed data is damaged; nothing else here touches a disk.
+            // Mono reports damaged compressed data this way; nothing else here touches a disk.
             return Failed("The compressed data of the image is damaged.", name);
         }
         return Failed("This is neither a PNG nor a PGM or PBM image.", name);

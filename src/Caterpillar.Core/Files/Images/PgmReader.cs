@@ -3,7 +3,7 @@ using System.IO;
 
 namespace Caterpillar.Files;
 
-/// <summary>Netpbm gray maps (P2, P5) and bit maps (P1, P4).</summary>
+/// <summary>Netpbm graymaps (P2, P5) and bitmaps (P1, P4).</summary>
 internal static class PgmReader
 {
     public static bool IsPgm(byte[] bytes)
@@ -30,7 +30,7 @@ internal static class PgmReader
     private static int Size(byte[] bytes, int width, int height, int kind)
     {
         var count = ImageReader.Pixels(width, height);
-        // At least so many bytes follow; a declared size beyond the file is not allocated.
+        // At least this many bytes must follow; a declared size beyond the file is not allocated.
         var least = kind switch { 4 => (width + 7) / 8 * (long)height, _ => count };
         return least <= bytes.Length ? count : throw new InvalidDataException("The file is shorter than its pixels.");
     }
@@ -70,7 +70,7 @@ internal static class PgmReader
     private static int Bit(byte[] bytes, ref int at)
     {
         Skip(bytes, ref at);
-        if (at >= bytes.Length || bytes[at] is not ((byte)'0' or (byte)'1')) throw new InvalidDataException("A pixel of a bit map is 0 or 1.");
+        if (at >= bytes.Length || bytes[at] is not ((byte)'0' or (byte)'1')) throw new InvalidDataException("A pixel of a bitmap must be 0 or 1.");
         return bytes[at++] - '0';
     }
 

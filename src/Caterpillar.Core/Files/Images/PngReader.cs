@@ -155,7 +155,7 @@ internal sealed class PngReader
 
     private double PaletteBrightness(int index)
     {
-        if (index * 3 + 2 >= _palette.Length) throw new InvalidDataException("The PNG names a color beyond its palette.");
+        if (index * 3 + 2 >= _palette.Length) throw new InvalidDataException("The PNG uses a color beyond its palette.");
         var gray = Gray(_palette[index * 3] / 255.0, _palette[index * 3 + 1] / 255.0, _palette[index * 3 + 2] / 255.0);
         var alpha = index < _transparency.Length ? _transparency[index] / 255.0 : 1;
         return 1 - alpha + gray * alpha;

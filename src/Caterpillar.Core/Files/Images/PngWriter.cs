@@ -5,7 +5,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Files;
 
-/// <summary>Writes pictures as PNG (8 bits a channel, no alpha).</summary>
+/// <summary>Writes pictures as PNG (8 bits per channel, no alpha).</summary>
 public static class PngWriter
 {
     /// <summary>The bytes of a PNG file.</summary>

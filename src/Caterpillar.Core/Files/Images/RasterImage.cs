@@ -8,8 +8,8 @@ public sealed class RasterImage
     /// <exception cref="ArgumentOutOfRangeException">A size is below 1 or above 16384.</exception>
     public RasterImage(int width, int height, Rgb background)
     {
-        if (width is < 1 or > 16384) throw new ArgumentOutOfRangeException(nameof(width), "A picture is 1 to 16384 pixels wide.");
-        if (height is < 1 or > 16384) throw new ArgumentOutOfRangeException(nameof(height), "A picture is 1 to 16384 pixels high.");
+        if (width is < 1 or > 16384) throw new ArgumentOutOfRangeException(nameof(width), "A picture must be 1 to 16384 pixels wide.");
+        if (height is < 1 or > 16384) throw new ArgumentOutOfRangeException(nameof(height), "A picture must be 1 to 16384 pixels high.");
         Width = width;
         Height = height;
         Bytes = new byte[width * height * 3];

@@ -11,12 +11,12 @@ public sealed class ArcCurve : Curve
 {
     /// <param name="frame">Center and plane; the arc starts in the direction of X.</param>
     /// <param name="radius">mm.</param>
-    /// <param name="sweep">Degrees, positive from X towards Y; at most a full turn.</param>
+    /// <param name="sweep">Degrees, positive from X toward Y; at most a full turn.</param>
     /// <exception cref="ArgumentException">The radius is not positive, or the sweep is zero, not finite or more than 360°.</exception>
     public ArcCurve(Frame frame, double radius, double sweep = 360)
     {
         if (!(radius > 0) || double.IsInfinity(radius)) throw new ArgumentException("The radius of an arc must be positive.", nameof(radius));
-        if (!(Math.Abs(sweep) <= 360) || sweep == 0) throw new ArgumentException("An arc turns by more than 0 and at most 360 degrees.", nameof(sweep));
+        if (!(Math.Abs(sweep) <= 360) || sweep == 0) throw new ArgumentException("The sweep of an arc must not be 0 and at most 360 degrees.", nameof(sweep));
         Finite(frame.Origin, nameof(frame));
         Frame = frame;
         Radius = radius;
@@ -30,7 +30,7 @@ public sealed class ArcCurve : Curve
     /// <summary>mm.</summary>
     public double Radius { get; }
 
-    /// <summary>Degrees, positive from the frame's X towards its Y.</summary>
+    /// <summary>Degrees, positive from the frame's X toward its Y.</summary>
     public double Sweep { get; }
 
     public override double DomainStart => 0;
@@ -41,7 +41,7 @@ public sealed class ArcCurve : Curve
 
     public override double Length => Radius * Math.Abs(Angle.ToRadians(Sweep));
 
-    /// <summary>A full circle in a horizontal plane, counter-clockwise from its point with the largest X.</summary>
+    /// <summary>A full circle in a horizontal plane, counterclockwise from its point with the largest X.</summary>
     public static ArcCurve Circle(Vec3 center, double radius) => new(Frame.At(center), radius);
 
     /// <summary>The arc from one point through a second to a third.</summary>
@@ -52,7 +52,7 @@ public sealed class ArcCurve : Curve
         var b = end - middle;
         var normal = Vec3.Cross(b, a);
         var squared = normal.LengthSquared;
-        if (!(squared > 1e-24 * a.LengthSquared * b.LengthSquared)) throw new ArgumentException("Three points on a line make no arc.", nameof(middle));
+        if (!(squared > 1e-24 * a.LengthSquared * b.LengthSquared)) throw new ArgumentException("Three points on a line do not define an arc.", nameof(middle));
         var center = middle + Vec3.Cross(a.LengthSquared * b - b.LengthSquared * a, Vec3.Cross(a, b)) / (2 * squared);
         var x = start - center;
         var up = normal.Unit();

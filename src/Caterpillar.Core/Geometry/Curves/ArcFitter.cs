@@ -5,9 +5,9 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Finds arcs in the XY plane, flat or helical, that replace runs of straight segments. An arc begins and ends at vertices; its center is the least-squares one
-/// on the perpendicular bisector of the two; the deviation is tested at all vertices and at the middles of all chords, so that a corner is never rounded beyond
-/// the tolerance. Runs grow greedily.
+/// Finds arcs in the XY plane, flat or helical, that replace runs of straight segments. An arc starts and ends at vertices; its center is the least-squares one
+/// on the perpendicular bisector of the two; the deviation is tested at all vertices and at the midpoints of all chords, so that a corner is never rounded
+/// beyond the tolerance. Runs grow greedily.
 /// </summary>
 public sealed class ArcFitter
 {
@@ -23,15 +23,15 @@ public sealed class ArcFitter
     }
 
     /// <summary>
-    /// The longest arc found that begins at vertex <paramref name="start"/> and ends at or before vertex <paramref name="last"/>: the vertex it ends at, and
-    /// the arc. Null where there is none.
+    /// The longest arc found that starts at vertex <paramref name="start"/> and ends at or before vertex <paramref name="last"/>: the vertex it ends at, and
+    /// the arc. Null if there is none.
     /// </summary>
     public (int End, Arc Arc)? From(int start, int last)
     {
         if (start + _options.MinSegments > last) return null;
         var first = start + _options.MinSegments;
         if (Try(start, first) is not { } best) return null;
-        // Most runs are short, long ones are found in doubling steps; what is taken was always tested whole.
+        // Most runs are short, long ones are found in doubling steps; the accepted run has always been tested completely.
         var good = first;
         var step = 1;
         while (good < last)
@@ -81,7 +81,7 @@ public sealed class ArcFitter
         return Fits(start, end, center, radius) is { } sweep ? new Arc(center, sweep) : null;
     }
 
-    // The sweep in degrees when everything between two vertices keeps within the tolerance.
+    // The sweep in degrees if everything between two vertices stays within the tolerance.
     private double? Fits(int start, int end, Vec3 center, double radius)
     {
         var tolerance = _options.Tolerance;
@@ -98,7 +98,7 @@ public sealed class ArcFitter
             sweep += turn;
             if (Math.Abs(sweep) > _options.MaxSweep) return null;
         }
-        // Across the plane the height runs evenly with the turn.
+        // Across the plane the height changes linearly with the angle.
         var (low, rise) = (_points[start].Z, _points[end].Z - _points[start].Z);
         var turned = 0.0;
         for (var i = start; i < end - 1; i++)

@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Length along a curve, both ways. Straight parts and arcs are exact; others are integrated by ten-point Gauss–Legendre quadrature on intervals that are
-/// halved until halving changes nothing beyond the tolerance. <see cref="ErrorBound"/> is the sum of these changes, which the halved values undercut by far.
+/// Length along a curve, and the inverse. Straight parts and arcs are exact; others are integrated by ten-point Gauss–Legendre quadrature on intervals that are
+/// halved until halving changes nothing beyond the tolerance. <see cref="ErrorBound"/> is the sum of these changes, which is far above the true error.
 /// </summary>
 public sealed class ArcLength
 {
@@ -42,7 +42,7 @@ public sealed class ArcLength
     /// <summary>Length of the whole curve, mm.</summary>
     public double Total { get; private set; }
 
-    /// <summary>No length is wrong by more than this, mm.</summary>
+    /// <summary>Maximum error of a length, mm.</summary>
     public double ErrorBound { get; private set; }
 
     /// <summary>Length from the start to a parameter, mm.</summary>
@@ -62,7 +62,7 @@ public sealed class ArcLength
         return leaf.Start + Within(span, leaf, (t - span.From) / (span.To - span.From));
     }
 
-    /// <summary>The parameter at a length in mm from the start; beyond the ends that of the end.</summary>
+    /// <summary>The parameter at a length in mm from the start; beyond the ends that of the nearer end.</summary>
     public double ParameterAt(double length)
     {
         if (_spans.Count == 0) return 0;

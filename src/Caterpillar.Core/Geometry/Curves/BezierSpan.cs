@@ -34,7 +34,7 @@ internal sealed class BezierSpan
         return work[0].Point;
     }
 
-    /// <summary>First and second derivative by u (quotient rule on the homogeneous derivatives).</summary>
+    /// <summary>First and second derivative with respect to u (quotient rule on the homogeneous derivatives).</summary>
     public (Vec3 First, Vec3 Second) Derivatives(double u)
     {
         var p = Degree;
@@ -83,7 +83,7 @@ internal sealed class BezierSpan
         }
     }
 
-    /// <summary>True when the control points lie along the chord, in order and within some mm; the curve then does too.</summary>
+    /// <summary>True if the control points lie along the chord, in order and within a tolerance in mm; then the curve does too.</summary>
     public bool IsStraight(double tolerance)
     {
         var start = Control(0);
@@ -102,7 +102,7 @@ internal sealed class BezierSpan
         return true;
     }
 
-    /// <summary>True when all control points are one point.</summary>
+    /// <summary>True if all control points coincide.</summary>
     public bool IsPoint => Hull.Size.Length <= 1e-12;
 
     /// <summary>The two halves at u.</summary>

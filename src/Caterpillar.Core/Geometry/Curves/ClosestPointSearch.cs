@@ -5,12 +5,12 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Nearest place of a curve: closed forms for straight parts and arcs; for Bézier pieces branch and bound on the boxes of their control points, with Newton's
+/// Nearest point of a curve: closed forms for straight parts and arcs; for Bézier pieces branch and bound on the boxes of their control points, with Newton's
 /// method for the candidates.
 /// </summary>
 internal static class ClosestPointSearch
 {
-    // Below this share of a span Newton's method alone decides: boxes around a minimum would be halved for ever.
+    // Below this share of a span Newton's method alone decides: boxes around a minimum would be halved forever.
     private const double SmallestPiece = 1.0 / 1024;
 
     public static CurvePoint Find(Curve curve, Vec3 point)
@@ -41,7 +41,7 @@ internal static class ClosestPointSearch
     {
         var local = arc.Frame.ToLocal(point);
         var angle = Angle.Atan2(local.Y, local.X);
-        // The turn in the direction of the sweep, 0 to 360 degrees.
+        // The angle in the direction of the sweep, 0 to 360 degrees.
         var turn = arc.Sweep > 0 ? angle : -angle;
         if (turn < 0) turn += 360;
         var size = Math.Abs(arc.Sweep);

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>A place on a curve: parameter, point in mm, and distance in mm from what was asked for.</summary>
+/// <summary>A point on a curve: parameter, position in mm, and distance in mm from the query point.</summary>
 public readonly record struct CurvePoint(double Parameter, Vec3 Point, double Distance);
 
 /// <summary>
@@ -12,7 +12,7 @@ public readonly record struct CurvePoint(double Parameter, Vec3 Point, double Di
 /// </summary>
 public abstract class Curve
 {
-    /// <summary>Ends nearer than this, in mm, are the same point.</summary>
+    /// <summary>Ends closer than this, in mm, are the same point.</summary>
     public const double JoinTolerance = 1e-6;
 
     private protected Curve()
@@ -29,16 +29,16 @@ public abstract class Curve
 
     public Vec3 End => PointAt(DomainEnd);
 
-    /// <summary>True when it ends where it starts, within <see cref="JoinTolerance"/>.</summary>
+    /// <summary>True if it ends where it starts, within <see cref="JoinTolerance"/>.</summary>
     public virtual bool IsClosed => Start.DistanceTo(End) <= JoinTolerance;
 
     /// <summary>The point at a parameter; outside of the domain that of the nearer end.</summary>
     public abstract Vec3 PointAt(double t);
 
-    /// <summary>The first derivative by the parameter; where it jumps, that of the part behind the parameter.</summary>
+    /// <summary>The first derivative with respect to the parameter; where it jumps, that after the parameter.</summary>
     public abstract Vec3 DerivativeAt(double t);
 
-    /// <summary>Unit vector in the direction of travel; zero only where the curve has no direction at all.</summary>
+    /// <summary>Unit vector in the direction of travel; zero only if the curve has no direction at all.</summary>
     public Vec3 TangentAt(double t)
     {
         var direction = DerivativeAt(t);
@@ -48,13 +48,13 @@ public abstract class Curve
         return ahead.LengthSquared > 0 ? ahead.Unit() : direction.Unit();
     }
 
-    /// <summary>Length in mm; see <see cref="ArcLength"/> for its error bound and for the way back from length to parameter.</summary>
+    /// <summary>Length in mm; see <see cref="ArcLength"/> for its error bound and for the inverse from length to parameter.</summary>
     public virtual double Length => ArcLength.Of(this).Total;
 
     /// <summary>The parameter at a length in mm from the start. For many of them use <see cref="ArcLength"/>.</summary>
     public double ParameterAtLength(double length) => ArcLength.Of(this).ParameterAt(length);
 
-    /// <summary>The place of the curve that is nearest to a point; of several equally near ones the first found.</summary>
+    /// <summary>The point of the curve nearest to another point; among equally near ones the first found.</summary>
     public CurvePoint ClosestPoint(Vec3 point) => ClosestPointSearch.Find(this, point);
 
     /// <summary>The part between two parameters, in the same direction.</summary>
@@ -66,20 +66,20 @@ public abstract class Curve
         return from == DomainStart && to == DomainEnd ? this : Part(from, to);
     }
 
-    /// <summary>The parts before and behind a parameter.</summary>
+    /// <summary>The parts before and after a parameter.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The parameter is not inside the domain.</exception>
-    public (Curve Before, Curve Behind) Split(double t) => (SubCurve(DomainStart, t), SubCurve(t, DomainEnd));
+    public (Curve Before, Curve After) Split(double t) => (SubCurve(DomainStart, t), SubCurve(t, DomainEnd));
 
-    /// <summary>The same curve from its end to its start.</summary>
+    /// <summary>The same curve in reverse.</summary>
     public abstract Curve Reversed();
 
-    /// <summary>The image under an affine map. An arc becomes a NURBS curve where its image is no arc.</summary>
+    /// <summary>The image under an affine map. An arc becomes a NURBS curve if its image is not an arc.</summary>
     public abstract Curve Transformed(Affine map);
 
     /// <summary>The box around the curve: exact for straight parts and arcs, around the control points for others.</summary>
     public abstract Bounds Bounds { get; }
 
-    /// <summary>The parameters inside the domain, and the start of a closed curve, where the direction jumps by more than some degrees.</summary>
+    /// <summary>The parameters inside the domain, and the start of a closed curve, where the direction jumps by more than an angle in degrees.</summary>
     public IReadOnlyList<double> Kinks(double degrees = 0.5)
     {
         var kinks = new List<double>();
@@ -93,7 +93,7 @@ public abstract class Curve
         return kinks;
     }
 
-    /// <summary>The smooth spans of the curve in order; spans without length are left out.</summary>
+    /// <summary>The smooth spans of the curve in order; spans without length are dropped.</summary>
     internal List<CurveSpan> Spans()
     {
         var spans = new List<CurveSpan>();

@@ -4,7 +4,7 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A smooth stretch of a curve, with a parameter u of its own from 0 to 1 that runs linearly with that of the curve: straight at even speed, an arc, or a
+/// A smooth span of a curve, with its own parameter u from 0 to 1, linear in that of the curve: a straight line at constant speed, an arc, or a
 /// rational Bézier piece.
 /// </summary>
 internal readonly struct CurveSpan
@@ -41,7 +41,7 @@ internal readonly struct CurveSpan
 
     public BezierSpan? Bezier => _bezier;
 
-    /// <summary>True where length runs evenly with u.</summary>
+    /// <summary>True if length is linear in u.</summary>
     public bool IsEven => _bezier is null;
 
     public Vec3 StartTangent => _arc is not null ? _arc.TangentAt(0) : _bezier is not null ? _bezier.StartTangent : (End - Start).Unit();
@@ -56,7 +56,7 @@ internal readonly struct CurveSpan
     public Vec3 Point(double u)
         => _arc is not null ? _arc.PointAt(u) : _bezier is not null ? _bezier.Point(u) : Vec3.Lerp(Start, End, u);
 
-    /// <summary>First and second derivative by u.</summary>
+    /// <summary>First and second derivative with respect to u.</summary>
     public (Vec3 First, Vec3 Second) Derivatives(double u)
     {
         if (_bezier is not null) return _bezier.Derivatives(u);
@@ -68,7 +68,7 @@ internal readonly struct CurveSpan
     /// <summary>The angle between two unit vectors, 0 to 180 degrees.</summary>
     public static double TurnDegrees(Vec3 a, Vec3 b) => Angle.Atan2(Vec3.Cross(a, b).Length, Vec3.Dot(a, b));
 
-    /// <summary>1/mm; infinite where the curve stands still.</summary>
+    /// <summary>1/mm; infinite if the derivative is zero.</summary>
     public double Curvature(double u)
     {
         if (_arc is not null) return 1 / _arc.Radius;

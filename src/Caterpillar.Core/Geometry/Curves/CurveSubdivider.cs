@@ -5,8 +5,8 @@ using System.Threading;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Turns curves into points. Linear parts (lines, collinear runs of polylines, straight spans of NURBS curves) keep their end points only, curved parts are
-/// divided as asked (Caterpillar 2019, section 4.2). Kinks and the seam of a closed curve always are points.
+/// Turns curves into points. Linear parts (lines, collinear runs of polylines, straight spans of NURBS curves) keep only their end points, curved parts are
+/// divided as requested (Caterpillar 2019, section 4.2). Kinks and the seam of a closed curve are always points.
 /// </summary>
 public static class CurveSubdivider
 {
@@ -19,7 +19,7 @@ public static class CurveSubdivider
         if (curve is null) throw new ArgumentNullException(nameof(curve));
         if (options is null) throw new ArgumentNullException(nameof(options));
         options.Check();
-        // Straight enough never means farther off than the chords may be.
+        // "Straight" never allows more deviation than the chords.
         if (options.ChordTolerance > 0
             && options.LinearTolerance > 0.5 * options.ChordTolerance) options = options with { LinearTolerance = 0.5 * options.ChordTolerance };
         var work = new Work(options, cancel);
@@ -61,7 +61,7 @@ public static class CurveSubdivider
         public bool CanStayArc(CurveSpan span)
             => options.KeepArcs && span.Arc is { } arc && Math.Abs(Vec3.Dot(arc.Frame.Z, Vec3.UnitZ)) >= 1 - 1e-14 && Math.Abs(arc.Start.Z - arc.End.Z) <= 1e-9;
 
-        public bool IsKink(CurveSpan before, CurveSpan behind) => CurveSpan.TurnDegrees(before.EndTangent, behind.StartTangent) > options.KinkAngle;
+        public bool IsKink(CurveSpan before, CurveSpan after) => CurveSpan.TurnDegrees(before.EndTangent, after.StartTangent) > options.KinkAngle;
 
         public Subdivision Polyline(PolylineCurve curve)
         {
@@ -85,7 +85,7 @@ public static class CurveSubdivider
             return Finish(curve.IsClosed);
         }
 
-        // True when no point repeats the one before it or lies on a straight run.
+        // True if no point repeats the previous one or lies on a straight run.
         private bool KeepsAll(Vec3[] points, bool closed)
         {
             if (closed && points.Length < 4) return false;
@@ -130,7 +130,7 @@ public static class CurveSubdivider
         public Subdivision Finish(bool closed)
         {
             var count = _points.Count;
-            // A closed curve of two straight segments is a way there and back, which stays open.
+            // A closed curve of two straight segments goes back on itself and stays open.
             if (closed && count > (_arcs is null ? 3 : 2) && _points[0].DistanceTo(_points[count - 1]) <= Curve.JoinTolerance) _points.RemoveAt(count - 1);
             else closed = false;
             return new Subdivision(_points.ToArray(), closed, _linear.ToArray(), _arcs?.ToArray());

@@ -6,11 +6,11 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// Divides a smooth run of curved spans. The requests become a density of segments along the length (one by the distance, √(κ/8t) for a chord tolerance t at
-/// curvature κ, κ/α for a turn α); equal steps of its integral give the points. Every segment is then measured and halved where it fails.
+/// curvature κ, κ/α for a turn α); equal steps of its integral give the points. Every segment is then measured and halved if it fails.
 /// </summary>
 internal sealed class CurvedRun
 {
-    // Shares of the request that the density is computed for and that samples may measure: between samples the chord error can be 2 % more.
+    // Shares of the request for which the density is computed and which samples may reach: between samples the chord error can be 2 % larger.
     private const double Planned = 0.93;
     private const double Measured = 0.97;
     private const double LargestDensity = 1e4;
@@ -92,7 +92,7 @@ internal sealed class CurvedRun
         return Stations(count - 1, k => LengthOf(total * k / count));
     }
 
-    // A loop needs a triangle.
+    // A loop needs at least a triangle.
     private int AtLeastAround(int count)
     {
         var spans = _length.Spans;
@@ -121,7 +121,7 @@ internal sealed class CurvedRun
         var curvature = Math.Min(span.Curvature(u), 1e12);
         if (_options.ChordTolerance > 0) density = Math.Max(density, Math.Sqrt(curvature / (8 * Planned * _options.ChordTolerance)));
         if (_options.Angle > 0) density = Math.Max(density, curvature / Basics.Angle.ToRadians(Measured * _options.Angle));
-        return Math.Min(density, _options.MinLength > 0 ? Math.Min(1 / _options.MinLength, LargestDensity) : LargestDensity);
+        return Math.Min(density, _options.MinLength > 0 ? Math.Min(1 / _options.MinLength, MaxDensity) : MaxDensity);
     }
 
     // The integral of the density over the length, as a table that is linear between its entries.

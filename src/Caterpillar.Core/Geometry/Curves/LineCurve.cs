@@ -9,7 +9,7 @@ public sealed class LineCurve : Curve
     private readonly Vec3 _from;
     private readonly Vec3 _to;
 
-    /// <exception cref="ArgumentException">A point is not finite, or both are the same.</exception>
+    /// <exception cref="ArgumentException">A point is not finite, or both are equal.</exception>
     public LineCurve(Vec3 from, Vec3 to)
     {
         _from = Finite(from, nameof(from));
@@ -32,7 +32,7 @@ public sealed class LineCurve : Curve
     public override Curve Reversed() => new LineCurve(_to, _from);
 
     /// <inheritdoc/>
-    /// <exception cref="ArgumentException">The map makes it a point.</exception>
+    /// <exception cref="ArgumentException">The map collapses it to a point.</exception>
     public override Curve Transformed(Affine map) => new LineCurve(map.Apply(_from), map.Apply(_to));
 
     internal override void AddSpans(List<CurveSpan> spans, double start, double scale) => spans.Add(CurveSpan.Straight(start, start + scale, _from, _to));

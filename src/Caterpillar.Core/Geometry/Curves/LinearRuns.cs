@@ -2,12 +2,12 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Finds straight runs in points: of each only the ends matter.</summary>
+/// <summary>Finds straight runs in points, of which only the ends are kept.</summary>
 internal static class LinearRuns
 {
     /// <summary>
-    /// Adds the numbers of the points of <paramref name="points"/> from <paramref name="first"/> to <paramref name="last"/> that must stay, without the first.
-    /// A run grows while all its points lie within the tolerance of the chord and none turns back; runs are tried in doubling steps, so that long ones cost
+    /// Adds the numbers of the points of <paramref name="points"/> from <paramref name="first"/> to <paramref name="last"/> to keep, without the first.
+    /// A run grows while all its points lie within the tolerance of the chord and none goes back; runs are tried in doubling steps, so that long ones cost
     /// little.
     /// </summary>
     public static void Keep(IReadOnlyList<Vec3> points, int first, int last, double tolerance, List<int> kept)
@@ -38,7 +38,7 @@ internal static class LinearRuns
         }
     }
 
-    /// <summary>True when the points between two of them lie along the chord, in order and within the tolerance.</summary>
+    /// <summary>True if the points between two others lie along the chord, in order and within the tolerance.</summary>
     public static bool IsStraight(IReadOnlyList<Vec3> points, int start, int end, double tolerance)
     {
         var from = points[start];

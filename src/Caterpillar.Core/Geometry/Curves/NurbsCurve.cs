@@ -20,7 +20,7 @@ public sealed class NurbsCurve : Curve
     /// <param name="points">Control points in mm, not multiplied with their weights; at least degree + 1.</param>
     /// <param name="knots">Ascending; control points + degree + 1 of them.</param>
     /// <param name="weights">A positive weight for each control point, or null for 1.</param>
-    /// <exception cref="ArgumentException">Numbers that do not fit together or are not finite, knots that fall, tear the curve or leave no domain, weights that
+    /// <exception cref="ArgumentException">Numbers that do not match or are not finite, knots that descend, break the curve or leave no domain, weights that
     /// are not positive.</exception>
     public NurbsCurve(int degree, IEnumerable<Vec3> points, IEnumerable<double> knots, IEnumerable<double>? weights = null)
     {
@@ -36,13 +36,13 @@ public sealed class NurbsCurve : Curve
         for (var i = 0; i < _knots.Length; i++)
         {
             if (double.IsNaN(_knots[i] - _knots[i])
-                || (i > 0 && _knots[i] < _knots[i - 1])) throw new ArgumentException("Knots must be finite and ascend.", nameof(knots));
+                || (i > 0 && _knots[i] < _knots[i - 1])) throw new ArgumentException("Knots must be finite and ascending.", nameof(knots));
         }
         if (!(_knots[degree] < _knots[controls.Length])) throw new ArgumentException("The knots leave no domain.", nameof(knots));
         for (var i = degree + 1; i + degree < controls.Length; i++)
         {
             if (_knots[i] == _knots[i + degree] && _knots[i] > _knots[degree] && _knots[i] < _knots[controls.Length])
-                throw new ArgumentException("An inner knot repeated more often than the degree tears the curve.", nameof(knots));
+                throw new ArgumentException("An inner knot repeated more often than the degree breaks the curve.", nameof(knots));
         }
         _controls = new HomogeneousPoint[controls.Length];
         for (var i = 0; i < controls.Length; i++)
@@ -86,7 +86,7 @@ public sealed class NurbsCurve : Curve
         }
     }
 
-    /// <summary>A clamped curve with evenly spaced inner knots.</summary>
+    /// <summary>A clamped curve with uniform inner knots.</summary>
     /// <inheritdoc cref="NurbsCurve(int, IEnumerable{Vec3}, IEnumerable{double}, IEnumerable{double}?)" path="/exception"/>
     public static NurbsCurve Clamped(int degree, IReadOnlyList<Vec3> points, IReadOnlyList<double>? weights = null)
     {
@@ -96,7 +96,7 @@ public sealed class NurbsCurve : Curve
         return new NurbsCurve(degree, points, knots, weights);
     }
 
-    /// <summary>A closed smooth curve with even knots; the points are given once around.</summary>
+    /// <summary>A closed smooth curve with uniform knots; the points are given once around.</summary>
     /// <inheritdoc cref="NurbsCurve(int, IEnumerable{Vec3}, IEnumerable{double}, IEnumerable{double}?)" path="/exception"/>
     public static NurbsCurve Periodic(int degree, IReadOnlyList<Vec3> points, IReadOnlyList<double>? weights = null)
     {

@@ -5,23 +5,23 @@ using System.Linq;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Curves joined end to start; the parameter is the number of the piece plus the share of its domain. Pieces that are joined themselves are taken apart.
+/// Curves joined end to start; the parameter is the number of the piece plus the share of its domain. Pieces that are joined curves themselves are flattened.
 /// </summary>
 public sealed class PolyCurve : Curve
 {
     private readonly Curve[] _pieces;
 
     /// <param name="pieces">At least one.</param>
-    /// <param name="joinTolerance">Largest gap between the end of one piece and the start of the next, mm.</param>
+    /// <param name="joinTolerance">Maximum gap between the end of one piece and the start of the next, mm.</param>
     /// <exception cref="ArgumentException">No piece, or a larger gap.</exception>
     public PolyCurve(IEnumerable<Curve> pieces, double joinTolerance = 1e-3)
     {
         _pieces = (pieces ?? throw new ArgumentNullException(nameof(pieces))).SelectMany(p => p is PolyCurve poly ? poly._pieces : [p]).ToArray();
-        if (_pieces.Length == 0) throw new ArgumentException("A joined curve needs a piece.", nameof(pieces));
+        if (_pieces.Length == 0) throw new ArgumentException("A joined curve needs at least one piece.", nameof(pieces));
         for (var i = 1; i < _pieces.Length; i++)
         {
             if (!(_pieces[i - 1].End.DistanceTo(_pieces[i].Start) <= joinTolerance))
-                throw new ArgumentException($"Piece {i} does not begin where the one before it ends.", nameof(pieces));
+                throw new ArgumentException($"Piece {i} does not start where the previous one ends.", nameof(pieces));
         }
     }
 

@@ -3,18 +3,18 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Straight segments through points, in mm; the parameter is the number of the segment plus the share of it.</summary>
+/// <summary>Straight segments through points, in mm; the parameter is the index of the segment plus the fraction of it.</summary>
 public sealed class PolylineCurve : Curve
 {
     private readonly Vec3[] _points;
 
-    /// <exception cref="ArgumentException">Fewer than two points (three when closed), or one that is not finite.</exception>
+    /// <exception cref="ArgumentException">Fewer than two points (three if closed), or one that is not finite.</exception>
     public PolylineCurve(IEnumerable<Vec3> points, bool closed = false)
         : this(new Polyline(points, closed))
     {
     }
 
-    /// <exception cref="ArgumentException">Fewer than two points (three when closed), or one that is not finite.</exception>
+    /// <exception cref="ArgumentException">Fewer than two points (three if closed), or one that is not finite.</exception>
     public PolylineCurve(Polyline polyline)
     {
         Polyline = polyline ?? throw new ArgumentNullException(nameof(polyline));

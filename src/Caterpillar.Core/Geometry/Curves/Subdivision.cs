@@ -27,10 +27,10 @@ public sealed class Subdivision
 
     public bool HasArcs => _arcs is not null;
 
-    /// <summary>True where the segment is a linear part of the curve, false where it stands for a piece of a curved part.</summary>
+    /// <summary>True if the segment is a linear part of the curve, false if it approximates a piece of a curved part.</summary>
     public bool IsLinear(int segment) => _linear[segment];
 
-    /// <summary>The arc of a segment, or null where it is straight.</summary>
+    /// <summary>The arc of a segment, or null if it is straight.</summary>
     public Arc? ArcOf(int segment) => _arcs?[segment];
 
     /// <summary>End point of a segment.</summary>

@@ -3,37 +3,37 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// How <see cref="CurveSubdivider"/> divides the curved parts of a curve. Every request that is set holds (the finest decides), except that no segment becomes
+/// Options of <see cref="CurveSubdivider"/> for the curved parts of a curve. All requests apply (the finest decides), except that no segment becomes
 /// shorter than
 /// <see cref="MinLength"/>; a curved part between two kinks that is shorter itself becomes one segment.
 /// </summary>
 public sealed record SubdivisionOptions
 {
-    /// <summary>Largest length of a segment along the curve in mm ("subdivision distance" of Caterpillar 2019, section 4.1); 0 for none.</summary>
+    /// <summary>Maximum length of a segment along the curve in mm ("subdivision distance" of Caterpillar 2019, section 4.1); 0 for none.</summary>
     public double Distance { get; init; }
 
-    /// <summary>Largest distance between curve and segment in mm; 0 for none.</summary>
+    /// <summary>Maximum distance between curve and segment in mm; 0 for none.</summary>
     public double ChordTolerance { get; init; }
 
-    /// <summary>Largest turn of the curve along a segment in degrees; 0 for none.</summary>
+    /// <summary>Maximum turn of the curve along a segment in degrees; 0 for none.</summary>
     public double Angle { get; init; }
 
-    /// <summary>No segment of a curved part is shorter, mm; it outweighs the other requests. 0 for none.</summary>
+    /// <summary>Minimum length of a segment of a curved part, mm; takes precedence over the other requests. 0 for none.</summary>
     public double MinLength { get; init; }
 
-    /// <summary>No segment of a curved part is longer, mm; 0 for none.</summary>
+    /// <summary>Maximum length of a segment of a curved part, mm; 0 for none.</summary>
     public double MaxLength { get; init; }
 
-    /// <summary>True divides every curved part evenly; false walks with the full step and leaves a shorter last segment.</summary>
+    /// <summary>True divides every curved part evenly; false uses the full step and leaves a shorter last segment.</summary>
     public bool EqualDivision { get; init; } = true;
 
     /// <summary>True keeps arcs in horizontal planes as arcs (full circles as two halves).</summary>
     public bool KeepArcs { get; init; }
 
-    /// <summary>What deviates less from its chord counts as straight, mm.</summary>
+    /// <summary>Parts that deviate less than this from their chord count as straight, mm.</summary>
     public double LinearTolerance { get; init; } = 1e-5;
 
-    /// <summary>Where the direction jumps by more, in degrees, is a kink: always a vertex.</summary>
+    /// <summary>A larger jump of the direction, in degrees, is a kink: always a vertex.</summary>
     public double KinkAngle { get; init; } = 0.5;
 
     /// <summary>Division by distance along the curve, mm.</summary>
@@ -50,10 +50,10 @@ public sealed record SubdivisionOptions
     {
         foreach (var value in new[] { Distance, ChordTolerance, Angle, MinLength, MaxLength, LinearTolerance, KinkAngle })
         {
-            if (!(value >= 0) || double.IsInfinity(value)) throw new ArgumentException("Requests of a subdivision must be 0 or more and finite.");
+            if (!(value >= 0) || double.IsInfinity(value)) throw new ArgumentException("The values of a subdivision must be 0 or more and finite.");
         }
         if (Distance == 0 && ChordTolerance == 0 && Angle == 0
-            && MaxLength == 0) throw new ArgumentException("A subdivision needs a distance, a tolerance, an angle or a longest segment.");
-        if (MaxLength > 0 && MinLength > MaxLength) throw new ArgumentException("The shortest segment is longer than the longest.");
+            && MaxLength == 0) throw new ArgumentException("A subdivision needs a distance, a tolerance, an angle or a maximum length.");
+        if (MaxLength > 0 && MinLength > MaxLength) throw new ArgumentException("The minimum length of a segment is above the maximum.");
     }
 }

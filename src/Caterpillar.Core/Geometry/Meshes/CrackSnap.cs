@@ -5,12 +5,12 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Closes cracks that a file with few digits leaves: vertices on open edges that lie closer together than the snap become one. Only kept where it
+/// Closes cracks caused by files with few digits: vertices on open edges that are closer together than the snap distance become one. Only kept if it
 /// leaves fewer open edges.
 /// </summary>
 internal static class CrackSnap
 {
-    /// <summary>Snap as a part of the largest coordinate: two units of the sixth digit, which is what text files are written with.</summary>
+    /// <summary>Snap distance relative to the largest coordinate: two units of the sixth digit, the usual precision of text files.</summary>
     public const double RelativeSnap = 2e-6;
 
     public static TriMesh Close(TriMesh mesh, SourceLocation source, DiagnosticList diagnostics)
@@ -36,7 +36,7 @@ internal static class CrackSnap
             $"Cracks were closed by moving vertices on open edges together, at most {NumberFormatter.Format(snap, 9)} mm.", source, moved);
         if (builder.Degenerate > 0)
         {
-            diagnostics.Add(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal corners are left out.", source, builder.Degenerate);
+            diagnostics.Add(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal vertices are ignored.", source, builder.Degenerate);
         }
         return closed;
     }

@@ -1,6 +1,6 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>Sets of triangles that are joined over edges.</summary>
+/// <summary>Sets of triangles that are connected across edges.</summary>
 internal static class MeshBodies
 {
     public static int Count(TriMesh mesh)

@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Collects vertices and triangles, welds equal vertices, leaves out what is no triangle, and counts what it left out.</summary>
+/// <summary>Collects vertices and triangles, welds equal vertices, drops invalid triangles, and counts them.</summary>
 internal sealed class MeshBuilder
 {
     private readonly VertexWelder _welder;
@@ -20,13 +20,13 @@ internal sealed class MeshBuilder
 
     public int TriangleCount => _used / 3;
 
-    /// <summary>Triangles with a vertex twice, left out.</summary>
+    /// <summary>Triangles with a repeated vertex, which were dropped.</summary>
     public int Degenerate { get; private set; }
 
-    /// <summary>Faces with a coordinate that is not finite or beyond the largest, left out.</summary>
+    /// <summary>Faces with a coordinate that is not finite or too large, which were dropped.</summary>
     public int NotFinite { get; private set; }
 
-    /// <summary>The number of the vertex, −1 when a coordinate cannot be used.</summary>
+    /// <summary>The number of the vertex, −1 if a coordinate cannot be used.</summary>
     public int AddVertex(double x, double y, double z)
     {
         const double Max = TriMesh.MaxCoordinate;
@@ -52,7 +52,7 @@ internal sealed class MeshBuilder
         _used += 3;
     }
 
-    /// <summary>Adds the image of a mesh; false when a vertex lands too far out (its triangles are counted in <see cref="NotFinite"/>).</summary>
+    /// <summary>Adds the image of a mesh; false if a vertex ends up too far out (its triangles are counted in <see cref="NotFinite"/>).</summary>
     public bool Append(TriMesh mesh, Affine map)
     {
         var plain = map == Affine.Identity;
@@ -81,21 +81,21 @@ internal sealed class MeshBuilder
         return TriMesh.Own(MeshCleaning.DropUnused(_welder.ToArray(), _triangles), _triangles);
     }
 
-    /// <summary>The mesh as it comes out of a file: also without duplicate triangles, and with what was left out and what is open reported.</summary>
+    /// <summary>The mesh as read from a file: also without duplicate triangles, with reports of what was dropped and what is open.</summary>
     public TriMesh ToMesh(string name, bool closeCracks, DiagnosticList diagnostics)
     {
         var source = new SourceLocation(name);
         if (NotFinite > 0)
         {
             diagnostics.Add(Severity.Warning, "mesh.not_finite",
-                "Faces with a coordinate that is no finite number (or beyond 1e9 mm) are left out.", source, NotFinite);
+                "Faces with a coordinate that is not finite (or beyond 1e9 mm) are ignored.", source, NotFinite);
         }
         var mesh = ToMesh();
         var degenerate = Degenerate + MeshCleaning.CountFlat(mesh);
         if (degenerate > 0)
         {
             diagnostics.Add(Severity.Remark, "mesh.degenerate_faces",
-                $"Triangles without area; {NumberFormatter.Format(Degenerate)} with two equal corners are left out.", source, degenerate);
+                $"Triangles without area; {NumberFormatter.Format(Degenerate)} with two equal vertices are ignored.", source, degenerate);
         }
         if (mesh.TriangleCount == 0) return mesh;
         mesh = MeshCleaning.DropDuplicates(mesh, source, diagnostics);

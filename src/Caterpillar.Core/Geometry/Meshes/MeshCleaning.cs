@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Takes out of a mesh what does not belong to its surface.</summary>
+/// <summary>Removes what does not belong to the surface of a mesh.</summary>
 internal static class MeshCleaning
 {
     /// <summary>The vertices that the triangles use, in their order; the triangles are renumbered in place.</summary>
@@ -23,7 +23,7 @@ internal static class MeshCleaning
         return kept;
     }
 
-    /// <summary>Triangles whose three corners lie on a line. They stay, because they close the surface between their neighbors.</summary>
+    /// <summary>Triangles whose three vertices lie on a line. They stay, because they close the surface between their neighbors.</summary>
     public static int CountFlat(TriMesh mesh)
     {
         var flat = 0;
@@ -39,7 +39,7 @@ internal static class MeshCleaning
     }
 
     /// <summary>
-    /// Leaves out triangles that are there before with the same corners in the same direction. Only edges with too many triangles can have them.
+    /// Drops triangles that repeat an earlier one with the same vertices in the same direction. Only edges with too many triangles can have them.
     /// </summary>
     public static TriMesh DropDuplicates(TriMesh mesh, SourceLocation source, DiagnosticList diagnostics)
     {
@@ -58,25 +58,25 @@ internal static class MeshCleaning
         }
         var dropped = (triangles.Length - kept.Count) / 3;
         if (dropped == 0) return mesh;
-        diagnostics.Add(Severity.Remark, "mesh.duplicate_faces", "Triangles that are there twice are taken once.", source, dropped);
+        diagnostics.Add(Severity.Remark, "mesh.duplicate_faces", "Duplicate triangles are used once.", source, dropped);
         return TriMesh.Own(mesh.RawVertices, kept.ToArray());
     }
 
-    /// <summary>Says what keeps the mesh from being a closed surface. Remarks: an open surface may be what is wanted.</summary>
+    /// <summary>Reports what keeps the mesh from being a closed surface. Remarks only: an open surface may be intended.</summary>
     public static void ReportTopology(TriMesh mesh, SourceLocation source, DiagnosticList diagnostics)
     {
         var topology = mesh.Topology;
         if (topology.OpenEdges > 0)
         {
-            diagnostics.Add(Severity.Remark, "mesh.open_edges", "The surface is open: edges with one triangle only.", source, topology.OpenEdges);
+            diagnostics.Add(Severity.Remark, "mesh.open_edges", "The surface is open: there are edges with only one triangle.", source, topology.OpenEdges);
         }
         if (topology.NonManifoldEdges > 0)
         {
-            diagnostics.Add(Severity.Remark, "mesh.non_manifold_edges", "Edges with more than two triangles.", source, topology.NonManifoldEdges);
+            diagnostics.Add(Severity.Remark, "mesh.non_manifold_edges", "There are edges with more than two triangles.", source, topology.NonManifoldEdges);
         }
         if (topology.WindingConflicts > 0)
         {
-            const string Message = "Edges between a triangle and one that is turned inside out.";
+            const string Message = "There are edges between a triangle and one that is inside out.";
             diagnostics.Add(Severity.Remark, "mesh.winding_conflicts", Message, source, topology.WindingConflicts);
         }
     }

@@ -3,8 +3,8 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Heights of a surface above points of the XY plane: the triangles in a grid of cells, so that a question looks at a few of them only. Triangles that stand
-/// upright have no height of their own. Immutable.
+/// Heights of a surface above points of the XY plane: the triangles in a grid of cells, so that a query looks at only a few of them. Vertical triangles
+/// have no height. Immutable.
 /// </summary>
 public sealed class MeshHeights
 {
@@ -35,7 +35,7 @@ public sealed class MeshHeights
     }
 
     /// <summary>
-    /// Highest point of the surface, mm, on the vertical through (x, y) and not above <paramref name="limit"/>; negative infinity where there is none.
+    /// Highest point of the surface, mm, on the vertical through (x, y) and not above <paramref name="limit"/>; negative infinity if there is none.
     /// </summary>
     public double TopUnder(double x, double y, double limit = double.PositiveInfinity)
     {
@@ -54,7 +54,7 @@ public sealed class MeshHeights
         return best;
     }
 
-    // Not a number beside the triangle; points on an edge are on both of its triangles.
+    // NaN outside the triangle; points on an edge belong to both of its triangles.
     private static double HeightOn(Vec3 a, Vec3 b, Vec3 c, double x, double y)
     {
         var area = (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);

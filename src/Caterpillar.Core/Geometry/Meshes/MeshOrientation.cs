@@ -4,9 +4,9 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Turns triangles that are inside out. Over edges with two triangles that run along them in the same direction one of the two is turned, so that
+/// Flips triangles that are inside out. Across edges whose two triangles run along them in the same direction one of the two is flipped, so that
 /// each body is turned alike, as most of its triangles were. A closed mesh that is inside out as a whole is
-/// turned as a whole. Bodies without conflicts stay as they are, because cavities face inwards rightly.
+/// flipped as a whole. Bodies without conflicts stay as they are, because cavities rightly face inward.
 /// </summary>
 internal static class MeshOrientation
 {
@@ -16,20 +16,20 @@ internal static class MeshOrientation
         var result = mesh;
         if (mesh.WindingConflictCount > 0)
         {
-            var turn = TurnConflicts(mesh);
+            var turn = ConflictsToFlip(mesh);
             foreach (var t in turn) turned += t ? 1 : 0;
-            if (turned > 0) result = Turned(mesh, turn);
+            if (turned > 0) result = Flipped(mesh, turn);
         }
         if (turned > 0)
         {
-            diagnostics.Add(Severity.Warning, "mesh.faces_turned", "Triangles that were inside out against their neighbors were turned.", source, turned);
+            diagnostics.Add(Severity.Warning, "mesh.faces_turned", "Triangles that were inside out relative to their neighbors were flipped.", source, turned);
         }
         if (!result.IsWatertight || result.Volume >= 0) return result;
-        diagnostics.Add(Severity.Warning, "mesh.inside_out", "The mesh was inside out: all triangles were turned.", source);
-        return Turned(result, null);
+        diagnostics.Add(Severity.Warning, "mesh.inside_out", "The mesh was inside out: all triangles were flipped.", source);
+        return Flipped(result, null);
     }
 
-    private static TriMesh Turned(TriMesh mesh, bool[]? which)
+    private static TriMesh Flipped(TriMesh mesh, bool[]? which)
     {
         var triangles = (int[])mesh.RawTriangles.Clone();
         for (var t = 0; t < mesh.TriangleCount; t++)
@@ -39,7 +39,7 @@ internal static class MeshOrientation
         return TriMesh.Own(mesh.RawVertices, triangles);
     }
 
-    private static bool[] TurnConflicts(TriMesh mesh)
+    private static bool[] ConflictsToFlip(TriMesh mesh)
     {
         var count = mesh.TriangleCount;
         var neighbors = Neighbors(mesh);
@@ -68,7 +68,7 @@ internal static class MeshOrientation
                     body.Add(other / 3);
                 }
             }
-            if (conflicts && IsWrongWayRound(body, turn))
+            if (conflicts && IsInsideOut(body, turn))
             {
                 foreach (var t in body) turn[t] = !turn[t];
             }
@@ -81,7 +81,7 @@ internal static class MeshOrientation
     }
 
     // As most of the triangles were: a cavity stays a cavity, and BodyOrientation looks at what is wrong as a whole.
-    private static bool IsWrongWayRound(List<int> body, bool[] turn)
+    private static bool IsInsideOut(List<int> body, bool[] turn)
     {
         var turned = 0;
         foreach (var t in body)

@@ -10,13 +10,13 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// Reads mesh files: STL (binary and ASCII), OBJ, PLY (ASCII and both binary orders) and 3MF, also packed with gzip. Coordinates stay doubles;
-/// vertices with equal coordinates become one; polygons are split as fans from their first corner. The format is found from the bytes, and from the
-/// name where they do not tell. STL, OBJ and PLY give one mesh, 3MF gives one for each item on the plate, in mm (the others are taken as mm). Bytes
+/// vertices with equal coordinates become one; polygons are split as fans from their first vertex. The format is detected from the bytes, and from the
+/// name if they are not conclusive. STL, OBJ and PLY give one mesh, 3MF gives one for each item on the plate, in mm (the others are taken as mm). Bytes
 /// that cannot be read give errors, never exceptions.
 /// </summary>
 public static class MeshReader
 {
-    /// <summary>Reads a file. Errors are codes <c>mesh.*</c> with the place in the file.</summary>
+    /// <summary>Reads a file. Errors are codes <c>mesh.*</c> with the location in the file.</summary>
     /// <exception cref="IOException">The file cannot be read from the disk.</exception>
     /// <exception cref="OperationCanceledException">Reading was canceled.</exception>
     public static Result<IReadOnlyList<NamedMesh>> Read(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -25,7 +25,7 @@ public static class MeshReader
         return Read(File.ReadAllBytes(path), path, progress, cancel);
     }
 
-    /// <summary>Reads the bytes of a file; <paramref name="name"/> stands in messages, and its ending may tell the format.</summary>
+    /// <summary>Reads the bytes of a file; <paramref name="name"/> is used in messages, and its extension may determine the format.</summary>
     public static Result<IReadOnlyList<NamedMesh>> Read(byte[] bytes, string name, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
@@ -36,14 +36,14 @@ public static class MeshReader
         var good = plain is not null && ReadPlain(new MeshSource(plain, name, diagnostics, progress, cancel), meshes);
         if (good && meshes.All(m => m.Mesh.TriangleCount == 0))
         {
-            diagnostics.Add(Severity.Error, "mesh.empty", "There is no triangle in the file.", new SourceLocation(name));
+            diagnostics.Add(Severity.Error, "mesh.empty", "There are no triangles in the file.", new SourceLocation(name));
         }
         progress?.Report(1);
         var value = good && !diagnostics.HasErrors ? meshes.Where(m => m.Mesh.TriangleCount > 0).ToArray() : null;
         return new Result<IReadOnlyList<NamedMesh>>(value, diagnostics.ToList());
     }
 
-    /// <summary>Reads a file and takes everything in it as one mesh.</summary>
+    /// <summary>Reads a file and merges everything in it into one mesh.</summary>
     /// <exception cref="IOException">The file cannot be read from the disk.</exception>
     /// <exception cref="OperationCanceledException">Reading was canceled.</exception>
     public static Result<TriMesh> ReadMerged(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -52,7 +52,7 @@ public static class MeshReader
         return new Result<TriMesh>(read.Value is null ? null : TriMesh.Merge(read.Value.Select(m => m.Mesh)), read.Diagnostics);
     }
 
-    /// <summary>The file's name without folder and endings.</summary>
+    /// <summary>The file's name without folder and extensions.</summary>
     internal static string PlainName(string name)
     {
         var slash = name.LastIndexOfAny(['/', '\\']);
@@ -74,15 +74,15 @@ public static class MeshReader
             case ".OBJ":
                 return ObjReader.Read(source, meshes);
             case ".PLY":
-                source.ErrorInBinary("mesh.syntax", "A PLY file begins with a line \"ply\".", 0);
+                source.ErrorInBinary("mesh.syntax", "A PLY file must begin with a line \"ply\".", 0);
                 return false;
             case ".3MF":
-                source.ErrorInBinary("mesh.syntax", "A 3MF file is a zip archive; this is none.", 0);
+                source.ErrorInBinary("mesh.syntax", "A 3MF file must be a zip archive.", 0);
                 return false;
         }
         if (StlReader.HasBinaryLength(bytes) || StlTextReader.LooksLikeText(bytes)) return StlReader.Read(source, meshes);
         if (LooksLikeObj(bytes)) return ObjReader.Read(source, meshes);
-        source.ErrorInBinary("mesh.unknown_format", "This is no mesh file that can be read: STL, OBJ, PLY and 3MF can.", 0);
+        source.ErrorInBinary("mesh.unknown_format", "Unknown mesh format; STL, OBJ, PLY and 3MF can be read.", 0);
         return false;
     }
 
@@ -93,7 +93,7 @@ public static class MeshReader
         while (cursor.SkipSpace())
         {
             var start = cursor.SkipWord();
-            if (cursor.WordIs(start, "v") && cursor.SkipBlanks() && cursor.ReadNumber(out _)) return true;
+            if (cursor.WordIs(start, "v") && cursor.SkipSpaces() && cursor.ReadNumber(out _)) return true;
             if (bytes[start] == 0) return false;
             cursor.SkipLine();
         }

@@ -4,7 +4,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>The bytes of a mesh file while it is read, with its name for messages, and where to report to.</summary>
+/// <summary>The bytes of a mesh file while it is read, with its name for messages, and the diagnostics.</summary>
 internal sealed class MeshSource(byte[] bytes, string name, DiagnosticList diagnostics, IProgress<double>? progress, CancellationToken cancel)
 {
     public byte[] Bytes { get; } = bytes;
@@ -17,21 +17,21 @@ internal sealed class MeshSource(byte[] bytes, string name, DiagnosticList diagn
 
     public CancellationToken Cancel { get; } = cancel;
 
-    /// <summary>Reports progress and stops when canceled; call now and then.</summary>
+    /// <summary>Reports progress and stops when canceled; to be called regularly.</summary>
     public void Pulse(long done, long all)
     {
         Cancel.ThrowIfCancellationRequested();
         if (all > 0) progress?.Report(Math.Min(1, (double)done / all));
     }
 
-    /// <summary>An error at a byte of a text file; the place is given as line and column.</summary>
+    /// <summary>An error at a byte of a text file; the location is given as line and column.</summary>
     public void ErrorInText(string code, string message, int offset) => Diagnostics.Add(Severity.Error, code, message, PlaceInText(offset));
 
     /// <summary>An error at a byte of a binary file.</summary>
     public void ErrorInBinary(string code, string message, long offset)
         => Diagnostics.Add(Severity.Error, code, $"{message} (byte {NumberFormatter.Format(offset)})", new SourceLocation(Name));
 
-    /// <summary>Notices something about the file, or about a place in it.</summary>
+    /// <summary>Reports something about the file, or a location in it.</summary>
     public void Note(Severity severity, string code, string message, SourceLocation? place = null, int count = 1)
         => Diagnostics.Add(severity, code, message, place ?? new SourceLocation(Name), count);
 

@@ -3,8 +3,8 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Which triangles of a mesh meet along which edge. Half-edge 3·t + k runs from corner k of triangle t to the next corner; its partner is the
-/// half-edge of the neighbor that runs the other way. Made by a counting sort over the lower vertex of every edge.
+/// The triangles of a mesh that meet along each edge. Half-edge 3·t + k runs from corner k of triangle t to the next corner; its partner is the
+/// half-edge of the neighbor in the opposite direction. Built by a counting sort over the lower vertex of every edge.
 /// </summary>
 internal sealed class MeshTopology
 {
@@ -30,7 +30,7 @@ internal sealed class MeshTopology
         }
     }
 
-    /// <summary>The half-edge that runs the other way in the neighboring triangle, −1 where there is none.</summary>
+    /// <summary>The opposite half-edge in the neighboring triangle, −1 if there is none.</summary>
     public int[] Partner { get; }
 
     /// <summary>Edges with one triangle.</summary>
@@ -39,12 +39,12 @@ internal sealed class MeshTopology
     /// <summary>Edges with more than two triangles.</summary>
     public int NonManifoldEdges { get; private set; }
 
-    /// <summary>Edges with two triangles that run along it in the same direction.</summary>
+    /// <summary>Edges whose two triangles run along them in the same direction.</summary>
     public int WindingConflicts { get; private set; }
 
     public bool IsWatertight => OpenEdges == 0 && NonManifoldEdges == 0 && WindingConflicts == 0;
 
-    /// <summary>True when every half-edge has a partner: then every section consists of closed loops.</summary>
+    /// <summary>True if every half-edge has a partner: then every section consists of closed loops.</summary>
     public bool IsPaired { get; private set; } = true;
 
     // Half-edges by their lower vertex, each as (higher vertex, half-edge).

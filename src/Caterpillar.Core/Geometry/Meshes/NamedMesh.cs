@@ -2,7 +2,7 @@ using System;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>A mesh and the name it has in its file (or the file's name where it has none).</summary>
+/// <summary>A mesh and its name in the file (or the name of the file if it has none).</summary>
 public sealed record NamedMesh
 {
     public string Name { get; }

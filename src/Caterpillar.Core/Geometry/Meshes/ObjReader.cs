@@ -7,8 +7,8 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// Reads the polygons of Wavefront OBJ: <c>v</c> and <c>f</c> in all forms, negative indices, indices of vertices that come later, continued lines.
-/// Polygons are split as fans from their first corner. All objects and groups become one mesh, because groups often are patches of one surface.
-/// Materials are not looked for.
+/// Polygons are split as fans from their first vertex. All objects and groups become one mesh, because groups often are patches of one surface.
+/// Materials are ignored.
 /// </summary>
 internal sealed class ObjReader
 {
@@ -71,7 +71,7 @@ internal sealed class ObjReader
                 Other(start);
             }
             // What is left of the line, with its continuations.
-            while (_cursor.SkipBlanks()) _cursor.SkipWord();
+            while (_cursor.SkipSpaces()) _cursor.SkipWord();
             _cursor.SkipLine();
         }
         return true;
@@ -80,9 +80,9 @@ internal sealed class ObjReader
     private bool ReadVertex()
     {
         double x = 0, y = 0, z = 0;
-        var good = _cursor.SkipBlanks() && _cursor.ReadNumber(out x)
-            && _cursor.SkipBlanks() && _cursor.ReadNumber(out y)
-            && _cursor.SkipBlanks() && _cursor.ReadNumber(out z);
+        var good = _cursor.SkipSpaces() && _cursor.ReadNumber(out x)
+            && _cursor.SkipSpaces() && _cursor.ReadNumber(out y)
+            && _cursor.SkipSpaces() && _cursor.ReadNumber(out z);
         if (!good)
         {
             if (_cursor.AtEnd) _source.ErrorInText("mesh.truncated", "The file ends inside a vertex.", _cursor.At);
@@ -97,7 +97,7 @@ internal sealed class ObjReader
     private bool ReadFace(int faceAt)
     {
         int first = 0, last = 0, count = 0;
-        while (_cursor.SkipBlanks())
+        while (_cursor.SkipSpaces())
         {
             if (_cursor.Bytes[_cursor.At] == '#') break;
             if (!ReadCorner(faceAt, out var corner)) return false;
@@ -108,7 +108,7 @@ internal sealed class ObjReader
         }
         if (count < 3)
         {
-            _source.Note(Severity.Warning, "mesh.short_faces", "Faces with fewer than three corners are left out.", _source.PlaceInText(faceAt));
+            _source.Note(Severity.Warning, "mesh.short_faces", "Faces with fewer than three vertices are ignored.", _source.PlaceInText(faceAt));
         }
         return true;
     }
@@ -129,13 +129,13 @@ internal sealed class ObjReader
         }
         if (at == digits || (at < _cursor.At && bytes[at] != '/'))
         {
-            _source.ErrorInText("mesh.syntax", "A corner of a face must be a vertex number, or numbers with slashes.", start);
+            _source.ErrorInText("mesh.syntax", "A vertex of a face must be a number, or numbers with slashes.", start);
             return false;
         }
         var absolute = negative ? _vertices - index : index - 1;
         if (absolute < 0 || absolute >= int.MaxValue)
         {
-            _source.ErrorInText("mesh.index", "A face uses a vertex that is not there.", start);
+            _source.ErrorInText("mesh.index", "A face uses a vertex that does not exist.", start);
             return false;
         }
         corner = (int)absolute;
@@ -169,11 +169,11 @@ internal sealed class ObjReader
                 or "c_interp" or "d_interp" or "shadow_obj" or "trace_obj" or "ctech" or "stech":
                 return;
             case "cstype" or "deg" or "bmat" or "step" or "curv" or "curv2" or "surf" or "parm" or "trim" or "hole" or "scrv" or "sp" or "end" or "con":
-                const string Message = "Free-form curves and surfaces of OBJ are left out; only polygons are read.";
+                const string Message = "Free-form curves and surfaces of OBJ are ignored; only polygons are read.";
                 _source.Note(Severity.Warning, "mesh.unsupported", Message, _source.PlaceInText(start));
                 return;
             default:
-                _source.Note(Severity.Remark, "mesh.ignored", "Lines with words that OBJ does not have are ignored.", _source.PlaceInText(start));
+                _source.Note(Severity.Remark, "mesh.ignored", "Lines with unknown keywords are ignored.", _source.PlaceInText(start));
                 return;
         }
     }

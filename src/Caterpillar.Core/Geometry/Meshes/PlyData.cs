@@ -16,19 +16,19 @@ internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
     /// <summary>Offset of the next value.</summary>
     public int At => _cursor.At;
 
-    /// <summary>True where that many rows of these properties fit into what is left of the file.</summary>
-    public bool HasRoom(PlyElement element)
+    /// <summary>True if this many rows of these properties fit into the rest of the file.</summary>
+    public bool Fits(PlyElement element)
     {
         long row = 0;
         foreach (var property in element.Properties) row += IsText ? 2 : property.MinBytes;
-        // The last value of a text file may have no blank behind it.
+        // The last value of a text file may have no space after it.
         return element.Count * row <= source.Length - At + (IsText ? 1L : 0);
     }
 
-    /// <summary>True where that many values of a list fit into what is left of the file.</summary>
-    public bool HasRoom(double values, PlyType type) => values * (IsText ? 2 : PlyProperty.Size(type)) <= source.Length - At + (IsText ? 1L : 0);
+    /// <summary>True if this many values of a list fit into the rest of the file.</summary>
+    public bool Fits(double values, PlyType type) => values * (IsText ? 2 : PlyProperty.Size(type)) <= source.Length - At + (IsText ? 1L : 0);
 
-    /// <summary>The next value; a float is widened exactly. False at the end of the file, or at a word that is no number.</summary>
+    /// <summary>The next value; a float is widened exactly. False at the end of the file, or at a word that is not a number.</summary>
     public bool Read(PlyType type, out double value)
     {
         if (IsText)
@@ -61,7 +61,7 @@ internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
         return true;
     }
 
-    /// <summary>Skips values; in a binary file at once. False where the file ends before.</summary>
+    /// <summary>Skips values; in a binary file at once. False if the file ends before.</summary>
     public bool Skip(PlyType type, long values)
     {
         if (!IsText)
@@ -79,7 +79,7 @@ internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
         return true;
     }
 
-    /// <summary>Reports what stands at the cursor instead of a number.</summary>
+    /// <summary>Reports what is at the cursor instead of a number.</summary>
     public bool Wrong(string what)
     {
         if (_cursor.At >= source.Length || !IsText)
@@ -90,12 +90,12 @@ internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
         }
         else
         {
-            source.ErrorInText("mesh.syntax", $"A word that is no number in {what}.", At);
+            source.ErrorInText("mesh.syntax", $"There is a word that is not a number in {what}.", At);
         }
         return false;
     }
 
-    /// <summary>Reports a value that cannot be.</summary>
+    /// <summary>Reports an impossible value.</summary>
     public bool Error(string code, string message)
     {
         if (IsText) source.ErrorInText(code, message, At);

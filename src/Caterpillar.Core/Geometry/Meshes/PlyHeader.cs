@@ -54,7 +54,7 @@ internal sealed class PlyHeader
 
     public List<PlyElement> Elements { get; } = [];
 
-    /// <summary>Where the data begins.</summary>
+    /// <summary>Start of the data.</summary>
     public int DataAt { get; private set; }
 
     /// <summary>Reads the header; null with an error where it cannot be read.</summary>
@@ -76,7 +76,7 @@ internal sealed class PlyHeader
                 case "format":
                     if (words.Length < 2 || !header.SetFormat(words[1]))
                     {
-                        return Wrong(source, at, "A PLY format that is not known; ascii, binary_little_endian and binary_big_endian are.");
+                        return Wrong(source, at, "Unknown PLY format; expected ascii, binary_little_endian or binary_big_endian.");
                     }
                     format = true;
                     break;
@@ -85,14 +85,14 @@ internal sealed class PlyHeader
                     header.Elements.Add(new PlyElement(words[1], count, line));
                     break;
                 case "property":
-                    if (!header.AddProperty(words)) return Wrong(source, at, "A property that cannot be read.");
+                    if (!header.AddProperty(words)) return Wrong(source, at, "A property is invalid.");
                     break;
                 case "end_header":
-                    if (!format) return Wrong(source, at, "The header names no format.");
+                    if (!format) return Wrong(source, at, "The header does not state the format.");
                     header.DataAt = cursor.At;
                     return header;
                 default:
-                    return Wrong(source, at, "A line that does not belong into a PLY header.");
+                    return Wrong(source, at, "A line does not belong in a PLY header.");
             }
         }
         source.ErrorInText("mesh.truncated", "The file ends inside the PLY header.", source.Length);

@@ -44,7 +44,7 @@ internal sealed class PlyReader
 
     private bool ReadElement(PlyElement element)
     {
-        if (!_data.HasRoom(element))
+        if (!_data.Fits(element))
         {
             var count = NumberFormatter.Format(element.Count);
             return _data.Error("mesh.truncated", $"The header counts {count} of \"{element.Name}\", which do not fit into the file.");
@@ -55,7 +55,7 @@ internal sealed class PlyReader
         if (faces >= 0) return ReadFaces(element, faces);
         if (element.Name is "face" or "tristrips")
         {
-            var message = $"The element \"{element.Name}\" has no list of vertices that can be read; it is left out.";
+            var message = $"The element \"{element.Name}\" has no readable list of vertices; it is ignored.";
             _source.Note(Severity.Warning, "mesh.unsupported", message,
                 new SourceLocation(_source.Name, element.Line));
         }
@@ -106,7 +106,7 @@ internal sealed class PlyReader
             Pulse(i);
             if (!SkipProperties(element, 0, list)) return false;
             if (!_data.Read(lengthType, out var length)) return _data.Wrong("the faces");
-            if (!(length >= 0) || !_data.HasRoom(length, property.Type)) return _data.Error("mesh.truncated", "A face with a length that cannot be.");
+            if (!(length >= 0) || !_data.Fits(length, property.Type)) return _data.Error("mesh.truncated", "A face has an impossible number of vertices.");
             var corners = (int)length;
             if (corners > _polygon.Length) Array.Resize(ref _polygon, corners * 2);
             for (var k = 0; k < corners; k++)
@@ -114,7 +114,7 @@ internal sealed class PlyReader
                 if (!_data.Read(property.Type, out var index)) return _data.Wrong("the faces");
                 if (!(index >= 0 && index < _ids.Length) || index != Math.Floor(index))
                 {
-                    return _data.Error("mesh.index", "A face uses a vertex that is not there.");
+                    return _data.Error("mesh.index", "A face uses a vertex that does not exist.");
                 }
                 _polygon[k] = _ids[(int)index];
             }
@@ -124,7 +124,7 @@ internal sealed class PlyReader
         }
         if (shorts > 0)
         {
-            _source.Note(Severity.Warning, "mesh.short_faces", "Faces with fewer than three corners are left out.", count: shorts);
+            _source.Note(Severity.Warning, "mesh.short_faces", "Faces with fewer than three vertices are ignored.", count: shorts);
         }
         return true;
     }
@@ -138,7 +138,7 @@ internal sealed class PlyReader
             if (property.LengthType is { } lengthType)
             {
                 if (!_data.Read(lengthType, out values)) return _data.Wrong($"\"{element.Name}\"");
-                if (!(values >= 0) || !_data.HasRoom(values, property.Type)) return _data.Error("mesh.truncated", "A list with a length that cannot be.");
+                if (!(values >= 0) || !_data.Fits(values, property.Type)) return _data.Error("mesh.truncated", "A list has an impossible length.");
             }
             if (!_data.Skip(property.Type, (long)values)) return _data.Wrong($"\"{element.Name}\"");
         }

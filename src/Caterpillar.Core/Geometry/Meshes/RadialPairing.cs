@@ -3,13 +3,13 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Pairs the triangles around an edge that has more than two: in the order in which they stand around the edge, each one that runs along the edge
-/// forwards with the nearest that runs backwards behind it, with the solid between them. So bodies that touch along an edge stay apart.
+/// Pairs the triangles around an edge that has more than two: in their order around the edge, each one that runs along the edge
+/// forward with the nearest backward one after it, with the solid between them. So bodies that touch along an edge stay separate.
 /// </summary>
 internal static class RadialPairing
 {
     /// <summary>
-    /// Sets the partners of the half-edges in <paramref name="keys"/> (low word) from <paramref name="from"/> to <paramref name="to"/>; true when
+    /// Sets the partners of the half-edges in <paramref name="keys"/> (low word) from <paramref name="from"/> to <paramref name="to"/>; true if
     /// all have one.
     /// </summary>
     public static bool Pair(Vec3[] vertices, int[] triangles, long[] keys, int from, int to, int[] partner)
@@ -32,7 +32,7 @@ internal static class RadialPairing
             partner[edge] = -1;
         }
         SortByAngle(edges, angles);
-        // A forward triangle has its outside ahead in angle, so the solid lies behind it: match each forward one with the
+        // A forward triangle has its outside ahead in angle, so the solid lies after it: match each forward one with the
         // nearest unmatched backward one before it, as brackets; twice around, because the circle has no beginning.
         var open = new int[count];
         var depth = 0;

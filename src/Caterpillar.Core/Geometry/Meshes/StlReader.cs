@@ -10,7 +10,7 @@ internal static class StlReader
     private const int HeaderBytes = 84;
     private const int FacetBytes = 50;
 
-    /// <summary>True when the length is exactly what the count in the header asks for.</summary>
+    /// <summary>True if the length matches the count in the header exactly.</summary>
     public static bool HasBinaryLength(byte[] bytes)
         => bytes.Length >= HeaderBytes && HeaderBytes + FacetBytes * (long)BitConverter.ToUInt32(bytes, 80) == bytes.Length;
 
@@ -26,7 +26,7 @@ internal static class StlReader
         var there = (source.Length - HeaderBytes) / FacetBytes;
         if (declared == 0 && there > 0 && (source.Length - HeaderBytes) % FacetBytes == 0)
         {
-            source.Note(Severity.Warning, "mesh.count", "The STL header counts no facets; they are counted by the length of the file.");
+            source.Note(Severity.Warning, "mesh.count", "The STL header states no facets; they are counted from the length of the file.");
             declared = there;
         }
         if (declared > there)
@@ -37,8 +37,8 @@ internal static class StlReader
         }
         if (HeaderBytes + FacetBytes * declared < source.Length)
         {
-            var behind = (int)(source.Length - HeaderBytes - FacetBytes * declared);
-            source.Note(Severity.Remark, "mesh.trailing_bytes", "Bytes behind the last facet are ignored.", count: behind);
+            var trailing = (int)(source.Length - HeaderBytes - FacetBytes * declared);
+            source.Note(Severity.Remark, "mesh.trailing_bytes", "Bytes after the last facet are ignored.", count: trailing);
         }
         ReadFacets(source, (int)declared, meshes);
         return true;

@@ -10,7 +10,7 @@ namespace Caterpillar.Geometry;
 /// </summary>
 internal static class StlTextReader
 {
-    /// <summary>True when the file begins with "solid" and goes on with a facet or the end of the solid.</summary>
+    /// <summary>True if the file begins with "solid" and continues with a facet or the end of the solid.</summary>
     public static bool LooksLikeText(byte[] bytes)
     {
         var cursor = new TextCursor(bytes, ByteOrderMark.Length(bytes), bytes.Length);
@@ -48,7 +48,7 @@ internal static class StlTextReader
             {
                 if (facetAt < 0 || corners == 3)
                 {
-                    source.ErrorInText("mesh.syntax", facetAt < 0 ? "A vertex outside a facet." : "A facet with more than three vertices.", start);
+                    source.ErrorInText("mesh.syntax", facetAt < 0 ? "A vertex is outside a facet." : "A facet has more than three vertices.", start);
                     return false;
                 }
                 if (!ReadPoint(cursor, out var x, out var y, out var z)) return WrongNumber(source, cursor);
@@ -59,7 +59,7 @@ internal static class StlTextReader
             {
                 if (facetAt >= 0)
                 {
-                    source.ErrorInText("mesh.syntax", "A facet begins before the one before it has ended.", start);
+                    source.ErrorInText("mesh.syntax", "A facet begins before the previous one has ended.", start);
                     return false;
                 }
                 facetAt = start;
@@ -69,7 +69,7 @@ internal static class StlTextReader
             {
                 if (facetAt < 0 || corners != 3)
                 {
-                    var message = facetAt < 0 ? "The end of a facet that has not begun." : "A facet with fewer than three vertices.";
+                    var message = facetAt < 0 ? "A facet ends that has not begun." : "A facet has fewer than three vertices.";
                     source.ErrorInText("mesh.syntax", message, start);
                     return false;
                 }
@@ -93,7 +93,7 @@ internal static class StlTextReader
             }
             else if (!cursor.WordIs(start, "outer") && !cursor.WordIs(start, "loop") && !cursor.WordIs(start, "endloop"))
             {
-                source.ErrorInText("mesh.syntax", "A word that does not belong into an ASCII STL file.", start);
+                source.ErrorInText("mesh.syntax", "A word does not belong in an ASCII STL file.", start);
                 return false;
             }
         }

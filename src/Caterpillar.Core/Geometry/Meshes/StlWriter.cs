@@ -4,7 +4,7 @@ using System.Text;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Writes binary STL. Coordinates become floats, as the format has them; the bytes are the same everywhere.</summary>
+/// <summary>Writes binary STL. Coordinates become floats, as the format requires; the bytes are the same everywhere.</summary>
 public static class StlWriter
 {
     /// <summary>

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A use of an object: which one (in which part of the package, null for the same part) and how it is placed, in units of the file.
+/// An instance of an object: which one (in which part of the package, null for the same part) and how it is placed, in units of the file.
 /// </summary>
 internal sealed record ThreeMfUse(string? Path, int ObjectId, Affine Map, int Line, int Column);
 

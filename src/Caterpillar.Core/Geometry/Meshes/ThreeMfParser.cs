@@ -57,7 +57,7 @@ internal sealed class ThreeMfParser
                 case "item":
                     if (_xml.GetAttribute("printable") == "0")
                     {
-                        _source.Note(Severity.Remark, "mesh.ignored", "Items that are marked as not printable are left out.", Place());
+                        _source.Note(Severity.Remark, "mesh.ignored", "Items marked as not printable are ignored.", Place());
                         break;
                     }
                     if (ReadUse() is { } item) _model.Items.Add(item);
@@ -75,7 +75,7 @@ internal sealed class ThreeMfParser
         {
             var uri = _xml.LookupNamespace(prefix) ?? "";
             if (uri.IndexOf("/production/", StringComparison.Ordinal) >= 0 || uri.IndexOf("/material/", StringComparison.Ordinal) >= 0) continue;
-            _source.Note(Severity.Warning, "mesh.unsupported", $"The model asks for the extension \"{prefix}\", which is not read.", Place());
+            _source.Note(Severity.Warning, "mesh.unsupported", $"The model requires the extension \"{prefix}\", which is not supported.", Place());
         }
     }
 
@@ -122,7 +122,7 @@ internal sealed class ThreeMfParser
                 if (!TryInt("v1", out var a) || !TryInt("v2", out var b) || !TryInt("v3", out var c)) return;
                 if ((uint)a >= (uint)vertices || (uint)b >= (uint)vertices || (uint)c >= (uint)vertices)
                 {
-                    Fail("mesh.index", "A triangle uses a vertex that is not there.");
+                    Fail("mesh.index", "A triangle uses a vertex that does not exist.");
                     return;
                 }
                 builder.AddTriangle(ids[a], ids[b], ids[c]);
@@ -130,11 +130,11 @@ internal sealed class ThreeMfParser
         }
         if (builder.NotFinite > 0)
         {
-            _source.Note(Severity.Warning, "mesh.not_finite", "Triangles with a coordinate beyond 1e9 are left out.", Place(), builder.NotFinite);
+            _source.Note(Severity.Warning, "mesh.not_finite", "Triangles with a coordinate beyond 1e9 are ignored.", Place(), builder.NotFinite);
         }
         if (builder.Degenerate > 0)
         {
-            _source.Note(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal corners are left out.", Place(), builder.Degenerate);
+            _source.Note(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal vertices are ignored.", Place(), builder.Degenerate);
         }
         item.Mesh = builder.ToMesh();
     }
@@ -177,7 +177,7 @@ internal sealed class ThreeMfParser
     private bool TryInt(string attribute, out int value)
     {
         if (NumberReader.TryParseInt(_xml.GetAttribute(attribute), out value) && value >= 0) return true;
-        Fail("mesh.syntax", $"<{_xml.LocalName}> needs a whole number \"{attribute}\".");
+        Fail("mesh.syntax", $"<{_xml.LocalName}> needs an integer \"{attribute}\".");
         return false;
     }
 

@@ -10,7 +10,7 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// Reads 3MF packages: a zip archive with models in XML. Every build item becomes one mesh in mm, with the transforms of the item and of its
-/// components applied. Objects for support or other uses are left out.
+/// components applied. Objects for support or other uses are ignored.
 /// </summary>
 internal sealed class ThreeMfReader
 {
@@ -86,12 +86,12 @@ internal sealed class ThreeMfReader
         if (Model(path) is not { } model) return false;
         if (!model.Objects.TryGetValue(use.ObjectId, out var item))
         {
-            _source.Note(Severity.Error, "mesh.index", $"The object {NumberFormatter.Format(use.ObjectId)} is not there.", place);
+            _source.Note(Severity.Error, "mesh.index", $"The object {NumberFormatter.Format(use.ObjectId)} does not exist.", place);
             return false;
         }
         if (item.Type is "support" or "other")
         {
-            _source.Note(Severity.Remark, "mesh.ignored", "Objects for support or other uses are left out.", place);
+            _source.Note(Severity.Remark, "mesh.ignored", "Objects for support or other uses are ignored.", place);
             return true;
         }
         var map = use.Map.Then(outer);
@@ -123,7 +123,7 @@ internal sealed class ThreeMfReader
         }
         else
         {
-            _source.Note(Severity.Error, "mesh.syntax", "A part of the package is not there.", new SourceLocation(_source.Name, Key: path));
+            _source.Note(Severity.Error, "mesh.syntax", "A part of the package is missing.", new SourceLocation(_source.Name, Key: path));
         }
         _models.Add(path, model);
         return model;
@@ -136,7 +136,7 @@ internal sealed class ThreeMfReader
             ?? _archive.Entries.FirstOrDefault(e => string.Equals(e.FullName.Replace('\\', '/').TrimStart('/'), name, StringComparison.OrdinalIgnoreCase));
     }
 
-    // The target of the package's 3D model relationship, or the first part with the usual ending.
+    // The target of the package's 3D model relationship, or the first part with the usual extension.
     private string? RootPath()
     {
         if (Entry("_rels/.rels") is { } rels)

@@ -6,7 +6,7 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// A surface of triangles, indexed; lengths in mm. Vertices with equal coordinates are one vertex (−0.0 = 0.0), every vertex is used, and no triangle
-/// has a vertex twice. Triangles run counter-clockwise seen from outside. Immutable.
+/// has a vertex twice. Triangles run counterclockwise seen from outside. Immutable.
 /// </summary>
 public sealed class TriMesh
 {
@@ -26,7 +26,7 @@ public sealed class TriMesh
     }
 
     /// <summary>
-    /// A mesh from points and triples of point numbers. Equal points are merged, unused ones and triangles with a point twice are left out.
+    /// A mesh from points and triples of point numbers. Equal points are merged, unused ones and triangles with a repeated point are dropped.
     /// </summary>
     /// <exception cref="ArgumentException">A number is out of range, the numbers are no triples, or a point is not finite or beyond <see
     /// cref="MaxCoordinate"/>.</exception>
@@ -44,7 +44,7 @@ public sealed class TriMesh
         }
         for (var i = 0; i < triangles.Count; i++)
         {
-            if ((uint)triangles[i] >= (uint)ids.Length) throw new ArgumentException("A triangle uses a point that is not there.", nameof(triangles));
+            if ((uint)triangles[i] >= (uint)ids.Length) throw new ArgumentException("A triangle uses a point that does not exist.", nameof(triangles));
         }
         for (var i = 0; i < triangles.Count; i += 3) builder.AddTriangle(ids[triangles[i]], ids[triangles[i + 1]], ids[triangles[i + 2]]);
         return builder.ToMesh();
@@ -68,7 +68,7 @@ public sealed class TriMesh
     /// <summary>Vertex numbers of a triangle.</summary>
     public (int A, int B, int C) Triangle(int index) => (_triangles[3 * index], _triangles[3 * index + 1], _triangles[3 * index + 2]);
 
-    /// <summary>Outward unit normal of a triangle; zero where it has no area.</summary>
+    /// <summary>Outward unit normal of a triangle; zero if it has no area.</summary>
     public Vec3 Normal(int index) => Cross(3 * index).Unit();
 
     /// <summary>Area of the surface in mm².</summary>
@@ -83,7 +83,7 @@ public sealed class TriMesh
     }
 
     /// <summary>
-    /// Signed volume in mm³ (divergence theorem): positive for a closed mesh whose triangles face outwards; overlaps count twice. For an open mesh
+    /// Signed volume in mm³ (divergence theorem): positive for a closed mesh whose triangles face outward; overlaps count twice. For an open mesh
     /// only a sum.
     /// </summary>
     public double Volume
@@ -108,16 +108,16 @@ public sealed class TriMesh
     /// <summary>Edges that belong to more than two triangles.</summary>
     public int NonManifoldEdgeCount => Topology.NonManifoldEdges;
 
-    /// <summary>Edges whose two triangles run along them in the same direction: one of the two is turned inside out.</summary>
+    /// <summary>Edges whose two triangles run along them in the same direction: one of the two is inside out.</summary>
     public int WindingConflictCount => Topology.WindingConflicts;
 
-    /// <summary>True when every edge has two triangles with opposite directions. Bodies may still run through each other.</summary>
+    /// <summary>True if every edge has two triangles with opposite directions. Bodies may still intersect.</summary>
     public bool IsWatertight => Topology.IsWatertight && _triangles.Length > 0;
 
-    /// <summary>Number of bodies: sets of triangles that are joined over edges.</summary>
+    /// <summary>Number of bodies: sets of triangles that are connected across edges.</summary>
     public int BodyCount => MeshBodies.Count(this);
 
-    /// <summary>The image of the mesh. A mirroring map turns the triangles round, so that they still face outwards.</summary>
+    /// <summary>The image of the mesh. A mirroring map flips the triangles, so that they still face outward.</summary>
     /// <exception cref="ArgumentException">The map flattens space, is not finite, or moves a vertex beyond <see cref="MaxCoordinate"/>.</exception>
     public TriMesh Transformed(Affine map)
     {
@@ -147,7 +147,7 @@ public sealed class TriMesh
         return builder.ToMesh();
     }
 
-    /// <summary>Takes the arrays over without a copy and without a check; for <see cref="MeshBuilder"/>.</summary>
+    /// <summary>Takes ownership of the arrays without a copy or check; for <see cref="MeshBuilder"/>.</summary>
     internal static TriMesh Own(Vec3[] vertices, int[] triangles) => triangles.Length == 0 ? Empty : new TriMesh(vertices, triangles);
 
     internal Vec3[] RawVertices => _vertices;

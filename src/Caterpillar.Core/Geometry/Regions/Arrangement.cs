@@ -4,20 +4,20 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// Closed contours on the grid, cut at their crossings until segments meet at end points only. A crossing is rounded to the grid, which moves its two segments
-/// a little and may make new crossings: those are looked for again, among the segments that moved, until there are none. It ends, because every cut leaves the
-/// length |dx| + |dy| of a contour as it is and no segment is shorter than 1 (after Hobby, "Practical segment intersection with finite precision output",
-/// 1999).
+/// slightly and may cause new crossings: those are searched for again, among the segments that moved, until there are none. It terminates, because every cut
+/// leaves the length |dx| + |dy| of a contour as it is and no segment is shorter than 1 (after Hobby, "Practical segment intersection with finite precision
+/// output", 1999).
 /// </summary>
 internal sealed class Arrangement
 {
     // After this many rounds of cutting at crossings only, segments are also drawn to all points (vertices and new crossings) whose unit square they pass
-    // through. Bundles of almost parallel lines would else move on by one unit in each of hundreds of rounds.
+    // through. Otherwise bundles of almost parallel lines would move by one unit in each of hundreds of rounds.
     private const int ExactRounds = 2;
 
-    // From here on not only among the segments that moved: that is full snap rounding, after which there are no crossings.
+    // After this many rounds, all segments are tested, not only those that moved: full snap rounding, which leaves no crossings.
     private const int LocalRounds = 6;
 
-    // Rounded in double, a crossing may come out a unit off its place, so the proof of snap rounding is not quite ours.
+    // Rounded in double, a crossing may be off by one unit, so the proof of snap rounding does not quite apply.
     private const int MaxRounds = 64;
 
     public Segment[] Segments = new Segment[256];
@@ -25,24 +25,24 @@ internal sealed class Arrangement
     public int[] ContourStart = new int[16];
     public byte[] Operand = new byte[16];
 
-    /// <summary>Number of the call of <see cref="Add"/> that brought a contour.</summary>
+    /// <summary>Index of the call of <see cref="Add"/> that added a contour.</summary>
     public int[] Source = new int[16];
     public int Contours;
     public readonly BoxTree Tree = new();
 
-    /// <summary>True when segments that do not follow each other in a contour share an end point.</summary>
+    /// <summary>True if segments that do not follow each other in a contour share an end point.</summary>
     public bool Touches;
 
-    /// <summary>True when any segment was cut.</summary>
+    /// <summary>True if any segment was cut.</summary>
     public bool Cut;
 
     /// <summary>
-    /// In half units: how far from a segment a vertex may be to be drawn in. 1 (the segment passes through the vertex's unit square) happens only where needed;
-    /// more, from the first round on: for contours whose vertices were on others' edges before they were rounded. Set after <see cref="Clear"/>.
+    /// In half units: how far from a segment a vertex may be to be snapped to. 1 (the segment passes through the vertex's unit square) happens only where
+    /// needed; more, from the first round on: for contours whose vertices were on others' edges before they were rounded. Set after <see cref="Clear"/>.
     /// </summary>
     public int Reach = 1;
 
-    /// <summary>Rounds the last resolution took.</summary>
+    /// <summary>Number of rounds of the last resolution.</summary>
     public int Rounds;
 
     private int _added;
@@ -90,7 +90,7 @@ internal sealed class Arrangement
         ContourStart[Contours] = n;
     }
 
-    /// <summary>Cuts until no segments cross, touch from the side or overlap in part. Segments that are equal or opposite remain.</summary>
+    /// <summary>Cuts until no segments cross, touch from the side or partly overlap. Segments that are equal or opposite remain.</summary>
     public void Resolve()
     {
         if (Contours > 8) _order.Apply(ref Segments, ref ContourStart, ref Operand, ref Source, Contours);

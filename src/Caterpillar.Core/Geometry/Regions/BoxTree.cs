@@ -51,18 +51,18 @@ internal sealed class BoxTree
         {
             var box = GridBox.Nothing;
             var any = false;
-            var ways = 15;
+            var directions = 15;
             for (var i = LeafStart[leaf]; i < LeafStart[leaf + 1]; i++)
             {
                 ref readonly var s = ref segments[i];
                 box.Include(s.Ax, s.Ay);
                 box.Include(s.Bx, s.By);
-                ways &= (s.Bx > s.Ax ? 1 : s.Bx < s.Ax ? 2 : 0) | (s.By > s.Ay ? 4 : s.By < s.Ay ? 8 : 0);
+                directions &= (s.Bx > s.Ax ? 1 : s.Bx < s.Ax ? 2 : 0) | (s.By > s.Ay ? 4 : s.By < s.Ay ? 8 : 0);
                 if (fresh is not null) any |= fresh[i];
             }
             Boxes[leaf] = box;
             Fresh[leaf] = any;
-            Monotone[leaf] = (byte)ways;
+            Monotone[leaf] = (byte)directions;
         }
         LevelStart[0] = 0;
         LevelCount[0] = leaves;
@@ -70,7 +70,7 @@ internal sealed class BoxTree
         while (LevelCount[Levels - 1] > 1) AddLevel();
     }
 
-    /// <summary>Sums the operands' winding numbers of the place just left of and above (x, y), by a ray to the left.</summary>
+    /// <summary>Sums the operands' winding numbers at the point just left of and above (x, y), by a ray to the left.</summary>
     public void Winding(Segment[] segments, byte[] operands, int x, int y, out int first, out int second)
     {
         first = 0;
@@ -94,7 +94,7 @@ internal sealed class BoxTree
             ref readonly var s = ref segments[i];
             if (s.Ay <= y)
             {
-                // Upwards: the ray comes from the left side of the segment.
+                // Upward: the ray comes from the left side of the segment.
                 if (s.By > y && s.Side(x, y) < 0) sum--;
             }
             else if (s.By <= y && s.Side(x, y) > 0)
@@ -115,17 +115,17 @@ internal sealed class BoxTree
         {
             var box = Boxes[below + i];
             var any = Fresh[below + i];
-            var ways = Monotone[below + i];
+            var directions = Monotone[below + i];
             if (i + 1 < count)
             {
                 var middle = (i + 1) << (Levels - 1);
-                ways = LeafContour[middle - 1] == LeafContour[middle] ? (byte)(ways & Monotone[below + i + 1]) : (byte)0;
+                directions = LeafContour[middle - 1] == LeafContour[middle] ? (byte)(directions & Monotone[below + i + 1]) : (byte)0;
                 box.Include(Boxes[below + i + 1]);
                 any |= Fresh[below + i + 1];
             }
             Boxes[start + i / 2] = box;
             Fresh[start + i / 2] = any;
-            Monotone[start + i / 2] = ways;
+            Monotone[start + i / 2] = directions;
         }
         LevelStart[Levels] = start;
         LevelCount[Levels] = (count + 1) / 2;

@@ -3,14 +3,14 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Area and boundary length of what contours enclose, from their coordinates in double instead of on the 10 nm grid of <see cref="Region"/>.</summary>
+/// <summary>Area and boundary length enclosed by contours, from their coordinates in double instead of on the 10 nm grid of <see cref="Region"/>.</summary>
 public static class ContourMeasure
 {
     /// <summary>
-    /// Measures the union of the solids (winding number not 0) of closed contours. Where no contours cross or touch, sums over the points as they are;
+    /// Measures the union of the solids (winding number not 0) of closed contours. If no contours cross or touch, sums over the points as they are;
     /// else over the boundary of the union, computed on a grid of 2⁻²⁹ of half the extent (so errors are near 1e-9 of it).
     /// </summary>
-    /// <returns>Area in mm², length of the boundary in mm, and the number of its counter-clockwise and clockwise loops.</returns>
+    /// <returns>Area in mm², length of the boundary in mm, and the number of its counterclockwise and clockwise loops.</returns>
     /// <exception cref="ArgumentException">A coordinate is not a number, or infinite.</exception>
     public static (double Area, double Perimeter, int Outer, int Holes) NonZero(IReadOnlyList<Polyline> contours)
     {

@@ -3,9 +3,9 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Leaves vertices of closed paths away in one pass: from a kept vertex the chord grows as long as it stays within the tolerance of every vertex it passes,
+/// Drops vertices of closed paths in one pass: from a kept vertex the chord grows as long as it stays within the tolerance of every vertex it passes,
 /// which is the intersection of the wedges in which these vertices' discs are seen (sleeve fitting: Zhao and Saalfeld, "Linear-time sleeve-fitting
-/// polyline simplification algorithms", 1997). It begins at the leftmost vertex, so the result does not depend on where the path begins.
+/// polyline simplification algorithms", 1997). It starts at the leftmost vertex, so the result does not depend on where the path starts.
 /// </summary>
 internal sealed class ContourSimplifier
 {
@@ -35,7 +35,7 @@ internal sealed class ContourSimplifier
                 var distance = x * x + y * y;
                 if (farthest > 0)
                 {
-                    // Out of the wedge, or on the way back: the chord ends one vertex before.
+                    // Outside the wedge, or going back: the chord ends one vertex before.
                     if (distance < farthest || lowX * y - lowY * x < 0 || highX * y - highY * x > 0) break;
                 }
                 if (distance <= square) continue;

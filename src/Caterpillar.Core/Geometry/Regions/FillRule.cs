@@ -1,6 +1,6 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>Which places count as inside, by the winding number of the contours around them.</summary>
+/// <summary>Which points count as inside, by the winding number of the contours around them.</summary>
 public enum FillRule
 {
     /// <summary>Every winding number but zero: the rule for solids whose bodies may overlap.</summary>
@@ -9,6 +9,6 @@ public enum FillRule
     /// <summary>Odd winding numbers: overlaps cancel; orientation has no meaning.</summary>
     EvenOdd,
 
-    /// <summary>Winding numbers above zero: what lies only inside clockwise contours is outside.</summary>
+    /// <summary>Winding numbers above zero: areas only inside clockwise contours are outside.</summary>
     Positive,
 }

@@ -31,7 +31,7 @@ internal readonly struct GridPoint : IEquatable<GridPoint>
 /// <summary>The integer grid of regions. With |coordinate| ≤ 2²⁹ cross products of differences stay below 2⁶², exact in 64 bits.</summary>
 internal static class Grid
 {
-    /// <summary>Grid units in a mm.</summary>
+    /// <summary>Grid units per mm.</summary>
     public const double PerMm = 100_000;
 
     /// <summary>Largest coordinate, in grid units.</summary>
@@ -51,7 +51,7 @@ internal static class Grid
 
     public static Vec3 ToMm(GridPoint p) => new(p.X / PerMm, p.Y / PerMm);
 
-    /// <summary>Nearest integer; halves go up. For values in the range of int.</summary>
+    /// <summary>Nearest integer; halves are rounded up. For values in the range of int.</summary>
     public static int Round(double value) => (int)Math.Floor(value + 0.5);
 
     /// <summary>Cross product of b − a and c − a: positive when c lies left of the line from a to b. Exact.</summary>

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Sorts the half-edges around a vertex counter-clockwise from due west, exactly; equal directions by the edge's number.</summary>
+/// <summary>Sorts the half-edges around a vertex counterclockwise from due west, exactly; equal directions by the number of the edge.</summary>
 internal sealed class HalfEdgeSorter : IComparer<int>
 {
     private PlanarGraph? _graph;

@@ -4,7 +4,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Crossings of parallel lines with contours: edges are put into the rows they cross by a counting sort; each row is sorted and paired.</summary>
+/// <summary>Crossings of parallel lines with contours: edges are assigned to the rows they cross by a counting sort; each row is sorted and paired.</summary>
 internal static class HatchScanner
 {
     private const double MaxRows = 10_000_000;

@@ -1,6 +1,6 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>Which pairs of winding numbers of two operands are inside.</summary>
+/// <summary>Which pairs of winding numbers of two operands count as inside.</summary>
 internal enum InsideRule : byte
 {
     NonZero,

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Gives each hole of a region to the smallest outer contour around it.</summary>
+/// <summary>Assigns each hole of a region to the smallest outer contour around it.</summary>
 internal static class IslandFinder
 {
     public static Region[] Split(Region region)

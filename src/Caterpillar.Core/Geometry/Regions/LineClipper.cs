@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Cuts lines at the boundary of a region and keeps the pieces inside, or outside. A piece is judged by its middle, so rounding can't turn the rest round.
+/// Cuts lines at the boundary of a region and keeps the pieces inside, or outside. A piece is classified by its midpoint, so rounding can't invert the rest.
 /// </summary>
 internal sealed class LineClipper
 {
@@ -38,7 +38,7 @@ internal sealed class LineClipper
         if (line.IsClosed && open && _pieces.Count > first + 1) JoinAround(line[0], first);
     }
 
-    /// <summary>True when no piece of the line is cut away.</summary>
+    /// <summary>True if no piece of the line is cut off.</summary>
     public bool IsWhole(Vec3 a, Vec3 b)
     {
         _cuts.Clear();
@@ -125,7 +125,7 @@ internal sealed class LineClipper
         _current.Clear();
     }
 
-    // The last piece of a closed line goes on as its first one.
+    // The last piece of a closed line continues as its first one.
     private void JoinAround(Vec3 seam, int first)
     {
         var head = _pieces[first];
@@ -164,7 +164,7 @@ internal sealed class LineClipper
         if (square == 0) return;
         var c = dx * (s.Ay - ay) - dy * (s.Ax - ax);
         var d = dx * (s.By - ay) - dy * (s.Bx - ax);
-        // Ends of edges within a grid unit of the line: where it may begin or cease to run along the boundary.
+        // Ends of edges within a grid unit of the line: where it may start or stop running along the boundary.
         if (c * c <= square) Add((dx * (s.Ax - ax) + dy * (s.Ay - ay)) / square);
         if (d * d <= square) Add((dx * (s.Bx - ax) + dy * (s.By - ay)) / square);
         if ((c > 0 && d > 0) || (c < 0 && d < 0)) return;

@@ -2,10 +2,10 @@ using System;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>How the corners of an offset curve take from the moved edges, and which edges vanish between two corners.</summary>
+/// <summary>How the corners of an offset curve shorten the moved edges, and which edges vanish between two corners.</summary>
 internal sealed class OffsetCorners
 {
-    // An edge that is trimmed to less than this (grid units) might be turned round by rounding.
+    // An edge that is trimmed to less than this (grid units) might be reversed by rounding.
     private const double ShortestTrimmed = 4;
 
     private double _d;
@@ -17,18 +17,18 @@ internal sealed class OffsetCorners
     private int[] _previous = new int[64];
     private int[] _next = new int[64];
 
-    /// <summary>Unit normals of the edges, to the right; edge i begins at vertex i.</summary>
+    /// <summary>Unit normals of the edges, to the right; edge i starts at vertex i.</summary>
     public double[] Nx { get; private set; } = new double[64];
 
     public double[] Ny { get; private set; } = new double[64];
 
     /// <summary>
-    /// What the corner at the start of an edge is: 0 a join, 1 a cut of the two moved edges that meet there, 2 the same but with edges dropped in between
+    /// Kind of the corner at the start of an edge: 0 a join, 1 a cut of the two moved edges that meet there, 2 the same but with edges dropped in between
     /// (<see cref="Crossing"/>), 3 back through the vertex.
     /// </summary>
     public byte[] Kind { get; private set; } = new byte[64];
 
-    /// <summary>The edge whose end is at the corner before an edge: the one before it or, where edges were dropped, an earlier one.</summary>
+    /// <summary>The edge whose end is at the corner before an edge: the previous one or, if edges were dropped, an earlier one.</summary>
     public int Previous(int edge) => _previous[edge];
 
     public bool Dropped(int edge) => Kind[edge] == 255;
@@ -37,7 +37,7 @@ internal sealed class OffsetCorners
     public (double X, double Y) Crossing(int edge) => (_x[edge], _y[edge]);
 
     /// <summary>
-    /// Computes all corners for a distance in grid units. Extension says by how much a join prolongs the moved edges, from the cross and dot products of the
+    /// Computes all corners for a distance in grid units. Extension gives how far a join extends the moved edges, from the cross and dot products of the
     /// normals.
     /// </summary>
     public void Compute(GridPoint[] path, double distance, Func<double, double, double> extension)
@@ -93,11 +93,12 @@ internal sealed class OffsetCorners
 
     private static bool Inward(byte kind) => kind is 1 or 2;
 
-    // Joins that prolong an edge make room only where the other end is a cut.
+    // Joins that extend an edge count only if the other end is a cut.
     private bool Fits(int edge, int next)
         => !(Inward(Kind[edge]) || Inward(Kind[next])) || _after[edge] + _before[next] + ShortestTrimmed <= _length[edge];
 
-    // An edge between two cuts that does not fit vanishes: its neighbors meet before it comes to the distance. This is the lower envelope of the moved lines.
+    // An edge between two cuts that does not fit vanishes: its neighbors meet before the offset distance is reached. This is the lower envelope of the moved
+    // lines.
     private void DropEdges(GridPoint[] path)
     {
         var n = path.Length;
@@ -117,7 +118,7 @@ internal sealed class OffsetCorners
             _next[previous] = next;
             _previous[next] = previous;
             alive--;
-            // The neighbors have lost some length; those before are looked at again.
+            // The neighbors have lost some length; earlier ones are checked again.
             i = previous < i ? previous : i + 1;
         }
     }
@@ -142,7 +143,7 @@ internal sealed class OffsetCorners
         return true;
     }
 
-    // What still does not fit goes back through the vertices; so do the edges that were dropped beside it.
+    // Edges that still do not fit go back through the vertices; so do the edges dropped next to them.
     private void GoBack(int n)
     {
         for (var i = 0; i < n; i++)

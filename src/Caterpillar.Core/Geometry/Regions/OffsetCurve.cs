@@ -4,8 +4,8 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// The raw offset curve of closed paths: every edge moved sideways and joined with the next one. Where neighbors overlap and are long enough they are cut at
-/// their crossing at once, else the curve goes back through the vertex; the area then has winding numbers ≤ 0 exactly where it is to vanish.
+/// The raw offset curve of closed paths: every edge moved sideways and joined with the next one. If neighbors overlap and are long enough they are cut at
+/// their crossing at once, else the curve goes back through the vertex; the winding numbers are then ≤ 0 exactly where the area has to vanish.
 /// </summary>
 internal sealed class OffsetCurve
 {
@@ -28,7 +28,7 @@ internal sealed class OffsetCurve
 
     public int Count { get; private set; }
 
-    /// <summary>What the next curves are built for: a distance, a longest miter (in distances) and an arc tolerance in grid units.</summary>
+    /// <summary>Parameters of the next curves: a distance, a miter limit (in distances) and an arc tolerance in grid units.</summary>
     public void Set(double distance, JoinStyle join, double miterLimit, double arcTolerance)
     {
         _d = distance;
@@ -60,7 +60,7 @@ internal sealed class OffsetCurve
 
     private bool Pointed(double dot) => dot > 0.9999 || dot >= (_join == JoinStyle.Miter ? _miterDot : _join == JoinStyle.Round ? _arcDot : 2);
 
-    // By how much a join prolongs both moved edges.
+    // By how much a join extends both moved edges.
     private double Extension(double cross, double dot)
     {
         if (Pointed(dot)) return Math.Abs(_d * cross) / (1 + dot);

@@ -3,7 +3,7 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Segments that meet at end points only, as a graph with the winding numbers of both operands on both sides of every edge. One ray per connected part
+/// Segments that meet at end points only, as a graph with the winding numbers of both operands on both sides of every edge. One ray per connected component
 /// gives the first winding number; the others follow by turning around the vertices, exactly.
 /// </summary>
 internal sealed class PlanarGraph
@@ -17,7 +17,7 @@ internal sealed class PlanarGraph
     public int Edges;
 
     /// <summary>
-    /// Around vertex v counter-clockwise from due west: Half[HalfStart[v]] up to HalfStart[v + 1]; a half-edge is 2·edge, + 1 when v is the head.
+    /// Around vertex v counterclockwise from due west: Half[HalfStart[v]] up to HalfStart[v + 1]; a half-edge is 2·edge, + 1 when v is the head.
     /// </summary>
     public int[] HalfStart = new int[257];
     public int[] Half = new int[512];
@@ -119,7 +119,7 @@ internal sealed class PlanarGraph
     private void SortAndMerge(int v)
     {
         int start = HalfStart[v], end = HalfStart[v + 1];
-        // The order of two has no meaning but at a vertex where a ray arrives; there it is sorted.
+        // The order of two does not matter except at a vertex where a ray arrives; there it is sorted.
         if (end - start > 2) _sorter.Sort(this, v, start, end);
         for (var i = start; i < end; i++)
         {
@@ -159,14 +159,14 @@ internal sealed class PlanarGraph
             _seen[v] = true;
             var position = HalfStart[v];
             while (Half[position] != (half ^ 1)) position++;
-            // Behind (counter-clockwise of) the half-edge that leads back lies what is left of it: right of the edge when it is its head.
+            // After (counterclockwise of) the half-edge that leads back is the area left of it: right of the edge if it is its head.
             var e = half >> 1;
             var forward = (half & 1) == 1;
             Turn(v, position + 1, _firstRight[e] + (forward ? _firstStep[e] : 0), _secondRight[e] + (forward ? _secondStep[e] : 0), ref depth);
         }
     }
 
-    // Goes once around a vertex from a half-edge, with the winding numbers of the place just clockwise of it.
+    // Goes once around a vertex from a half-edge, with the winding numbers of the area just clockwise of it.
     private void Turn(int v, int from, int first, int second, ref int depth)
     {
         int start = HalfStart[v], end = HalfStart[v + 1], count = end - start;

@@ -5,19 +5,19 @@ namespace Caterpillar.Geometry;
 
 public sealed partial class Region
 {
-    /// <summary>What lies in this region or the other.</summary>
+    /// <summary>The area in this region or the other.</summary>
     public Region Union(Region other) => Combine(other, InsideRule.Positive, 0, new RegionEngine());
 
-    /// <summary>What lies in both.</summary>
+    /// <summary>The area in both.</summary>
     public Region Intersect(Region other) => Combine(other, InsideRule.Intersection, 1, new RegionEngine());
 
-    /// <summary>What lies in this region and not in the other.</summary>
+    /// <summary>The area in this region and not in the other.</summary>
     public Region Subtract(Region other) => Combine(other, InsideRule.Difference, 1, new RegionEngine());
 
-    /// <summary>What lies in exactly one of the two.</summary>
+    /// <summary>The area in exactly one of the two.</summary>
     public Region Xor(Region other) => Combine(other, InsideRule.SymmetricDifference, 1, new RegionEngine());
 
-    /// <summary>What lies in any of the regions, in one go.</summary>
+    /// <summary>The area in any of the regions, in one pass.</summary>
     public static Region Union(IEnumerable<Region> regions)
     {
         if (regions is null) throw new ArgumentNullException(nameof(regions));
@@ -26,7 +26,7 @@ public sealed partial class Region
         return Own(engine.Run(InsideRule.Positive));
     }
 
-    /// <summary>What lies in all of the regions; empty for none.</summary>
+    /// <summary>The area in all of the regions; empty for none.</summary>
     public static Region Intersect(IEnumerable<Region> regions)
     {
         if (regions is null) throw new ArgumentNullException(nameof(regions));

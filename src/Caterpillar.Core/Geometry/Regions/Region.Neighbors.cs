@@ -44,7 +44,7 @@ public sealed partial class Region
         return new Region(paths);
     }
 
-    /// <summary>True when both have the same contours, vertex by vertex.</summary>
+    /// <summary>True if both have the same contours, vertex by vertex.</summary>
     internal bool SameAs(Region other)
     {
         if (ReferenceEquals(this, other)) return true;
@@ -62,7 +62,7 @@ public sealed partial class Region
     }
 
     /// <summary>
-    /// True when the other region lies inside this one and their boundaries do not meet. Where they do it is false, even if nothing of the other sticks out.
+    /// True if the other region lies inside this one and their boundaries do not meet. Where they do it is false, even if nothing of the other sticks out.
     /// </summary>
     internal bool Surrounds(Region other)
     {

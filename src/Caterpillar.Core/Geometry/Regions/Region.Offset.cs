@@ -6,19 +6,19 @@ namespace Caterpillar.Geometry;
 public sealed partial class Region
 {
     /// <summary>
-    /// All places within a distance of the region, or, for a negative distance, all places of the region that are farther than it from the boundary. Corners
-    /// that turn away from the offset get a join; the others are exact. Raw offset curve, then union by positive winding numbers (Chen and McMains, "Polygon
+    /// All points within a distance of the region, or, for a negative distance, all points of the region that are farther than that from the boundary. Corners
+    /// that are convex toward the offset get a join; the others are exact. Raw offset curve, then union by positive winding numbers (Chen and McMains, "Polygon
     /// offsetting by computing winding numbers", 2005).
     /// </summary>
     /// <param name="distance">mm; positive grows, negative shrinks.</param>
     /// <param name="join">The join at corners.</param>
-    /// <param name="miterLimit">Longest miter, in distances; at least 1. Longer ones are cut square.</param>
-    /// <param name="arcTolerance">How far, in mm, the chords of round joins may stay inside the arc; positive.</param>
+    /// <param name="miterLimit">Miter limit, in distances; at least 1. Longer ones are cut square.</param>
+    /// <param name="arcTolerance">Maximum deviation, in mm, of the chords of round joins from the arc; positive.</param>
     /// <exception cref="ArgumentException">A parameter is not a number or out of its range, or the result would leave the grid.</exception>
     public Region Offset(double distance, JoinStyle join = JoinStyle.Miter, double miterLimit = 2, double arcTolerance = 0.005)
         => Offset(distance, join, miterLimit, arcTolerance, new RegionEngine());
 
-    /// <summary>Shrunk and grown again with round joins: without what is narrower than two radii (mm).</summary>
+    /// <summary>Shrunk and grown again with round joins: without parts narrower than two radii (mm).</summary>
     /// <exception cref="ArgumentException">The radius is negative, not a number or too large.</exception>
     public Region Opened(double radius, double arcTolerance = 0.005) => ThereAndBack(radius, -1, arcTolerance);
 
@@ -27,14 +27,14 @@ public sealed partial class Region
     public Region Closed(double radius, double arcTolerance = 0.005) => ThereAndBack(radius, 1, arcTolerance);
 
     /// <summary>
-    /// All places within a distance of lines: what strokes of twice that width cover. Round joins and caps by default; with the others, ends are cut square at
-    /// the distance.
+    /// All points within a distance of lines: the area covered by strokes of twice that width. Round joins and caps by default; with the others, ends are cut
+    /// square at the distance.
     /// </summary>
     /// <param name="lines">Open or closed lines in mm; a closed one is a loop, not its inside.</param>
     /// <param name="distance">mm, half of the strokes' width; positive.</param>
     /// <param name="join">The join at corners.</param>
-    /// <param name="miterLimit">Longest miter, in distances; at least 1.</param>
-    /// <param name="arcTolerance">How far, in mm, the chords of round joins may stay inside the arc; positive.</param>
+    /// <param name="miterLimit">Miter limit, in distances; at least 1.</param>
+    /// <param name="arcTolerance">Maximum deviation, in mm, of the chords of round joins from the arc; positive.</param>
     /// <exception cref="ArgumentException">A parameter or a coordinate is not a number or out of its range, or the result would leave the grid.</exception>
     public static Region Around(IEnumerable<Polyline> lines, double distance, JoinStyle join = JoinStyle.Round, double miterLimit = 2,
         double arcTolerance = 0.005)
@@ -73,7 +73,7 @@ public sealed partial class Region
         {
             var box = GridBox.Of(path);
             var narrow = Math.Min((double)box.MaxX - box.MinX, (double)box.MaxY - box.MinY) <= 2 * Math.Abs(d);
-            // An outline narrower than two distances vanishes with all that is in it; so does a hole that is filled up.
+            // An outline narrower than two distances vanishes with its content; so does a hole that is filled.
             if (narrow && Grid.DoubleArea(path, 0, path.Length) > 0 == d < 0) continue;
             if (Reach(box) + curve.Reach > Grid.Limit) throw new ArgumentException("The offset would leave ±5368.709 mm.", nameof(distance));
             curve.Build(path);
@@ -119,7 +119,7 @@ public sealed partial class Region
         return path;
     }
 
-    // A line as a closed path of no area that runs along it on both sides. A lone point becomes the shortest line.
+    // A line as a closed path without area that runs along it on both sides. A lone point becomes the shortest line.
     private static GridPoint[] ThereAndBack(GridPoint[] points)
     {
         if (points.Length == 0) return points;

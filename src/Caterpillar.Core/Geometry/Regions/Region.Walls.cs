@@ -5,8 +5,8 @@ namespace Caterpillar.Geometry;
 public sealed partial class Region
 {
     /// <summary>
-    /// Shrunk by a distance, without what is then thinner than a width: where two walls of that width would overlap there is nothing. Shrinks by half a width
-    /// more and grows back, with mitered corners.
+    /// Shrunk by a distance, without parts that are then thinner than a width: where two walls of that width would overlap, nothing remains. Shrinks by half a
+    /// width more and grows back, with mitered corners.
     /// </summary>
     /// <param name="distance">mm; not negative.</param>
     /// <param name="thinnest">mm; not negative. With 0 this is a plain offset.</param>
@@ -14,7 +14,7 @@ public sealed partial class Region
     public Region Inset(double distance, double thinnest) => Inset(distance, thinnest, new RegionEngine());
 
     /// <summary>
-    /// The parts that are narrower than a width (mm): what walls of that width leave open. Corners sharper than 60° and rounding leave small remains: drop
+    /// The parts narrower than a width (mm), which walls of that width leave open. Corners sharper than 60° and rounding leave small remnants: drop
     /// them with <see cref="WithoutSmallContours"/>.
     /// </summary>
     /// <exception cref="ArgumentException">The width is negative, not a number or too large.</exception>
@@ -31,7 +31,7 @@ public sealed partial class Region
     internal Region NarrowerThan(double width, RegionEngine engine)
     {
         if (!(width >= 0)) throw new ArgumentException("The width must not be negative.", nameof(width));
-        // Grown back by a little more than it was shrunk, so that rounding leaves no film along the boundary.
+        // Grown back slightly more than it was shrunk, so that rounding leaves no sliver along the boundary.
         var wide = Offset(-width / 2, JoinStyle.Miter, 2, 0.005, engine).Offset(width / 2 + 5e-5, JoinStyle.Miter, 2, 0.005, engine);
         return Subtract(wide, engine);
     }

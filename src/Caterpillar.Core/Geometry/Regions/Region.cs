@@ -5,9 +5,9 @@ using System.Threading;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A flat area with holes, bounded by closed contours that do not cross: outers counter-clockwise, holes clockwise; they may touch at vertices.
-/// Coordinates are mm at this surface and integers of 10 nm inside, so all decisions are exact; |coordinate| ≤ 5368.709 mm. Z is ignored and
-/// comes back as 0. Immutable and safe for several threads.
+/// A flat area with holes, bounded by closed contours that do not cross: outers counterclockwise, holes clockwise; they may touch at vertices.
+/// Coordinates are mm in the interface and integers of 10 nm internally, so all decisions are exact; |coordinate| ≤ 5368.709 mm. Z is ignored and
+/// returned as 0. Immutable and thread-safe.
 /// </summary>
 public sealed partial class Region
 {
@@ -22,12 +22,12 @@ public sealed partial class Region
     public static Region Empty { get; } = new(Array.Empty<GridPoint[]>());
 
     /// <summary>
-    /// The area inside contours, each taken as closed. Crossings, overlaps, spikes and repeated points are resolved by the rule; vertices within some 15 nm of
-    /// another edge are put on it; contours of fewer than three points or without area give nothing.
+    /// The area inside contours, each taken as closed. Crossings, overlaps, spikes and repeated points are resolved by the rule; vertices within about 15 nm of
+    /// another edge are snapped to it; contours of fewer than three points or without area give nothing.
     /// </summary>
     /// <param name="contours">Contours in mm, in any order.</param>
     /// <param name="rule">Which winding numbers are inside.</param>
-    /// <param name="closeHoles">Leave all holes away: what remains are the outermost outlines, filled.</param>
+    /// <param name="closeHoles">Drop all holes: the outermost outlines remain, filled.</param>
     /// <exception cref="ArgumentException">A coordinate is not a number or beyond ±5368.709 mm.</exception>
     public static Region From(IEnumerable<Polyline> contours, FillRule rule = FillRule.NonZero, bool closeHoles = false)
     {
@@ -38,7 +38,7 @@ public sealed partial class Region
     internal static Region From(IEnumerable<Polyline> contours, FillRule rule, bool closeHoles, RegionEngine engine)
     {
         engine.Clear();
-        // Bodies that touch must not be parted by a slit that only the rounding of their vertices made.
+        // Bodies that touch must not be separated by a slit that only comes from the rounding of their vertices.
         engine.Arrangement.Reach = 3;
         foreach (var contour in contours)
         {
@@ -68,7 +68,7 @@ public sealed partial class Region
 
     public bool IsEmpty => _paths.Length == 0;
 
-    /// <summary>Area in mm², holes taken off.</summary>
+    /// <summary>Area in mm², without holes.</summary>
     public double Area
     {
         get
@@ -121,7 +121,7 @@ public sealed partial class Region
         }
     }
 
-    /// <summary>The contours in mm, closed, at Z 0: outers counter-clockwise, holes clockwise.</summary>
+    /// <summary>The contours in mm, closed, at Z 0: outers counterclockwise, holes clockwise.</summary>
     public IReadOnlyList<Polyline> Contours
     {
         get
@@ -133,10 +133,10 @@ public sealed partial class Region
         }
     }
 
-    /// <summary>True when the point (mm) lies inside or within 5 nm of the boundary.</summary>
+    /// <summary>True if the point (mm) lies inside or within 5 nm of the boundary.</summary>
     public bool Contains(double x, double y) => Index.Contains(x * Grid.PerMm, y * Grid.PerMm);
 
-    /// <summary>True when the whole straight line from a to b (mm) lies inside; the boundary is inside.</summary>
+    /// <summary>True if the whole straight line from a to b (mm) lies inside; the boundary is inside.</summary>
     /// <exception cref="ArgumentException">A coordinate is not a number or beyond ±5368.709 mm.</exception>
     public bool ContainsLine(Vec3 a, Vec3 b)
     {
@@ -145,7 +145,7 @@ public sealed partial class Region
         return !IsEmpty && new LineClipper(Index, outside: false).IsWhole(a, b);
     }
 
-    /// <summary>The same region moved by a whole number of grid steps next to (x, y) mm.</summary>
+    /// <summary>The same region moved by (x, y) mm, rounded to grid steps.</summary>
     /// <exception cref="ArgumentException">A distance is not a number, or the result would leave ±5368.709 mm.</exception>
     public Region Moved(double x, double y)
     {
@@ -170,7 +170,7 @@ public sealed partial class Region
     public Region WithoutSmallContours(double area)
     {
         if (!(area >= 0)) throw new ArgumentException("The area must not be negative.", nameof(area));
-        // What lies in a dropped contour is smaller still, so dropping contours one by one leaves a valid region.
+        // Contours inside a dropped one are even smaller, so dropping contours one by one leaves a valid region.
         return Own(Array.FindAll(_paths, path => Math.Abs((double)Grid.DoubleArea(path, 0, path.Length)) >= 2 * area * Grid.PerMm * Grid.PerMm));
     }
 
@@ -179,7 +179,7 @@ public sealed partial class Region
 
     internal RegionIndex Index => _index ?? Interlocked.CompareExchange(ref _index, new RegionIndex(_paths), null) ?? _index!;
 
-    /// <summary>Takes valid paths over without a check.</summary>
+    /// <summary>Takes ownership of valid paths without a check.</summary>
     internal static Region Own(GridPoint[][] paths) => paths.Length == 0 ? Empty : new Region(paths);
 
     internal static GridPoint[] ToGrid(Vec3[] points, string parameter)

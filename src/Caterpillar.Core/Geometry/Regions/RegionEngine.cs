@@ -3,8 +3,8 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// The clipper: contours in, rings of what is inside out. It cuts the contours at their crossings, takes winding numbers and follows the boundary. Where
-/// nothing crosses or touches, whole contours are kept or dropped. Holds its arrays for the next call; one thread at a time.
+/// The clipper: takes contours and gives the rings of the inside. It cuts the contours at their crossings, computes winding numbers and follows the boundary.
+/// If nothing crosses or touches, complete contours are kept or dropped. Keeps its arrays for the next call; one thread at a time.
 /// </summary>
 internal sealed class RegionEngine
 {
@@ -25,7 +25,7 @@ internal sealed class RegionEngine
         foreach (var path in paths) Arrangement.Add(path, 0, path.Length, operand);
     }
 
-    /// <summary>The rings of the inside: outers counter-clockwise, holes clockwise, each simple, none crossing.</summary>
+    /// <summary>The rings of the inside: outers counterclockwise, holes clockwise, each simple, none crossing.</summary>
     public GridPoint[][] Run(InsideRule rule)
     {
         _rings.Clear();
@@ -37,13 +37,13 @@ internal sealed class RegionEngine
         }
         else
         {
-            for (var c = 0; c < Arrangement.Contours; c++) Whole(c, rule);
+            for (var c = 0; c < Arrangement.Contours; c++) Isolated(c, rule);
         }
         return _rings.ToArray();
     }
 
     /// <summary>
-    /// The same, but where nothing crosses or touches it gives the numbers of the contours that bound the inside (by their order of adding), each with whether
+    /// The same, but if nothing crosses or touches it gives the indices of the contours that bound the inside (in the order they were added), each with whether
     /// its direction is kept, and no rings.
     /// </summary>
     public GridPoint[][] Run(InsideRule rule, List<(int Contour, bool Forward)> kept)
@@ -55,11 +55,11 @@ internal sealed class RegionEngine
     }
 
     // A contour that touches nothing, not even itself.
-    private void Whole(int c, InsideRule rule)
+    private void Isolated(int c, InsideRule rule)
     {
         int start = Arrangement.ContourStart[c], end = Arrangement.ContourStart[c + 1];
         var segments = Arrangement.Segments;
-        // At the leftmost (then lowest) vertex the place just left of it is outside of the contour, and the contour does turn.
+        // The point just left of the leftmost (then lowest) vertex is outside of the contour, and the contour turns there.
         var leftmost = start;
         for (var i = start + 1; i < end; i++)
         {

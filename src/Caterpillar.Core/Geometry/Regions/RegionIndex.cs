@@ -2,7 +2,7 @@ using System;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>The segments of a region in a box tree, for questions about places and lines. Immutable after construction.</summary>
+/// <summary>The segments of a region in a box tree, for queries of points and lines. Immutable after construction.</summary>
 internal sealed class RegionIndex
 {
     public readonly Segment[] Segments;

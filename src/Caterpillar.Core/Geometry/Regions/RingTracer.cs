@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Follows the boundary of what is inside through a graph and gives simple rings with the inside on their left. At vertices where several rings meet it keeps
-/// to the same piece of the inside; a ring that comes back to a vertex is cut there.
+/// Follows the boundary of the inside through a graph and gives simple rings with the inside on their left. At vertices where several rings meet it keeps
+/// to the same piece of the inside; a ring that returns to a vertex is cut there.
 /// </summary>
 internal sealed class RingTracer
 {
@@ -54,11 +54,11 @@ internal sealed class RingTracer
             _side[half >> 1] = 0;
             half = Next(graph, half);
         }
-        // The walk ends where it began: what is left is the last ring.
+        // The walk ends where it started: the rest is the last ring.
         Close(graph, 0, count, rings);
     }
 
-    // The first boundary half-edge clockwise of the way back that leaves with the inside on its left; -1 at the end.
+    // The first boundary half-edge clockwise of the reverse half-edge that leaves with the inside on its left; -1 at the end.
     private int Next(PlanarGraph graph, int half)
     {
         var v = graph.Other(half);

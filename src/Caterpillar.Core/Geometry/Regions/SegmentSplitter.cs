@@ -2,7 +2,7 @@ using System;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Collects the points at which segments are to be cut, and cuts them all at once in the order along each segment.</summary>
+/// <summary>Collects the points at which segments have to be cut, and cuts them all at once in the order along each segment.</summary>
 internal sealed class SegmentSplitter
 {
     private int[] _head = new int[256];
@@ -24,7 +24,7 @@ internal sealed class SegmentSplitter
 
     public GridPoint Point(int k) => _points[k];
 
-    /// <summary>Cut a segment at a point in its box; at its end points there is nothing to cut (false).</summary>
+    /// <summary>Cuts a segment at a point in its box; false at its end points, where there is nothing to cut.</summary>
     public bool Add(int segment, int x, int y, in Segment s)
     {
         if ((x == s.Ax && y == s.Ay) || (x == s.Bx && y == s.By)) return false;

@@ -6,7 +6,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Follows the commands of a header or footer and keeps what they say of the machine.</summary>
+/// <summary>Follows the commands of a header or footer and collects what they state about the machine.</summary>
 internal sealed class HeaderFacts
 {
     private static readonly Regex Size = new(
@@ -24,31 +24,31 @@ internal sealed class HeaderFacts
 
     public bool Inches { get; private set; }
 
-    /// <summary>Moves come before the first G90 or G91: they mean what was set before.</summary>
+    /// <summary>There are moves before the first G90 or G91: they depend on the mode set before.</summary>
     public bool NeedsMode { get; private set; }
 
-    /// <summary>E comes before the first M82 or M83.</summary>
+    /// <summary>There is E before the first M82 or M83.</summary>
     public bool NeedsModeE { get; private set; }
 
-    /// <summary>The last temperature above 0 that is set in numbers, °C.</summary>
+    /// <summary>The last temperature above 0 that is set as a number, °C.</summary>
     public double? NozzleTemperature { get; private set; }
 
     public double? BedTemperature { get; private set; }
 
-    /// <summary>Smallest temperature for extrusion by M302, °C.</summary>
+    /// <summary>Minimum temperature for extrusion by M302, °C.</summary>
     public double? MinExtrusionTemperature { get; private set; }
 
-    /// <summary>Size of the machine in a comment; Z is 0 where only X and Y stand there.</summary>
+    /// <summary>Size of the machine in a comment; Z is 0 if only X and Y are given.</summary>
     public Vec3? SizeInComment { get; private set; }
 
-    /// <summary>Places in absolute numbers.</summary>
+    /// <summary>Bounds of absolute positions.</summary>
     public Bounds Seen { get; private set; } = Bounds.Empty;
 
     public int LastTool { get; private set; }
 
     public bool IsPrusa { get; private set; }
 
-    /// <summary>Where the nozzle is in the end, or null where that is not known.</summary>
+    /// <summary>Final position of the nozzle, or null if unknown.</summary>
     public Vec3? Position => _position[0] is { } x && _position[1] is { } y && _position[2] is { } z && Moved
         && new Vec3(x, y, z) is { IsFinite: true } p ? p : null;
 
@@ -97,7 +97,7 @@ internal sealed class HeaderFacts
         }
     }
 
-    /// <summary>The temperature above 0 that a line sets in numbers.</summary>
+    /// <summary>The temperature above 0 that a line sets as a number.</summary>
     public static double? TemperatureOf(HeaderLine line)
         => line['S'] is > 0 and <= 2000 and var set ? set : line['R'] is > 0 and <= 2000 and var reach ? reach : null;
 

@@ -8,27 +8,27 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// Makes a printer of the header and footer files of ExtruderTurtle: G-code before and behind a print, with fixed numbers or with <c>{x}</c>, <c>{y}</c>,
+/// Makes a printer from the header and footer files of ExtruderTurtle: G-code before and after a print, with fixed numbers or with <c>{x}</c>, <c>{y}</c>,
 /// <c>{z}</c>, <c>{feedrate}</c>,
 /// <c>{hotend_temp}</c> and <c>{bed_temp}</c>. The lines become templates; temperatures come from the material, and the mode of E, the size of the bed and the
-/// place of the nozzle are taken from what the lines say. Files of other programs of this kind work too.
+/// position of the nozzle are taken from the lines. Similar files of other programs work too.
 /// </summary>
 public static class HeaderImport
 {
-    // What ExtruderTurtle fills in where a program does not say (setup).
+    // What ExtruderTurtle fills in by default (setup).
     private const double DefaultNozzle = 205, DefaultBed = 60;
 
     /// <summary>Imports the text of two files.</summary>
     /// <param name="header">Lines before the print.</param>
-    /// <param name="footer">Lines behind it; may be empty.</param>
+    /// <param name="footer">Lines after it; may be empty.</param>
     /// <param name="name">Name of the new profiles.</param>
-    /// <param name="like">A similar printer for all that the files do not tell, such as nozzle, speeds and head; the generic one where null.</param>
+    /// <param name="like">A similar printer for everything that the files do not state, such as nozzle, speeds and head; the generic one if null.</param>
     /// <param name="headerFile">Name of the header in messages.</param>
     /// <param name="footerFile">Name of the footer in messages.</param>
     /// <returns>
-    /// The printer; none with an error where the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>,
+    /// The printer; none with an error if the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>,
     /// <c>header.no_command</c>,
-    /// <c>header.merge_conflict</c>, <c>header.unknown_name</c>) with their place and stay as comments; remarks say what was guessed.
+    /// <c>header.merge_conflict</c>, <c>header.unknown_name</c>) with their location and stay as comments; remarks state what was guessed.
     /// </returns>
     public static Result<ImportedPrinter> Read(
         string header, string footer, string name = "imported", Printer? like = null, string headerFile = "header", string footerFile = "footer")
@@ -67,16 +67,17 @@ public static class HeaderImport
         if (nozzle <= 0)
         {
             if (like is null) printer = printer with { DefaultMaterial = "clay", DefaultSettings = "clay", MaxFlow = 0 };
-            problems.Add(Severity.Remark, "header.cold", "The header heats no nozzle: material is extruded cold, as clay is.", new SourceLocation(headerFile));
+            problems.Add(Severity.Remark, "header.cold", "The header does not heat the nozzle: material is extruded cold, like clay.",
+                new SourceLocation(headerFile));
         }
-        if (facts.RelativeE is null) problems.Add(Severity.Remark, "header.e_mode", "The header says neither M82 nor M83: E is written in increments (M83).",
+        if (facts.RelativeE is null) problems.Add(Severity.Remark, "header.e_mode", "The header has neither M82 nor M83: E is written as relative (M83).",
             new SourceLocation(headerFile));
         var material = new Material { Name = name, Title = name, NozzleTemperature = Math.Min(nozzle, 2000), BedTemperature = Math.Min(bed, 500) };
         return new Result<ImportedPrinter>(new ImportedPrinter(printer, material, facts.Position), problems.ToList());
     }
 
-    // A size in a comment; else twice the place where the print starts, since that is the middle; else what the similar printer has. Never less than the places
-    // of the header.
+    // A size in a comment; else twice the position where the print starts, since that is the middle; else that of the similar printer. Never less than the
+    // positions of the header.
     private static (Vec3 Volume, BedOrigin Origin) Bed(HeaderFacts facts, Printer like, string file, DiagnosticList problems)
     {
         var place = new SourceLocation(file);
@@ -84,17 +85,17 @@ public static class HeaderImport
         var centered = seen.Min.X < -20 || seen.Min.Y < -20;
         var origin = facts.SizeInComment is null && facts.Position is null && !centered ? like.Origin : centered ? BedOrigin.Center : BedOrigin.Corner;
         double x = like.BuildVolume.X, y = like.BuildVolume.Y, z = like.BuildVolume.Z;
-        var why = "";
+        var reason = "";
         if (facts.SizeInComment is { } size)
         {
             (x, y) = (size.X, size.Y);
             if (size.Z > 0) z = size.Z;
-            why = "from a comment";
+            reason = "from a comment";
         }
         else if (origin == BedOrigin.Corner && facts.Position is { X: >= 20, Y: >= 20 } start)
         {
             (x, y) = (2 * start.X, 2 * start.Y);
-            why = "twice the place where the header ends";
+            reason = "twice the position where the header ends";
         }
         var needs = origin == BedOrigin.Center
             ? new Vec3(2 * Math.Max(-seen.Min.X, seen.Max.X), 2 * Math.Max(-seen.Min.Y, seen.Max.Y), seen.Max.Z)
@@ -102,12 +103,12 @@ public static class HeaderImport
         if (needs.X > x || needs.Y > y || needs.Z > z)
         {
             (x, y, z) = (Math.Max(x, needs.X), Math.Max(y, needs.Y), Math.Max(z, needs.Z));
-            why = "as far as the header goes";
+            reason = "the range of the header's moves";
         }
         var volume = new Vec3(Fit(x), Fit(y), Fit(z));
-        problems.Add(Severity.Remark, "header.bed", why.Length == 0
-            ? $"The header says nothing of the machine's size: {Text(volume)} is that of the similar printer."
-            : $"The machine's size is {Text(volume)}, {why}; the height and what is not said are those of the similar printer.", place);
+        problems.Add(Severity.Remark, "header.bed", reason.Length == 0
+            ? $"The header does not state the machine's size: {Text(volume)} is that of the similar printer."
+            : $"The machine's size is {Text(volume)}, {reason}; the height and everything not stated are those of the similar printer.", place);
         return (volume, origin);
     }
 

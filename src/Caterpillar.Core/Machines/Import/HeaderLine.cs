@@ -4,16 +4,16 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>A word of a line: its letter, its value (NaN where it has none or a name in braces) and where the value stands in the line.</summary>
+/// <summary>A word of a line: its letter, its value (NaN if it has none or a name in braces) and the position of the value in the line.</summary>
 internal readonly record struct HeaderWord(char Letter, double Value, int From, int To)
 {
     public bool HasValue => To > From;
 }
 
-/// <summary>A line of a header or footer, cut into words.</summary>
+/// <summary>A line of a header or footer, split into words.</summary>
 internal sealed class HeaderLine
 {
-    // Behind these comes text or a file name, not words.
+    // These are followed by text or a file name, not words.
     private static readonly string[] TextCommands = ["M117", "M118", "M23", "M28", "M30", "M32", "M928"];
 
     private readonly List<HeaderWord> _words = [];
@@ -22,17 +22,17 @@ internal sealed class HeaderLine
 
     public string Text { get; }
 
-    /// <summary>The command as in <c>G1</c> or <c>M104</c>; empty for blank lines and comments and for macros of the firmware.</summary>
+    /// <summary>The command as in <c>G1</c> or <c>M104</c>; empty for empty lines, comments and macros of the firmware.</summary>
     public string Command { get; private set; } = "";
 
-    /// <summary>The words behind the command.</summary>
+    /// <summary>The words after the command.</summary>
     public IReadOnlyList<HeaderWord> Words => _words;
 
-    /// <summary>What stands behind <c>;</c> or in parentheses.</summary>
+    /// <summary>The text after <c>;</c> or in parentheses.</summary>
     public string Comment { get; private set; } = "";
 
-    /// <summary>Code and message of a mistake, and the column from 1.</summary>
-    public (string Code, string Message, int Column)? Mistake { get; private set; }
+    /// <summary>Code and message of an error, and its column from 1.</summary>
+    public (string Code, string Message, int Column)? Error { get; private set; }
 
     public bool IsCommand(params string[] commands) => Array.IndexOf(commands, Command) >= 0;
 
@@ -65,7 +65,7 @@ internal sealed class HeaderLine
             if (c == '*' && _words.Count > 0) return;
             if (c is < 'A' or > 'Z')
             {
-                Bad(from, $"\"{Token(from)}\" has no letter in front.");
+                Bad(from, $"\"{Token(from)}\" has no letter before it.");
                 return;
             }
             if (Command.Length == 0 && _words.Count == 0 && at + 1 < Text.Length && (Upper(Text[at + 1]) is >= 'A' and <= 'Z' or '_'))
@@ -76,7 +76,7 @@ internal sealed class HeaderLine
                 if (c == 'N' && word.HasValue) continue;
                 if (c is not ('G' or 'M' or 'T' or 'D'))
                 {
-                    Mistake = ("header.no_command", $"\"{Text.Trim()}\" has no command in front, as in G1 {Text.Trim()}.", from + 1);
+                    Error = ("header.no_command", $"\"{Text.Trim()}\" has no command before it, as in G1 {Text.Trim()}.", from + 1);
                     return;
                 }
                 Command = c + (double.IsNaN(word.Value) ? "" : NumberFormatter.Format(word.Value, 3));
@@ -134,7 +134,7 @@ internal sealed class HeaderLine
         return false;
     }
 
-    private void Bad(int at, string message) => Mistake = ("header.bad_word", message, at + 1);
+    private void Bad(int at, string message) => Error = ("header.bad_word", message, at + 1);
 
     private string Token(int from)
     {

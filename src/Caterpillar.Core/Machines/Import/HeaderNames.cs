@@ -5,7 +5,7 @@ using System.Text;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// The names in braces that ExtruderTurtle fills into its headers (<c>setup</c>, written with Python's <c>str.format</c>), and what takes their place in
+/// The names in braces that ExtruderTurtle fills into its headers (<c>setup</c>, written with Python's <c>str.format</c>), and what replaces them in
 /// templates.
 /// </summary>
 internal static class HeaderNames
@@ -44,7 +44,7 @@ internal static class HeaderNames
             }
             var end = c == '{' ? text.IndexOf('}', at) : -1;
             var inside = end < 0 ? "" : text.Substring(at + 1, end - at - 1);
-            // A format such as {x:.2f} or {x!r} is Python's; templates write numbers in their own way.
+            // A format such as {x:.2f} or {x!r} is Python's; templates format numbers themselves.
             var name = inside.Split([':', '!'], 2)[0].Trim();
             var known = Array.Find(Names, n => n.Name == name);
             if (known.Name is null)

@@ -9,7 +9,7 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
 {
     private readonly List<string> _lines = [];
 
-    /// <summary>Names in braces that were found.</summary>
+    /// <summary>The names in braces that were found.</summary>
     public List<string> Used { get; } = [];
 
     public ValueList<string> Start(HeaderFacts facts)
@@ -23,12 +23,12 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
         return new ValueList<string>(_lines);
     }
 
-    /// <summary>The footer; modes that it takes from the header are stated first, and lifts end below the top of the machine.</summary>
+    /// <summary>The footer; modes that it relies on from the header are stated first, and lifts end below the top of the machine.</summary>
     public ValueList<string> End(HeaderFacts before)
     {
         var relative = before.Relative == true;
-        if (header.Facts.NeedsMode) _lines.Add(relative ? "G91 ; as the header leaves it" : "G90 ; as the header leaves it");
-        if (header.Facts.NeedsModeE) _lines.Add(before.RelativeE == false ? "M82 ; as the header leaves it" : "M83 ; as the header leaves it");
+        if (header.Facts.NeedsMode) _lines.Add(relative ? "G91 ; as set by the header" : "G90 ; as set by the header");
+        if (header.Facts.NeedsModeE) _lines.Add(before.RelativeE == false ? "M82 ; as set by the header" : "M83 ; as set by the header");
         foreach (var line in header.Lines)
         {
             if (line.IsCommand("G90", "G91")) relative = line.Command == "G91";
@@ -47,13 +47,13 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
         if (unknown.Count > 0)
         {
             problems.Add(Severity.Warning, "header.unknown_name",
-                $"{unknown[0].Name} is none of {{x}}, {{y}}, {{z}}, {{feedrate}}, {{hotend_temp}} and {{bed_temp}}; it stays as it is.",
+                $"{unknown[0].Name} is not one of {{x}}, {{y}}, {{z}}, {{feedrate}}, {{hotend_temp}} and {{bed_temp}}; it stays as it is.",
                 new SourceLocation(file, null, unknown[0].Column));
         }
         return converted;
     }
 
-    // The temperature comes from the material, and a material without one leaves the line out.
+    // The temperature comes from the material, and the line is omitted for a material without one.
     private void Heat(HeaderLine line, double? own, string condition, string value)
     {
         var temperature = HeaderFacts.TemperatureOf(line);
@@ -88,7 +88,7 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
         _lines.Add(Convert(line.Text.Substring(0, word.From)) + "{max(0, min(" + rise + ", bed_max_z_mm - print_max_z_mm - 5))}"
             + Convert(line.Text.Substring(word.To)));
         problems.Add(Severity.Remark, "header.lift",
-            $"The footer raises the head by {rise} mm from wherever it is; in the template that ends 5 mm below the top of the machine.",
+            $"The footer raises the head by {rise} mm from where it is; in the template the lift ends 5 mm below the top of the machine.",
             new SourceLocation(file));
     }
 }

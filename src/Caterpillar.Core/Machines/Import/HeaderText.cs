@@ -4,7 +4,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>A header or footer: its good lines, what they say, and its mistakes.</summary>
+/// <summary>A header or footer: its valid lines, what they state, and its errors.</summary>
 internal sealed class HeaderText
 {
     private readonly List<HeaderLine> _lines = [];
@@ -19,7 +19,7 @@ internal sealed class HeaderText
 
     public HeaderFacts Facts { get; } = new();
 
-    /// <summary>The lines that count. Lines with mistakes are kept as comments; those of the other side of a merge are not here.</summary>
+    /// <summary>The lines in use. Invalid lines are kept as comments; the other side of a merge conflict is dropped.</summary>
     public IReadOnlyList<HeaderLine> Lines => _lines;
 
     public static HeaderText Read(string text, string file, DiagnosticList problems)
@@ -33,7 +33,7 @@ internal sealed class HeaderText
 
     private void Read(string[] texts)
     {
-        // Of two sides of an unfinished merge the first counts.
+        // The first side of a merge conflict counts.
         var side = 0;
         var count = texts.Length;
         while (count > 0 && texts[count - 1].Trim().Length == 0) count--;
@@ -44,14 +44,14 @@ internal sealed class HeaderText
             {
                 side = text[0] switch { '<' => 1, '=' => 2, _ => 0 };
                 _problems.Add(Severity.Warning, "header.merge_conflict",
-                    "The file has markers of an unfinished merge; of each pair of versions the first is taken.", Place(i + 1));
+                    "The file has merge conflict markers; the first version of each conflict is used.", Place(i + 1));
                 continue;
             }
             if (side == 2) continue;
             var line = HeaderLine.Read(text);
-            if (line.Mistake is { } mistake)
+            if (line.Error is { } error)
             {
-                _problems.Add(Severity.Warning, mistake.Code, mistake.Message + " The line is left as a comment.", Place(i + 1, mistake.Column));
+                _problems.Add(Severity.Warning, error.Code, error.Message + " The line is kept as a comment.", Place(i + 1, error.Column));
                 line = HeaderLine.Read("; invalid: " + text.Trim());
             }
             Facts.Follow(line);

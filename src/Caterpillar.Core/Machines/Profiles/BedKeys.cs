@@ -6,7 +6,7 @@ namespace Caterpillar.Machines;
 /// <summary>Keys of print settings: what is printed around and below a part.</summary>
 internal static class BedKeys
 {
-    public static readonly ProfileKey<PrintSettings, int> SkirtLoops = K.Whole(
+    public static readonly ProfileKey<PrintSettings, int> SkirtLoops = K.Integer(
         "skirt_loops", 0, 1000, s => s.SkirtLoops, (s, v) => s with { SkirtLoops = v },
         "Loops around the first layer; 0 for none.");
 
@@ -27,7 +27,7 @@ internal static class BedKeys
         "brim_gap_mm", 0, 1000, s => s.BrimGap, (s, v) => s with { BrimGap = v },
         "Distance of the brim from the part.");
 
-    public static readonly ProfileKey<PrintSettings, int> RaftLayers = K.Whole(
+    public static readonly ProfileKey<PrintSettings, int> RaftLayers = K.Integer(
         "raft_layers", 0, 1000, s => s.RaftLayers, (s, v) => s with { RaftLayers = v },
         "Layers of a raft below the part; 0 for none.");
 

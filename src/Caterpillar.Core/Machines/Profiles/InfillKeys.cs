@@ -35,11 +35,11 @@ internal static class InfillKeys
         "infill_formula", new FormulaFormat(FormulaVariables), s => s.InfillFormula, (s, v) => s with { InfillFormula = v },
         "For the pattern formula: the strands run where this formula in x, y, z (mm), layer, spacing and width is zero.");
 
-    public static readonly ProfileKey<PrintSettings, int> InfillEvery = K.Whole(
+    public static readonly ProfileKey<PrintSettings, int> InfillEvery = K.Integer(
         "infill_every_layers", 1, 1000, s => s.InfillEvery, (s, v) => s with { InfillEvery = v },
         "The infill of so many layers is printed at once, as thick as all of them.");
 
-    public static readonly ProfileKey<PrintSettings, bool> InfillFirst = K.Flag(
+    public static readonly ProfileKey<PrintSettings, bool> InfillFirst = K.Boolean(
         "infill_before_walls", s => s.InfillFirst, (s, v) => s with { InfillFirst = v },
         "The infill of an island is printed before its walls.");
 

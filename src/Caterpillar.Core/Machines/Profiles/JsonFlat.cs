@@ -6,10 +6,10 @@ using Newtonsoft.Json;
 
 namespace Caterpillar.Machines;
 
-/// <summary>A key of a JSON object with its value and its place.</summary>
+/// <summary>A key of a JSON object with its value and its position.</summary>
 internal sealed record JsonEntry(string Key, object? Value, int Line, int Column);
 
-/// <summary>Reads a JSON object with scalars and lists; numbers by our own reader, so that they are the same everywhere.</summary>
+/// <summary>Reads a JSON object with scalars and lists; numbers by <see cref="NumberReader"/>, so that they are the same everywhere.</summary>
 internal static class JsonFlat
 {
     /// <summary>The keys in their order, or null and an error.</summary>
@@ -21,7 +21,7 @@ internal static class JsonFlat
         {
             if (!Next(reader) || reader.TokenType != JsonToken.StartObject)
             {
-                diagnostics.Add(Error("profile.no_object", "A profile is a JSON object: { \"key\": value, … }.", file, reader));
+                diagnostics.Add(Error("profile.no_object", "A profile must be a JSON object: { \"key\": value, … }.", file, reader));
                 return null;
             }
             var entries = new List<JsonEntry>();
@@ -35,7 +35,7 @@ internal static class JsonFlat
             }
             if (reader.TokenType != JsonToken.EndObject) throw new JsonReaderException("The object is not closed.", reader.Path, reader.LineNumber,
                 reader.LinePosition, null);
-            if (Next(reader)) throw new JsonReaderException("There is text behind the object.", reader.Path, reader.LineNumber, reader.LinePosition, null);
+            if (Next(reader)) throw new JsonReaderException("There is text after the object.", reader.Path, reader.LineNumber, reader.LinePosition, null);
             return entries;
         }
         catch (JsonReaderException bad)
@@ -95,7 +95,7 @@ internal static class JsonFlat
     private static Diagnostic Error(string code, string message, string file, JsonTextReader reader)
         => new(Severity.Error, code, message, new SourceLocation(file, Math.Max(reader.LineNumber, 1), reader.LinePosition));
 
-    // Newtonsoft appends the path and the place, which the source of the diagnostic has already.
+    // Newtonsoft appends the path and the position, which the source of the diagnostic already has.
     private static string Sentence(string message)
     {
         var at = message.IndexOf(" Path '", StringComparison.Ordinal);

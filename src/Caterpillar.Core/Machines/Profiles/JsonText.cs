@@ -1,10 +1,11 @@
+using Caterpillar.Basics;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Text;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Writes raw values as JSON text: numbers by our own formatter, an entry a line in objects, lists of numbers in one line.</summary>
+/// <summary>Writes raw values as JSON text: numbers by <see cref="NumberFormatter"/>, one entry per line in objects, lists of numbers on one line.</summary>
 internal static class JsonText
 {
     public static string Object(IEnumerable<KeyValuePair<string, object>> entries)

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Caterpillar.Machines;
 
-/// <summary>What to say about a key that does not exist.</summary>
+/// <summary>Advice on a key that does not exist.</summary>
 internal static class KeyAdvice
 {
     // Longest first: the unit of a key is the longest of these that it ends in.

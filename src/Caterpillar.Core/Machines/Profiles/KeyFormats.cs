@@ -9,9 +9,9 @@ internal sealed class NumberFormat(double min, double max) : KeyFormat<double>
 {
     public override KeyKind Kind => KeyKind.Number;
 
-    public override string Wanted => "a number";
+    public override string Expected => "a number";
 
-    public override string Room => RawValues.Range(min, max);
+    public override string Range => RawValues.Range(min, max);
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "number"), new("minimum", min), new("maximum", max)];
 
@@ -26,18 +26,18 @@ internal sealed class NumberFormat(double min, double max) : KeyFormat<double>
     public override object Write(double value) => value;
 
     public override string? Problem(double value)
-        => value >= min && value <= max ? null : "must be " + Room + (double.IsNaN(value) ? "" : ", not " + Shown(value));
+        => value >= min && value <= max ? null : "must be " + Range + (double.IsNaN(value) ? "" : ", not " + Shown(value));
 
     private static string Shown(double value) => double.IsInfinity(value) ? "infinite" : RawValues.Number(value);
 }
 
 internal sealed class IntegerFormat(int min, int max) : KeyFormat<int>
 {
-    public override KeyKind Kind => KeyKind.Whole;
+    public override KeyKind Kind => KeyKind.Integer;
 
-    public override string Wanted => "a whole number";
+    public override string Expected => "an integer";
 
-    public override string Room => RawValues.Range(min, max);
+    public override string Range => RawValues.Range(min, max);
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "integer"), new("minimum", (double)min), new("maximum", (double)max)];
 
@@ -52,16 +52,16 @@ internal sealed class IntegerFormat(int min, int max) : KeyFormat<int>
 
     public override object Write(int value) => (double)value;
 
-    public override string? Problem(int value) => value >= min && value <= max ? null : "must be " + Room + ", not " + NumberFormatter.Format(value);
+    public override string? Problem(int value) => value >= min && value <= max ? null : "must be " + Range + ", not " + NumberFormatter.Format(value);
 }
 
 internal sealed class BooleanFormat : KeyFormat<bool>
 {
-    public override KeyKind Kind => KeyKind.Flag;
+    public override KeyKind Kind => KeyKind.Boolean;
 
-    public override string Wanted => "true or false";
+    public override string Expected => "true or false";
 
-    public override string Room => Wanted;
+    public override string Range => Expected;
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "boolean")];
 
@@ -87,9 +87,9 @@ internal sealed class TextFormat : KeyFormat<string>
 {
     public override KeyKind Kind => KeyKind.Text;
 
-    public override string Wanted => "a text";
+    public override string Expected => "text";
 
-    public override string Room => "text in one line";
+    public override string Range => "text on one line";
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "string"), new("minLength", 1.0)];
 
@@ -104,7 +104,7 @@ internal sealed class TextFormat : KeyFormat<string>
     public override object Write(string value) => value;
 
     public override string? Problem(string value)
-        => value.Length == 0 ? "must not be empty" : value.IndexOfAny(['\n', '\r']) >= 0 ? "must be in one line" : null;
+        => value.Length == 0 ? "must not be empty" : value.IndexOfAny(['\n', '\r']) >= 0 ? "must be on one line" : null;
 }
 
 /// <summary>Lines of a template.</summary>
@@ -112,9 +112,9 @@ internal sealed class LinesFormat : KeyFormat<ValueList<string>>
 {
     public override KeyKind Kind => KeyKind.Lines;
 
-    public override string Wanted => "a list of lines";
+    public override string Expected => "a list of lines";
 
-    public override string Room => "a list of lines of text";
+    public override string Range => "a list of lines of text";
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema
         => [new("type", "array"), new("items", new KeyValuePair<string, object>[] { new("type", "string") })];
@@ -143,9 +143,9 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
 {
     public override KeyKind Kind => KeyKind.Choice;
 
-    public override string Wanted => Room;
+    public override string Expected => Range;
 
-    public override string Room => choices.Length == 1
+    public override string Range => choices.Length == 1
         ? choices[0].Word
         : string.Join(", ", choices.Take(choices.Length - 1).Select(c => c.Word)) + " or " + choices[choices.Length - 1].Word;
 
@@ -175,18 +175,18 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
     }
 
     public override string? Problem(TValue value)
-        => choices.Any(c => EqualityComparer<TValue>.Default.Equals(c.Value, value)) ? null : "must be " + Room;
+        => choices.Any(c => EqualityComparer<TValue>.Default.Equals(c.Value, value)) ? null : "must be " + Range;
 }
 
-/// <summary>A value made of a list of numbers of one length.</summary>
+/// <summary>A value made of a list of numbers of fixed length.</summary>
 internal sealed class NumbersFormat<TValue>(string[] parts, double min, double max, Func<double[], TValue> make, Func<TValue, double[]> take)
     : KeyFormat<TValue>
 {
     public override KeyKind Kind => KeyKind.Numbers;
 
-    public override string Wanted => $"a list of {parts.Length} numbers [{string.Join(", ", parts)}]";
+    public override string Expected => $"a list of {parts.Length} numbers [{string.Join(", ", parts)}]";
 
-    public override string Room => "[" + string.Join(", ", parts) + "], each " + RawValues.Range(min, max);
+    public override string Range => "[" + string.Join(", ", parts) + "], each " + RawValues.Range(min, max);
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => ListSchema(parts.Length, min, max);
 
@@ -222,9 +222,9 @@ internal sealed class RowsFormat<TItem>(
 {
     public override KeyKind Kind => KeyKind.Rows;
 
-    public override string Wanted => $"a list of lists [{string.Join(", ", parts)}]";
+    public override string Expected => $"a list of lists [{string.Join(", ", parts)}]";
 
-    public override string Room => $"{NumberFormatter.Format(minCount)} to {NumberFormatter.Format(maxCount)} lists [{string.Join(", ", parts)}]";
+    public override string Range => $"{NumberFormatter.Format(minCount)} to {NumberFormatter.Format(maxCount)} lists [{string.Join(", ", parts)}]";
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema =>
     [
@@ -254,7 +254,7 @@ internal sealed class RowsFormat<TItem>(
 
     public override string? Problem(ValueList<TItem> value)
     {
-        if (value.Count < minCount || value.Count > maxCount) return "must have " + Room;
+        if (value.Count < minCount || value.Count > maxCount) return "must have " + Range;
         foreach (var item in value)
         {
             if (!Array.TrueForAll(take(item), n => n >= min && n <= max)) return "must have numbers of " + RawValues.Range(min, max);

@@ -3,17 +3,17 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Short ways to declare the keys of one kind of profile.</summary>
+/// <summary>Shorthands to declare the keys of one kind of profile.</summary>
 internal static class Keys<T>
     where T : class
 {
     public static ProfileKey<T, double> Number(string name, double min, double max, Func<T, double> get, Func<T, double, T> set, string summary)
         => new(name, new NumberFormat(min, max), get, set, summary);
 
-    public static ProfileKey<T, int> Whole(string name, int min, int max, Func<T, int> get, Func<T, int, T> set, string summary)
+    public static ProfileKey<T, int> Integer(string name, int min, int max, Func<T, int> get, Func<T, int, T> set, string summary)
         => new(name, new IntegerFormat(min, max), get, set, summary);
 
-    public static ProfileKey<T, bool> Flag(string name, Func<T, bool> get, Func<T, bool, T> set, string summary)
+    public static ProfileKey<T, bool> Boolean(string name, Func<T, bool> get, Func<T, bool, T> set, string summary)
         => new(name, new BooleanFormat(), get, set, summary);
 
     public static ProfileKey<T, string> Text(string name, Func<T, string> get, Func<T, string, T> set, string summary)

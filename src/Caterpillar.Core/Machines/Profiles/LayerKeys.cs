@@ -22,7 +22,7 @@ internal static class LayerKeys
         "layer_height_formula", new FormulaFormat(LayerVariables), s => s.LayerFormula, (s, v) => s with { LayerFormula = v },
         "Thickness of the layers as a formula in z, the height in mm at which a layer begins: 0.1 + 0.1 * z / 40; empty for layer_height_mm.");
 
-    public static readonly ProfileKey<PrintSettings, bool> AdaptiveLayers = K.Flag(
+    public static readonly ProfileKey<PrintSettings, bool> AdaptiveLayers = K.Boolean(
         "adaptive_layers", s => s.AdaptiveLayers, (s, v) => s with { AdaptiveLayers = v },
         "Layers get thinner where the surface is shallow.");
 

@@ -7,11 +7,11 @@ namespace Caterpillar.Machines;
 internal static class MaterialKeys
 {
     public static readonly ProfileKey<Material, string> Title = K.Text(
-        "title", m => m.Title, (m, v) => m with { Title = v }, "Name for people.");
+        "title", m => m.Title, (m, v) => m with { Title = v }, "Display name.");
 
     public static readonly ProfileKey<Material, double> FilamentDiameter = K.Number(
         "filament_diameter_mm", 0.01, 1000, m => m.FilamentDiameter, (m, v) => m with { FilamentDiameter = v },
-        "Diameter of the filament, or of the plunger whose way E counts.");
+        "Diameter of the filament, or of the plunger whose travel E measures.");
 
     public static readonly ProfileKey<Material, double> NozzleTemperature = K.Number(
         "nozzle_temperature_c", 0, 2000, m => m.NozzleTemperature, (m, v) => m with { NozzleTemperature = v },
@@ -19,7 +19,7 @@ internal static class MaterialKeys
 
     public static readonly ProfileKey<Material, double> FirstLayerNozzleTemperature = K.Number(
         "first_layer_nozzle_temperature_c", 0, 2000, m => m.FirstLayerNozzleTemperature, (m, v) => m with { FirstLayerNozzleTemperature = v },
-        "Temperature of the nozzle in the first layer; 0 for that of the others.");
+        "Temperature of the nozzle in the first layer; 0 for that of the other layers.");
 
     public static readonly ProfileKey<Material, double> BedTemperature = K.Number(
         "bed_temperature_c", 0, 500, m => m.BedTemperature, (m, v) => m with { BedTemperature = v }, "Temperature of the bed; 0 = off.");
@@ -30,20 +30,20 @@ internal static class MaterialKeys
     public static readonly ProfileKey<Material, double> FanPercent = K.Number(
         "fan_percent", 0, 100, m => m.FanPercent, (m, v) => m with { FanPercent = v }, "Part cooling.");
 
-    public static readonly ProfileKey<Material, int> FanOffLayers = K.Whole(
+    public static readonly ProfileKey<Material, int> FanOffLayers = K.Integer(
         "fan_off_layers", 0, 1_000_000, m => m.FanOffLayers, (m, v) => m with { FanOffLayers = v },
-        "Layers from the bed on that are printed without part cooling.");
+        "Number of first layers that are printed without part cooling.");
 
     public static readonly ProfileKey<Material, double> Density = K.Number(
-        "density_g_cm3", 0.01, 30, m => m.Density, (m, v) => m with { Density = v }, "Mass for its volume.");
+        "density_g_cm3", 0.01, 30, m => m.Density, (m, v) => m with { Density = v }, "Mass per volume.");
 
     public static readonly ProfileKey<Material, double> CostPerKg = K.Number(
         "cost_per_kg", 0, 1_000_000, m => m.CostPerKg, (m, v) => m with { CostPerKg = v },
-        "Price of a kilogram in any currency; 0 where it is not known.");
+        "Price of a kilogram in any currency; 0 if unknown.");
 
     public static readonly ProfileKey<Material, double> MaxFlow = K.Number(
         "material_max_flow_mm3_s", 0, 1_000_000, m => m.MaxFlow, (m, v) => m with { MaxFlow = v },
-        "Material that can be melted or pumped; 0 where it is not known.");
+        "Material that can be melted or pumped; 0 if unknown.");
 
     public static readonly IReadOnlyList<ProfileKey<Material>> All =
     [

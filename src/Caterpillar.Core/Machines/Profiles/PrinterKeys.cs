@@ -10,19 +10,19 @@ namespace Caterpillar.Machines;
 internal static class PrinterKeys
 {
     public static readonly ProfileKey<Printer, string> Title = K.Text(
-        "title", p => p.Title, (p, v) => p with { Title = v }, "Name for people.");
+        "title", p => p.Title, (p, v) => p with { Title = v }, "Display name.");
 
     public static readonly ProfileKey<Printer, DialectRules> Dialect = K.Choice(
         "dialect", p => p.Dialect, (p, v) => p with { Dialect = v },
-        "How the firmware reads G-code.", DialectTable.All.Select(d => (d.Name, d)).ToArray());
+        "Rules by which the firmware reads G-code.", DialectTable.All.Select(d => (d.Name, d)).ToArray());
 
     public static readonly ProfileKey<Printer, Vec3> BuildVolume = K.Vector(
         "build_volume_mm", 1, 100_000, p => p.BuildVolume, (p, v) => p with { BuildVolume = v },
-        "Extent of the space that the nozzle can reach.");
+        "Size of the space that the nozzle can reach.");
 
     public static readonly ProfileKey<Printer, BedOrigin> Origin = K.Choice(
         "origin", p => p.Origin, (p, v) => p with { Origin = v },
-        "Where X 0, Y 0 is on the bed.", ("corner", BedOrigin.Corner), ("center", BedOrigin.Center));
+        "Position of X 0, Y 0 on the bed.", ("corner", BedOrigin.Corner), ("center", BedOrigin.Center));
 
     public static readonly ProfileKey<Printer, BedShape> BedShape = K.Choice(
         "bed_shape", p => p.BedShape, (p, v) => p with { BedShape = v },
@@ -30,53 +30,53 @@ internal static class PrinterKeys
 
     public static readonly ProfileKey<Printer, double> NozzleDiameter = K.Number(
         "nozzle_diameter_mm", 0.01, 200, p => p.NozzleDiameter, (p, v) => p with { NozzleDiameter = v },
-        "Opening of the nozzle, or width of the pen.");
+        "Diameter of the nozzle, or width of the pen.");
 
     public static readonly ProfileKey<Printer, string> DefaultMaterial = K.Text(
         "default_material", p => p.DefaultMaterial, (p, v) => p with { DefaultMaterial = v },
-        "Material that is taken where none is named.");
+        "Material that is used if none is given.");
 
     public static readonly ProfileKey<Printer, string> DefaultSettings = K.Text(
         "default_settings", p => p.DefaultSettings, (p, v) => p with { DefaultSettings = v },
-        "Settings that are taken where none are named.");
+        "Settings that are used if none are given.");
 
     public static readonly ProfileKey<Printer, ExtrusionMode> ExtrusionMode = K.Choice(
-        "e_mode", p => p.ExtrusionMode, (p, v) => p with { ExtrusionMode = v }, "How E is written: increments (M83) or sums (M82).",
+        "e_mode", p => p.ExtrusionMode, (p, v) => p with { ExtrusionMode = v }, "How E is written: relative (M83) or absolute (M82).",
         ("relative", Machines.ExtrusionMode.Relative), ("absolute", Machines.ExtrusionMode.Absolute));
 
     public static readonly ProfileKey<Printer, ExtrusionUnit> ExtrusionUnit = K.Choice(
         "e_unit", p => p.ExtrusionUnit, (p, v) => p with { ExtrusionUnit = v },
-        "What one unit of E is: mm of filament or of a plunger's way, mm³, or none for pens.",
+        "Unit of E: mm of filament or of plunger travel, mm³, or none for pens.",
         ("mm", Machines.ExtrusionUnit.Mm), ("mm3", Machines.ExtrusionUnit.Mm3), ("none", Machines.ExtrusionUnit.None));
 
-    public static readonly ProfileKey<Printer, int> DecimalsXyz = K.Whole(
+    public static readonly ProfileKey<Printer, int> DecimalsXyz = K.Integer(
         "decimals_xyz", 0, 8, p => p.DecimalsXyz, (p, v) => p with { DecimalsXyz = v }, "Decimals of X, Y and Z.");
 
-    public static readonly ProfileKey<Printer, int> DecimalsE = K.Whole(
+    public static readonly ProfileKey<Printer, int> DecimalsE = K.Integer(
         "decimals_e", 0, 8, p => p.DecimalsE, (p, v) => p with { DecimalsE = v }, "Decimals of E.");
 
-    public static readonly ProfileKey<Printer, int> DecimalsF = K.Whole(
+    public static readonly ProfileKey<Printer, int> DecimalsF = K.Integer(
         "decimals_f", 0, 8, p => p.DecimalsF, (p, v) => p with { DecimalsF = v }, "Decimals of F, which is in mm/min.");
 
     public static readonly ProfileKey<Printer, double> RetractionDistance = K.Number(
         "retraction_distance_mm", 0, 1000, p => p.RetractionDistance, (p, v) => p with { RetractionDistance = v },
-        "Filament pulled back before a travel; 0 for none.");
+        "Filament retracted before a travel; 0 for none.");
 
     public static readonly ProfileKey<Printer, double> RetractionSpeed = K.Number(
         "retraction_speed_mm_s", 0.01, 10_000, p => p.RetractionSpeed, (p, v) => p with { RetractionSpeed = v },
-        "Speed of the filament when it is pulled back.");
+        "Speed of retraction, of the filament.");
 
     public static readonly ProfileKey<Printer, double> RestoreSpeed = K.Number(
         "restore_speed_mm_s", 0, 10_000, p => p.RestoreSpeed, (p, v) => p with { RestoreSpeed = v },
-        "Speed of the filament when it is pushed forward again; 0 for the retraction speed.");
+        "Speed of restoring, of the filament; 0 for the retraction speed.");
 
     public static readonly ProfileKey<Printer, double> RestoreExtra = K.Number(
         "restore_extra_mm", 0, 1000, p => p.RestoreExtra, (p, v) => p with { RestoreExtra = v },
-        "Filament pushed out beyond what was pulled back.");
+        "Extra filament when restoring, beyond what was retracted.");
 
-    public static readonly ProfileKey<Printer, bool> FirmwareRetraction = K.Flag(
+    public static readonly ProfileKey<Printer, bool> FirmwareRetraction = K.Boolean(
         "firmware_retraction", p => p.FirmwareRetraction, (p, v) => p with { FirmwareRetraction = v },
-        "The firmware retracts (G10, G11), by its own distance and speed.");
+        "Retraction by the firmware (G10, G11), with its own distance and speed.");
 
     public static readonly ProfileKey<Printer, double> LiftClearance = K.Number(
         "lift_clearance_mm", 0, 1000, p => p.LiftClearance, (p, v) => p with { LiftClearance = v },
@@ -86,11 +86,11 @@ internal static class PrinterKeys
         "lift_speed_mm_s", 0.01, 10_000, p => p.LiftSpeed, (p, v) => p with { LiftSpeed = v }, "Speed of moves straight up and down.");
 
     public static readonly ProfileKey<Printer, AxisValues> MaxSpeed = K.Axes(
-        "max_speed_mm_s", 0.01, 100_000, p => p.MaxSpeed, (p, v) => p with { MaxSpeed = v }, "Highest speed of each axis.");
+        "max_speed_mm_s", 0.01, 100_000, p => p.MaxSpeed, (p, v) => p with { MaxSpeed = v }, "Maximum speed of each axis.");
 
     public static readonly ProfileKey<Printer, AxisValues> MaxAcceleration = K.Axes(
         "max_acceleration_mm_s2", 0.01, 1_000_000, p => p.MaxAcceleration, (p, v) => p with { MaxAcceleration = v },
-        "Highest acceleration of each axis.");
+        "Maximum acceleration of each axis.");
 
     public static readonly ProfileKey<Printer, double> PrintAcceleration = K.Number(
         "print_acceleration_mm_s2", 0.01, 1_000_000, p => p.PrintAcceleration, (p, v) => p with { PrintAcceleration = v },
@@ -111,7 +111,7 @@ internal static class PrinterKeys
 
     public static readonly ProfileKey<Printer, AxisValues> Jerk = K.Axes(
         "jerk_mm_s", 0, 10_000, p => p.Jerk, (p, v) => p with { Jerk = v },
-        "Jump of the speed of each axis without braking, for corner_rule jerk.");
+        "Sudden change of speed allowed for each axis, for corner_rule jerk.");
 
     public static readonly ProfileKey<Printer, double> JunctionDeviation = K.Number(
         "junction_deviation_mm", 0.0001, 10, p => p.JunctionDeviation, (p, v) => p with { JunctionDeviation = v },
@@ -123,33 +123,33 @@ internal static class PrinterKeys
 
     public static readonly ProfileKey<Printer, double> MinimumCruiseRatio = K.Number(
         "minimum_cruise_ratio", 0, 0.99, p => p.MinimumCruiseRatio, (p, v) => p with { MinimumCruiseRatio = v },
-        "Klipper's part of a move that must be at constant speed.");
+        "Klipper's minimum share of a move at constant speed.");
 
-    public static readonly ProfileKey<Printer, int> PlannerQueue = K.Whole(
+    public static readonly ProfileKey<Printer, int> PlannerQueue = K.Integer(
         "planner_queue_moves", 0, 1_000_000, p => p.PlannerQueue, (p, v) => p with { PlannerQueue = v },
         "Moves that the firmware plans ahead; 0 for all.");
 
     public static readonly ProfileKey<Printer, ValueList<Vec3>> ToolOffsets = new(
         "tool_offsets_mm", new RowsFormat<Vec3>(["x", "y", "z"], 1, 64, -10_000, 10_000, n => new Vec3(n[0], n[1], n[2]), v => [v.X, v.Y, v.Z]),
-        p => p.ToolOffsets, (p, v) => p with { ToolOffsets = v }, "Offsets of the tools against the first; as many as there are tools.");
+        p => p.ToolOffsets, (p, v) => p with { ToolOffsets = v }, "Offsets of the tools from the first; one for each tool.");
 
     public static readonly ProfileKey<Printer, ValueList<HeadPoint>> HeadOutline = new(
         "head_outline_mm", new RowsFormat<HeadPoint>(["radius", "height"], 1, 64, 0, 10_000, n => new HeadPoint(n[0], n[1]), h => [h.Radius, h.Height],
             Ascends),
-        p => p.HeadOutline, (p, v) => p with { HeadOutline = v }, "Outline of nozzle and head around their axis, from the tip outwards.");
+        p => p.HeadOutline, (p, v) => p with { HeadOutline = v }, "Outline of nozzle and head around their axis, from the tip outward.");
 
     public static readonly ProfileKey<Printer, ValueList<Bounds>> HeadBoxes = new(
         "head_boxes_mm", new RowsFormat<Bounds>(["min x", "min y", "min z", "max x", "max y", "max z"], 0, 64, -10_000, 10_000, MakeBox, TakeBox),
         p => p.HeadBoxes, (p, v) => p with { HeadBoxes = v },
-        "Parts of head and gantry that are not round, relative to the tip of the nozzle.");
+        "Boxes around parts of head and gantry that are not round, relative to the tip of the nozzle.");
 
     public static readonly ProfileKey<Printer, double> MaxFlow = K.Number(
         "max_flow_mm3_s", 0, 1_000_000, p => p.MaxFlow, (p, v) => p with { MaxFlow = v },
-        "Material that the hot end or pump can push; 0 where it is not known.");
+        "Material that the hot end or pump can push; 0 if unknown.");
 
     public static readonly ProfileKey<Printer, double> MinExtrusionTemperature = K.Number(
         "min_extrusion_temperature_c", 0, 2000, p => p.MinExtrusionTemperature, (p, v) => p with { MinExtrusionTemperature = v },
-        "Below this nozzle temperature nothing may be extruded; 0 for materials that are not heated.");
+        "Minimum nozzle temperature for extrusion; 0 for materials that are not heated.");
 
     public static readonly ProfileKey<Printer, double> MaxNozzleTemperature = K.Number(
         "max_nozzle_temperature_c", 0, 2000, p => p.MaxNozzleTemperature, (p, v) => p with { MaxNozzleTemperature = v },
@@ -167,14 +167,14 @@ internal static class PrinterKeys
         "start_template", p => p.StartTemplate, (p, v) => p with { StartTemplate = v }, "Lines before the print.");
 
     public static readonly ProfileKey<Printer, ValueList<string>> EndTemplate = K.Lines(
-        "end_template", p => p.EndTemplate, (p, v) => p with { EndTemplate = v }, "Lines behind the print.");
+        "end_template", p => p.EndTemplate, (p, v) => p with { EndTemplate = v }, "Lines after the print.");
 
     public static readonly ProfileKey<Printer, ValueList<string>> LayerTemplate = K.Lines(
-        "layer_template", p => p.LayerTemplate, (p, v) => p with { LayerTemplate = v }, "Lines before each layer but the first.");
+        "layer_template", p => p.LayerTemplate, (p, v) => p with { LayerTemplate = v }, "Lines before each layer except the first.");
 
     public static readonly ProfileKey<Printer, ValueList<string>> ToolChangeTemplate = K.Lines(
         "tool_change_template", p => p.ToolChangeTemplate, (p, v) => p with { ToolChangeTemplate = v },
-        "Lines for a change of the tool; without them its number alone (T1).");
+        "Lines for a tool change; without them only the tool number (T1).");
 
     public static readonly IReadOnlyList<ProfileKey<Printer>> All =
     [

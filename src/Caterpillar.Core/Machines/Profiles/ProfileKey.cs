@@ -3,16 +3,16 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Machines;
 
-/// <summary>What kind of value a key of a profile has.</summary>
+/// <summary>Kinds of values of keys.</summary>
 public enum KeyKind : byte
 {
     Number,
-    Whole,
-    Flag,
+    Integer,
+    Boolean,
     Text,
     Choice,
 
-    /// <summary>A list of numbers of one length.</summary>
+    /// <summary>A list of numbers of fixed length.</summary>
     Numbers,
 
     /// <summary>A list of such lists.</summary>
@@ -23,7 +23,7 @@ public enum KeyKind : byte
 }
 
 /// <summary>
-/// A key of a profile: its name with the unit, its room and what it means. Reader, writer, schema, templates and manual all read the keys from
+/// A key of a profile: its name with the unit, its range and its meaning. Reader, writer, schema, templates and manual all read the keys from
 /// <see cref="ProfileKeys"/>.
 /// </summary>
 public abstract class ProfileKey
@@ -37,13 +37,13 @@ public abstract class ProfileKey
     /// <summary>For example <c>layer_height_mm</c>.</summary>
     public string Name { get; }
 
-    /// <summary>One sentence for people.</summary>
+    /// <summary>One sentence that explains it.</summary>
     public string Summary { get; }
 
     public abstract KeyKind Kind { get; }
 
-    /// <summary>The room of the value in words: <c>0.01 to 100</c>, <c>corner or center</c>.</summary>
-    public abstract string Room { get; }
+    /// <summary>The range of the value in words: <c>0.01 to 100</c>, <c>corner or center</c>.</summary>
+    public abstract string Range { get; }
 
     internal abstract KeyFormat Format { get; }
 
@@ -56,7 +56,7 @@ internal abstract class ProfileKey<TProfile>(string name, string summary) : Prof
     /// <summary>The value as JSON has it: text, double, bool or a list of these.</summary>
     public abstract object Get(TProfile profile);
 
-    /// <summary>The profile with another value, or null and what is wrong with it.</summary>
+    /// <summary>The profile with another value, or null and the problem.</summary>
     public abstract TProfile? Set(TProfile profile, object raw, out string? problem);
 }
 
@@ -68,11 +68,11 @@ internal sealed class ProfileKey<TProfile, TValue>(
 {
     public override KeyKind Kind => format.Kind;
 
-    public override string Room => format.Room;
+    public override string Range => format.Range;
 
     internal override KeyFormat Format => format;
 
-    /// <summary>The value itself when it lies in the key's room.</summary>
+    /// <summary>The value itself if it lies in the key's range.</summary>
     /// <exception cref="ArgumentOutOfRangeException">It does not.</exception>
     public TValue Check(TValue value)
     {
@@ -85,7 +85,7 @@ internal sealed class ProfileKey<TProfile, TValue>(
     public override TProfile? Set(TProfile profile, object raw, out string? problem)
     {
         problem = null;
-        if (!format.TryRead(raw, out var value)) problem = "needs " + format.Wanted + ", not " + KeyFormat.Describe(raw);
+        if (!format.TryRead(raw, out var value)) problem = "needs " + format.Expected + ", not " + KeyFormat.Describe(raw);
         else problem = format.Problem(value!);
         return problem is null ? set(profile, value!) : null;
     }
@@ -96,15 +96,15 @@ internal abstract class KeyFormat
 {
     public abstract KeyKind Kind { get; }
 
-    /// <summary>What is wanted, for messages: <c>a number</c>.</summary>
-    public abstract string Wanted { get; }
+    /// <summary>What is expected, for messages: <c>a number</c>.</summary>
+    public abstract string Expected { get; }
 
-    public abstract string Room { get; }
+    public abstract string Range { get; }
 
     /// <summary>Constraints as a JSON schema: keys and raw values in order.</summary>
     public abstract IReadOnlyList<KeyValuePair<string, object>> Schema { get; }
 
-    /// <summary>Reads text as it stands behind <c>key=</c>; null where it is of another kind.</summary>
+    /// <summary>Reads text as written after <c>key=</c>; null if it is of another kind.</summary>
     public abstract object? Parse(string text);
 
     public static string Describe(object raw) => raw switch
@@ -124,6 +124,6 @@ internal abstract class KeyFormat<TValue> : KeyFormat
 
     public abstract object Write(TValue value);
 
-    /// <summary>What is wrong with a value, or null.</summary>
+    /// <summary>The problem of a value, or null.</summary>
     public abstract string? Problem(TValue value);
 }

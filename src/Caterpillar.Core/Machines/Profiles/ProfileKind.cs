@@ -13,7 +13,7 @@ internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<P
     /// <summary><c>printer</c>, <c>material</c> or <c>settings</c>.</summary>
     public string Noun => noun;
 
-    /// <summary>Folder under <c>printers/</c>, with its slash at the end.</summary>
+    /// <summary>Folder under <c>printers/</c>, with a trailing slash.</summary>
     public string Folder => folder;
 
     public IReadOnlyList<ProfileKey<T>> Keys => keys;
@@ -36,7 +36,7 @@ internal static class ProfileKinds
     public static readonly ProfileKind<PrintSettings> Settings = new("settings", "settings/", SettingsKeys.All, () => new PrintSettings(),
         (s, name) => s with { Name = name });
 
-    /// <summary>In which kinds of profiles a key stands, for messages.</summary>
+    /// <summary>The kind of profiles that has a key, for messages.</summary>
     public static string? KindOf(string key)
         => Printer.Find(key) is not null ? "printers" : Material.Find(key) is not null ? "materials" : Settings.Find(key) is not null ? "settings" : null;
 }

@@ -9,9 +9,9 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// The profiles by name: those that come with Caterpillar, and over them those of a user's folder, which has printers as <c>*.json</c>, materials in
+/// The profiles by name: those that come with Caterpillar, overridden by those of a user's folder, which has printers as <c>*.json</c>, materials in
 /// <c>materials/</c> and settings in
-/// <c>settings/</c>. A user's profile replaces the one of the same name; it may also inherit it. Profiles are read when they are asked for, so a library sees
+/// <c>settings/</c>. A user's profile replaces the one of the same name; it may also inherit it. Profiles are read on request, so a library sees
 /// changes of the folder.
 /// </summary>
 public sealed class ProfileLibrary
@@ -28,7 +28,7 @@ public sealed class ProfileLibrary
     public IReadOnlyList<string> SettingsNames => Names(ProfileKinds.Settings);
 
     /// <summary>A printer by its name, or from a file (a name with a folder or with <c>.json</c>).</summary>
-    /// <exception cref="IOException">A file that is there cannot be read.</exception>
+    /// <exception cref="IOException">An existing file cannot be read.</exception>
     public Result<Printer> Printer(string nameOrFile) => Find(ProfileKinds.Printer, nameOrFile);
 
     /// <summary>A material by its name, or from a file.</summary>
@@ -40,18 +40,18 @@ public sealed class ProfileLibrary
     public Result<PrintSettings> Settings(string nameOrFile) => Find(ProfileKinds.Settings, nameOrFile);
 
     /// <summary>
-    /// A whole setup. Without a material or settings those that the printer names; <paramref name="values"/> are <c>key=value</c> for any key of the three,
-    /// applied in their order.
+    /// A complete setup. Material and settings are by default those that the printer names; <paramref name="values"/> are <c>key=value</c> for any key of the
+    /// three, applied in their order.
     /// </summary>
     /// <inheritdoc cref="Printer" path="/exception"/>
     public Result<PrintSetup> Setup(string printer = "generic", string? material = null, string? settings = null, IEnumerable<string>? values = null)
     {
         var machine = Printer(printer);
-        var stuff = Material(material ?? machine.Value?.DefaultMaterial ?? "pla");
-        var how = Settings(settings ?? machine.Value?.DefaultSettings ?? "standard");
-        var diagnostics = machine.Diagnostics.Concat(stuff.Diagnostics).Concat(how.Diagnostics).ToList();
-        if (machine.Value is null || stuff.Value is null || how.Value is null) return new Result<PrintSetup>(null, diagnostics);
-        var setup = new PrintSetup(machine.Value, stuff.Value, how.Value).With(values ?? []);
+        var materialResult = Material(material ?? machine.Value?.DefaultMaterial ?? "pla");
+        var settingsResult = Settings(settings ?? machine.Value?.DefaultSettings ?? "standard");
+        var diagnostics = machine.Diagnostics.Concat(materialResult.Diagnostics).Concat(settingsResult.Diagnostics).ToList();
+        if (machine.Value is null || materialResult.Value is null || settingsResult.Value is null) return new Result<PrintSetup>(null, diagnostics);
+        var setup = new PrintSetup(machine.Value, materialResult.Value, settingsResult.Value).With(values ?? []);
         diagnostics.AddRange(setup.Diagnostics);
         if (setup.Value is null) return new Result<PrintSetup>(null, diagnostics);
         var findings = setup.Value.Check();
@@ -74,7 +74,7 @@ public sealed class ProfileLibrary
     {
         foreach (var source in Sources(kind, name))
         {
-            // A profile that inherits its own name means the one below it.
+            // A profile that inherits its own name means the one it overrides.
             if (!chain.Contains(source.File)) return Read(kind, source, chain);
         }
         if (chain.Count > 0 && Sources(kind, name).Any()) return Failed<T>("profile.circle", $"The {kind.Noun} \"{name}\" inherits itself.",

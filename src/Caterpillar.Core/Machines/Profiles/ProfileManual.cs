@@ -14,26 +14,26 @@ public static class ProfileManual
             """
             # Printers, materials and settings
 
-            <!-- Made from the table of keys: CATERPILLAR_RENEW=1 ./test.sh writes it anew. -->
+            <!-- Made from the table of keys: CATERPILLAR_RENEW=1 ./test.sh rewrites it. -->
 
-            A print needs three profiles: a **printer** (its space, its limits, how it wants its G-code), a **material** (what is extruded) and **settings**
+            A print needs three profiles: a **printer** (its build volume, its limits, the style of its G-code), a **material** (what is extruded) and **settings**
             (how it is printed). They are JSON files with
-            one key a line; keys carry their unit. They live in `printers/`, `printers/materials/` and `printers/settings/`, come with the library, and
-            profiles in a folder of yours override them
+            one key per line; keys include their unit. They live in `printers/`, `printers/materials/` and `printers/settings/`, come with the library, and
+            profiles in a folder of your own override them
             (`~/.config/Caterpillar/printers` in the terminal; `%APPDATA%\Caterpillar\printers` on Windows).
 
             ```
             caterpillar printers                     all profiles
-            caterpillar printers ender3              one of them with all its keys, a start for your own
-            caterpillar printers --import HEADER FOOTER -o mine.json     a printer of two files of G-code, such as those of ExtruderTurtle
+            caterpillar printers ender3              one of them with all its keys, a starting point for your own
+            caterpillar printers --import HEADER FOOTER -o mine.json     a printer from two files of G-code, such as those of ExtruderTurtle
             caterpillar slice part.stl --printer ender3 --material petg --settings fine --set layer_height_mm=0.15
             ```
 
             `--printer`, `--material` and `--settings` take a name or a file; without them the printer is `generic`, and material and settings are those that
             the printer names. `--set key=value` changes any
-            key of the three; lists are written with commas (`build_volume_mm=300,300,400`), lists of lists with semicolons too.
+            key of the three; lists are written with commas (`build_volume_mm=300,300,400`), lists of lists also with semicolons.
 
-            A profile may begin with `"inherits": "name"` and states only what differs; your profile may inherit the one of its own name. Keys that do not
+            A profile may begin with `"inherits": "name"` and states only what differs; your profile may inherit the built-in one of the same name. Keys that do not
             exist, keys with another unit
             (`layer_height_cm`) and values outside their range are errors that name file, line and key.
 
@@ -46,10 +46,10 @@ public static class ProfileManual
             """
             ## Templates
 
-            `start_template` and `end_template` are the lines before and after the print, `layer_template` those before each layer but the first,
-            `tool_change_template` those for a change of the tool. Between braces stands any key of
-            the three profiles, any name of the list below, or a formula of them (`{min(print_max_z_mm + 10, bed_max_z_mm)}`); `{{` and `}}` are braces of the
-            text. Numbers are written with up to five decimals.
+            `start_template` and `end_template` are the lines before and after the print, `layer_template` those before each layer except the first,
+            `tool_change_template` those for a tool change. Braces contain any key of
+            the three profiles, any name from the list below, or a formula of these (`{min(print_max_z_mm + 10, bed_max_z_mm)}`); `{{` and `}}` are literal
+braces. Numbers are written with up to five decimals.
 
             ```
             {if bed_temperature_c > 0}
@@ -75,8 +75,8 @@ public static class ProfileManual
     private static void Keys(StringBuilder text, string title, IReadOnlyList<ProfileKey> keys, IEnumerable<string> names)
     {
         text.Append("## ").Append(title).Append("\n\nProfiles: ").Append(string.Join(", ", names.Select(n => "`" + n + "`")))
-            .Append(".\n\n| key | meaning | room |\n|---|---|---|\n");
-        foreach (var key in keys) text.Append("| `").Append(key.Name).Append("` | ").Append(key.Summary).Append(" | ").Append(key.Room).Append(" |\n");
+            .Append(".\n\n| key | meaning | range |\n|---|---|---|\n");
+        foreach (var key in keys) text.Append("| `").Append(key.Name).Append("` | ").Append(key.Summary).Append(" | ").Append(key.Range).Append(" |\n");
         text.Append('\n');
     }
 }

@@ -7,8 +7,8 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// Reads profiles from JSON. Unknown keys, keys with another unit, values of another kind and values outside their room are errors that name the file, the line
-/// and the key.
+/// Reads profiles from JSON. Unknown keys, keys with another unit, values of another kind and values outside their range are errors that name the file, the
+/// line and the key.
 /// <c>inherits</c> names a profile to start from; without it the values are those of the generic printer, PLA and the standard settings.
 /// </summary>
 public static class ProfileReader
@@ -37,7 +37,7 @@ public static class ProfileReader
         foreach (var entry in entries)
         {
             var place = new SourceLocation(file, entry.Line, entry.Column, entry.Key);
-            if (!seen.Add(entry.Key)) diagnostics.Add(new Diagnostic(Severity.Error, "profile.repeated_key", "This key stands here for the second time.",
+            if (!seen.Add(entry.Key)) diagnostics.Add(new Diagnostic(Severity.Error, "profile.repeated_key", "This key is repeated.",
                 place));
             else if (entry.Key is not ("inherits" or "$schema")) profile = Apply(kind, profile, entry.Key, entry.Value, place, diagnostics);
         }
@@ -55,28 +55,28 @@ public static class ProfileReader
         }
         if (raw is null)
         {
-            diagnostics.Add(new Diagnostic(Severity.Error, "profile.wrong_kind", $"{key} needs {found.Format.Wanted}.", place));
+            diagnostics.Add(new Diagnostic(Severity.Error, "profile.wrong_kind", $"{key} needs {found.Format.Expected}.", place));
             return profile;
         }
         var changed = found.Set(profile, raw, out var problem);
         if (changed is not null) return changed;
-        var code = problem!.StartsWith("needs", StringComparison.Ordinal) ? "profile.wrong_kind" : "profile.out_of_room";
+        var code = problem!.StartsWith("needs", StringComparison.Ordinal) ? "profile.wrong_kind" : "profile.out_of_range";
         diagnostics.Add(new Diagnostic(Severity.Error, code, $"{key} {problem}.", place));
         return profile;
     }
 
-    /// <summary>What to say about a key that does not exist.</summary>
+    /// <summary>Advice on a key that does not exist.</summary>
     internal static Diagnostic Unknown(string noun, string key, IEnumerable<string> known, SourceLocation place)
     {
         var names = known.ToArray();
         if (KeyAdvice.OtherUnit(key, names) is { } other)
         {
             var (wrong, right) = (KeyAdvice.UnitOf(key), KeyAdvice.UnitOf(other));
-            var why = wrong.Length == 0 ? $"{key} does not say its unit" : right.Length == 0 ? $"{key} has no unit"
+            var reason = wrong.Length == 0 ? $"{key} does not state its unit" : right.Length == 0 ? $"{key} has no unit"
                 : $"{key} is measured in {Spoken(right)}, not in {Spoken(wrong)}";
-            return new Diagnostic(Severity.Error, "profile.wrong_unit", $"{why}: the key is {other}.", place);
+            return new Diagnostic(Severity.Error, "profile.wrong_unit", $"{reason}: the key is {other}.", place);
         }
-        var message = $"{key} is no key of {(noun == "settings" ? "settings" : "a " + noun)}";
+        var message = $"{key} is not a key of {(noun == "settings" ? "settings" : "a " + noun)}";
         if (ProfileKinds.KindOf(key) is { } kind && !names.Contains(key)) message += $"; it belongs to {kind}";
         else if (SpellingSuggestion.Nearest(key, names) is { } near) message += $"; did you mean {near}?";
         return new Diagnostic(Severity.Error, "profile.unknown_key", message.EndsWith("?", StringComparison.Ordinal) ? message : message + ".", place);
@@ -96,7 +96,7 @@ public static class ProfileReader
         }
         var found = parent?.Invoke(wanted);
         if (found?.Value is null) diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_parent",
-            $"The {kind.Noun} \"{wanted}\" to inherit cannot be read.", place));
+            $"The {kind.Noun} \"{wanted}\" to inherit from cannot be read.", place));
         if (found is not null) diagnostics.AddRange(found.Diagnostics);
         return found?.Value is { } value ? kind.Named(value, name) : kind.Empty(name);
     }

@@ -4,7 +4,7 @@ using System.Linq;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// JSON schemas of the profiles (draft 2020-12), made from the table of keys; they stand in <c>printers/schema/</c> and help editors to complete and check.
+/// JSON schemas of the profiles (draft 2020-12), made from the table of keys; they are in <c>printers/schema/</c> and let editors complete and check.
 /// </summary>
 public static class ProfileSchema
 {
@@ -19,7 +19,7 @@ public static class ProfileSchema
         var properties = new List<KeyValuePair<string, object>>
         {
             Entry("$schema", Text("The schema, for editors.")),
-            Entry("inherits", Text("Profile to start from; a profile of its own name is the one that comes with Caterpillar.")),
+            Entry("inherits", Text("Profile to start from; the profile's own name means the one that comes with Caterpillar.")),
         };
         foreach (var key in keys) properties.Add(Entry(key.Name, key.Format.Schema.Concat([Entry("description", key.Summary)]).ToArray()));
         return JsonText.Object(

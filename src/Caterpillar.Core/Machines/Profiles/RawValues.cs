@@ -30,7 +30,7 @@ internal static class RawValues
 
     public static object List(Vec3 v) => List(v.X, v.Y, v.Z);
 
-    /// <summary>Numbers between commas, blanks or x; null where one is no number.</summary>
+    /// <summary>Numbers separated by commas, spaces or x; null if one is not a number.</summary>
     public static object? ParseNumbers(string text)
     {
         var parts = text.Split([',', ' ', 'x', '×'], StringSplitOptions.RemoveEmptyEntries);
@@ -43,7 +43,7 @@ internal static class RawValues
         return numbers;
     }
 
-    /// <summary>The same rows between semicolons.</summary>
+    /// <summary>Rows of numbers separated by semicolons.</summary>
     public static object? ParseRows(string text)
     {
         var rows = text.Split([';'], StringSplitOptions.RemoveEmptyEntries).Select(ParseNumbers).ToArray();

@@ -7,7 +7,7 @@ namespace Caterpillar.Machines;
 internal static class SettingsKeys
 {
     public static readonly ProfileKey<PrintSettings, string> Title = K.Text(
-        "title", s => s.Title, (s, v) => s with { Title = v }, "Name for people.");
+        "title", s => s.Title, (s, v) => s with { Title = v }, "Display name.");
 
     public static readonly ProfileKey<PrintSettings, double> LayerHeight = K.Number(
         "layer_height_mm", 0.001, 1000, s => s.LayerHeight, (s, v) => s with { LayerHeight = v }, "Height of a layer.");
@@ -20,15 +20,15 @@ internal static class SettingsKeys
         "line_width_mm", 0.001, 1000, s => s.LineWidth, (s, v) => s with { LineWidth = v }, "Width of a strand.");
 
     public static readonly ProfileKey<PrintSettings, Toolpaths.BeadShape> BeadShape = K.Choice(
-        "bead_shape", s => s.BeadShape, (s, v) => s with { BeadShape = v }, "Cross-section from which area and width of a strand follow.",
+        "bead_shape", s => s.BeadShape, (s, v) => s with { BeadShape = v }, "Shape of the cross-section, which relates area and width of a strand.",
         ("rectangle", Toolpaths.BeadShape.Rectangle), ("stadium", Toolpaths.BeadShape.Stadium), ("circle", Toolpaths.BeadShape.Circle));
 
-    public static readonly ProfileKey<PrintSettings, int> WallCount = K.Whole(
-        "wall_count", 0, 10_000, s => s.WallCount, (s, v) => s with { WallCount = v }, "Walls around each region.");
+    public static readonly ProfileKey<PrintSettings, int> WallCount = K.Integer(
+        "wall_count", 0, 10_000, s => s.WallCount, (s, v) => s with { WallCount = v }, "Number of walls around each region.");
 
     public static readonly ProfileKey<PrintSettings, double> InfillPercent = K.Number(
         "infill_percent", 0, 100, s => s.InfillPercent, (s, v) => s with { InfillPercent = v },
-        "Part of the inside that is filled; not used where infill_spacing_mm is given.");
+        "Share of the inside that is filled; ignored if infill_spacing_mm is given.");
 
     public static readonly ProfileKey<PrintSettings, double> InfillSpacing = K.Number(
         "infill_spacing_mm", 0, 10_000, s => s.InfillSpacing, (s, v) => s with { InfillSpacing = v },
@@ -40,13 +40,13 @@ internal static class SettingsKeys
 
     public static readonly ProfileKey<PrintSettings, double> InfillOverlapPercent = K.Number(
         "infill_overlap_percent", 0, 100, s => s.InfillOverlapPercent, (s, v) => s with { InfillOverlapPercent = v },
-        "How far the infill reaches into the innermost wall, of the line width.");
+        "Overlap of the infill with the innermost wall,  of the line width.");
 
     public static readonly ProfileKey<PrintSettings, double> SimplifyTolerance = K.Number(
         "simplify_tolerance_mm", 0, 100, s => s.SimplifyTolerance, (s, v) => s with { SimplifyTolerance = v },
-        "Largest deviation of contours that may be simplified away.");
+        "Maximum deviation of simplified contours.");
 
-    public static readonly ProfileKey<PrintSettings, bool> MendMeshes = K.Flag(
+    public static readonly ProfileKey<PrintSettings, bool> MendMeshes = K.Boolean(
         "mend_meshes", s => s.MendMeshes, (s, v) => s with { MendMeshes = v },
         "Meshes that are not closed are made solid before they are sliced: rims joined, holes filled, triangles and bodies turned outwards.");
 
@@ -63,7 +63,7 @@ internal static class SettingsKeys
         "Length of the pieces of subdivided curves.");
 
     public static readonly ProfileKey<PrintSettings, double> PrintSpeed = K.Number(
-        "print_speed_mm_s", 0.01, 10_000, s => s.PrintSpeed, (s, v) => s with { PrintSpeed = v }, "Speed of printing.");
+        "print_speed_mm_s", 0.01, 10_000, s => s.PrintSpeed, (s, v) => s with { PrintSpeed = v }, "Speed of printing moves.");
 
     public static readonly ProfileKey<PrintSettings, double> OuterWallSpeed = K.Number(
         "outer_wall_speed_mm_s", 0, 10_000, s => s.OuterWallSpeed, (s, v) => s with { OuterWallSpeed = v },
@@ -75,25 +75,25 @@ internal static class SettingsKeys
 
     public static readonly ProfileKey<PrintSettings, double> FirstLayerSpeed = K.Number(
         "first_layer_speed_mm_s", 0, 10_000, s => s.FirstLayerSpeed, (s, v) => s with { FirstLayerSpeed = v },
-        "Highest printing speed in the first layer; 0 for no such limit.");
+        "Maximum print speed in the first layer; 0 for no limit.");
 
     public static readonly ProfileKey<PrintSettings, double> TravelSpeed = K.Number(
-        "travel_speed_mm_s", 0.01, 10_000, s => s.TravelSpeed, (s, v) => s with { TravelSpeed = v }, "Speed of travels.");
+        "travel_speed_mm_s", 0.01, 10_000, s => s.TravelSpeed, (s, v) => s with { TravelSpeed = v }, "Speed of travel moves.");
 
     public static readonly ProfileKey<PrintSettings, TravelLift> TravelLift = K.Choice(
         "travel_lift", s => s.TravelLift, (s, v) => s with { TravelLift = v },
-        "How high the head goes for a travel: above all that was printed, above what lies under the way, or not at all.",
+        "Lift for travels: above everything printed, above what lies under the path of the travel, or none.",
         ("printed_top", Machines.TravelLift.PrintedTop), ("corridor", Machines.TravelLift.Corridor), ("none", Machines.TravelLift.None));
 
     public static readonly ProfileKey<PrintSettings, double> LiftMinTravel = K.Number(
         "lift_min_travel_mm", 0, 10_000, s => s.LiftMinTravel, (s, v) => s with { LiftMinTravel = v },
         "Travels up to this length are made without a lift.");
 
-    public static readonly ProfileKey<PrintSettings, bool> Detour = K.Flag(
-        "detour", s => s.Detour, (s, v) => s with { Detour = v }, "Travels go around what was printed where that is quicker than over it.");
+    public static readonly ProfileKey<PrintSettings, bool> Detour = K.Boolean(
+        "detour", s => s.Detour, (s, v) => s with { Detour = v }, "Travels go around printed parts if that is faster than over them.");
 
-    public static readonly ProfileKey<PrintSettings, bool> Comb = K.Flag(
-        "comb", s => s.Comb, (s, v) => s with { Comb = v }, "Travels within a layer that stay inside the part are made without a lift and a retraction.");
+    public static readonly ProfileKey<PrintSettings, bool> Comb = K.Boolean(
+        "comb", s => s.Comb, (s, v) => s with { Comb = v }, "Travels within a layer that stay inside the part are made without lift and retraction.");
 
     public static readonly ProfileKey<PrintSettings, double> RetractionMinTravel = K.Number(
         "retraction_min_travel_mm", 0, 10_000, s => s.RetractionMinTravel, (s, v) => s with { RetractionMinTravel = v },
@@ -101,21 +101,21 @@ internal static class SettingsKeys
 
     public static readonly ProfileKey<PrintSettings, double> WipeDistance = K.Number(
         "wipe_distance_mm", 0, 1000, s => s.WipeDistance, (s, v) => s with { WipeDistance = v },
-        "Way back along the path during which filament is pulled back; 0 for none.");
+        "Distance back along the path during which filament is retracted; 0 for none.");
 
-    public static readonly ProfileKey<PrintSettings, bool> RestoreDuringDescent = K.Flag(
+    public static readonly ProfileKey<PrintSettings, bool> RestoreDuringDescent = K.Boolean(
         "restore_during_descent", s => s.RestoreDuringDescent, (s, v) => s with { RestoreDuringDescent = v },
-        "Retracted filament is pushed forward while the head comes down to a path, not after.");
+        "Retracted filament is restored while the head descends to a path, not afterwards.");
 
     public static readonly ProfileKey<PrintSettings, double> StartDistance = K.Number(
         "start_distance_mm", 0, 1000, s => s.StartDistance, (s, v) => s with { StartDistance = v },
-        "Length of bead pushed out in place before a path begins, for materials that answer late.");
+        "Length of bead extruded in place before a path starts, for materials with a delayed response.");
 
     public static readonly ProfileKey<PrintSettings, double> StopDistance = K.Number(
         "stop_distance_mm", 0, 1000, s => s.StopDistance, (s, v) => s with { StopDistance = v },
         "The extruder stops this far before the end of a path.");
 
-    public static readonly ProfileKey<PrintSettings, bool> SortPaths = K.Flag(
+    public static readonly ProfileKey<PrintSettings, bool> SortPaths = K.Boolean(
         "sort_paths", s => s.SortPaths, (s, v) => s with { SortPaths = v },
         "Sliced paths are sorted inside their groups, for short travels.");
 

@@ -24,7 +24,7 @@ internal static class SetupValues
 
     private static PrintSetup One(PrintSetup setup, string key, string text, SourceLocation place, List<Diagnostic> diagnostics)
     {
-        // The title stands in all three; it says nothing about the print.
+        // All three have a title; it does not affect the print.
         if (key != "title")
         {
             if (ProfileKinds.Settings.Find(key) is { } settings)
@@ -39,6 +39,6 @@ internal static class SetupValues
         return setup;
     }
 
-    // Text that is not of the key's kind is handed on as text, so that the message can show it.
+    // Text of another kind is passed on as text, so that the message can show it.
     private static object Parse(ProfileKey key, string text) => key.Format.Parse(text) ?? text;
 }

@@ -6,11 +6,11 @@ namespace Caterpillar.Machines;
 /// <summary>Keys of print settings: the closed layers at the top and the bottom of a part, and bridges.</summary>
 internal static class SkinKeys
 {
-    public static readonly ProfileKey<PrintSettings, int> TopLayers = K.Whole(
+    public static readonly ProfileKey<PrintSettings, int> TopLayers = K.Integer(
         "top_layers", 0, 100_000, s => s.TopLayers, (s, v) => s with { TopLayers = v },
         "Closed layers below every surface that is seen from above.");
 
-    public static readonly ProfileKey<PrintSettings, int> BottomLayers = K.Whole(
+    public static readonly ProfileKey<PrintSettings, int> BottomLayers = K.Integer(
         "bottom_layers", 0, 100_000, s => s.BottomLayers, (s, v) => s with { BottomLayers = v },
         "Closed layers above every surface that is seen from below.");
 
@@ -58,7 +58,7 @@ internal static class SkinKeys
         "solid_infill_speed_mm_s", 0, 10_000, s => s.SolidInfillSpeed, (s, v) => s with { SolidInfillSpeed = v },
         "Speed of the other closed layers; 0 for the speed of the infill.");
 
-    public static readonly ProfileKey<PrintSettings, bool> Ironing = K.Flag(
+    public static readonly ProfileKey<PrintSettings, bool> Ironing = K.Boolean(
         "ironing", s => s.Ironing, (s, v) => s with { Ironing = v },
         "The hot nozzle goes over surfaces seen from above once more, with little material, and smooths them.");
 
@@ -74,7 +74,7 @@ internal static class SkinKeys
         "ironing_speed_mm_s", 0, 10_000, s => s.IroningSpeed, (s, v) => s with { IroningSpeed = v },
         "Speed of ironing; 0 for the print speed.");
 
-    public static readonly ProfileKey<PrintSettings, bool> Bridges = K.Flag(
+    public static readonly ProfileKey<PrintSettings, bool> Bridges = K.Boolean(
         "bridges", s => s.Bridges, (s, v) => s with { Bridges = v },
         "Skins over air are spanned in the direction in which they are held best.");
 

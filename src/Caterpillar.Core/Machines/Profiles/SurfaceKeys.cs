@@ -6,7 +6,7 @@ namespace Caterpillar.Machines;
 /// <summary>Keys of print settings: vase mode, open meshes, rough surfaces and the time of layers.</summary>
 internal static class SurfaceKeys
 {
-    public static readonly ProfileKey<PrintSettings, bool> Vase = K.Flag(
+    public static readonly ProfileKey<PrintSettings, bool> Vase = K.Boolean(
         "vase", s => s.Vase, (s, v) => s with { Vase = v },
         "One wall that climbs without a seam, on a closed bottom of bottom_layers.");
 
@@ -27,7 +27,7 @@ internal static class SurfaceKeys
         "fuzzy_skin_distance_mm", 0.01, 100, s => s.FuzzySkinDistance, (s, v) => s with { FuzzySkinDistance = v },
         "Distance between the points of rough walls.");
 
-    public static readonly ProfileKey<PrintSettings, int> FuzzySkinSeed = K.Whole(
+    public static readonly ProfileKey<PrintSettings, int> FuzzySkinSeed = K.Integer(
         "fuzzy_skin_seed", 0, 1_000_000_000, s => s.FuzzySkinSeed, (s, v) => s with { FuzzySkinSeed = v },
         "Seed of the random numbers of rough walls.");
 

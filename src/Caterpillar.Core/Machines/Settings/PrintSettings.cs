@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// How something is printed. Lengths in mm, speeds in mm/s. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's room throws an
+/// Print settings. Lengths in mm, speeds in mm/s. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's range throws an
 /// <see cref="System.ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
 public sealed partial record PrintSettings
@@ -11,7 +11,7 @@ public sealed partial record PrintSettings
     /// <summary>Name of the profile.</summary>
     public string Name { get; init; } = "standard";
 
-    /// <summary>Name for people.</summary>
+    /// <summary>Display name.</summary>
     public string Title { get; init => field = SettingsKeys.Title.Check(value); } = "Standard";
 
     /// <summary>mm.</summary>
@@ -23,13 +23,13 @@ public sealed partial record PrintSettings
     /// <summary>Width of a strand, mm.</summary>
     public double LineWidth { get; init => field = SettingsKeys.LineWidth.Check(value); } = 0.45;
 
-    /// <summary>Cross-section from which area and width of a strand follow.</summary>
+    /// <summary>Shape of the cross-section, which relates area and width of a strand.</summary>
     public BeadShape BeadShape { get; init; } = BeadShape.Stadium;
 
     /// <summary>Walls around each region.</summary>
     public int WallCount { get; init => field = SettingsKeys.WallCount.Check(value); } = 2;
 
-    /// <summary>Part of the inside that is filled, %; not used where <see cref="InfillSpacing"/> is given.</summary>
+    /// <summary>Share of the inside that is filled, %; ignored if <see cref="InfillSpacing"/> is given.</summary>
     public double InfillPercent { get; init => field = SettingsKeys.InfillPercent.Check(value); } = 20;
 
     /// <summary>Distance between the lines of the infill, mm (the "density" of Caterpillar 2019); 0 to take it from <see cref="InfillPercent"/>.</summary>
@@ -38,10 +38,10 @@ public sealed partial record PrintSettings
     /// <summary>Direction of the infill in the first layer, degrees from +X.</summary>
     public double InfillAngle { get; init => field = SettingsKeys.InfillAngle.Check(value); } = 45;
 
-    /// <summary>How far the infill reaches into the innermost wall, % of the line width.</summary>
+    /// <summary>Overlap of the infill with the innermost wall,  % of the line width.</summary>
     public double InfillOverlapPercent { get; init => field = SettingsKeys.InfillOverlapPercent.Check(value); } = 15;
 
-    /// <summary>Largest deviation of contours that may be simplified away, mm.</summary>
+    /// <summary>Maximum deviation of simplified contours, mm.</summary>
     public double SimplifyTolerance { get; init => field = SettingsKeys.SimplifyTolerance.Check(value); } = 0.0125;
 
     /// <summary>Meshes that are not closed are made solid before they are sliced.</summary>
@@ -65,7 +65,7 @@ public sealed partial record PrintSettings
     /// <summary>Speed of infill, mm/s; 0 for <see cref="PrintSpeed"/>.</summary>
     public double InfillSpeed { get; init => field = SettingsKeys.InfillSpeed.Check(value); }
 
-    /// <summary>Highest printing speed in the first layer, mm/s; 0 for no such limit.</summary>
+    /// <summary>Maximum print speed in the first layer, mm/s; 0 for no limit.</summary>
     public double FirstLayerSpeed { get; init => field = SettingsKeys.FirstLayerSpeed.Check(value); } = 25;
 
     /// <summary>mm/s.</summary>
@@ -76,22 +76,22 @@ public sealed partial record PrintSettings
     /// <summary>Travels up to this length are made without a lift, mm.</summary>
     public double LiftMinTravel { get; init => field = SettingsKeys.LiftMinTravel.Check(value); } = 2;
 
-    /// <summary>Travels go around what was printed where that is quicker than over it.</summary>
+    /// <summary>Travels go around printed parts if that is faster than over them.</summary>
     public bool Detour { get; init; }
 
-    /// <summary>Travels within a layer that stay inside the part are made without a lift and a retraction.</summary>
+    /// <summary>Travels within a layer that stay inside the part are made without lift and retraction.</summary>
     public bool Comb { get; init; } = true;
 
     /// <summary>Travels up to this length are made without a retraction, mm.</summary>
     public double RetractionMinTravel { get; init => field = SettingsKeys.RetractionMinTravel.Check(value); } = 1.5;
 
-    /// <summary>Way back along the path during which filament is pulled back, mm; 0 for none.</summary>
+    /// <summary>Distance back along the path during which filament is retracted, mm; 0 for none.</summary>
     public double WipeDistance { get; init => field = SettingsKeys.WipeDistance.Check(value); }
 
-    /// <summary>Retracted filament is pushed forward while the head comes down to a path, not after.</summary>
+    /// <summary>Retracted filament is restored while the head descends to a path, not afterwards.</summary>
     public bool RestoreDuringDescent { get; init; }
 
-    /// <summary>Length of bead that is pushed out in place before a path begins, for materials that answer late, mm.</summary>
+    /// <summary>Length of bead that is extruded in place before a path starts, for materials with a delayed response, mm.</summary>
     public double StartDistance { get; init => field = SettingsKeys.StartDistance.Check(value); }
 
     /// <summary>The extruder stops this far before the end of a path, mm.</summary>
@@ -100,7 +100,7 @@ public sealed partial record PrintSettings
     /// <summary>Sliced paths are sorted inside their groups, for short travels.</summary>
     public bool SortPaths { get; init; } = true;
 
-    /// <summary>Speed in mm/s of paths that state none.</summary>
+    /// <summary>Speed in mm/s of paths without their own.</summary>
     public double SpeedOf(Role role, bool firstLayer = false)
     {
         var own = role switch

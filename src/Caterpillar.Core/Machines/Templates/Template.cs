@@ -8,8 +8,8 @@ namespace Caterpillar.Machines;
 
 /// <summary>
 /// Lines of G-code with values and conditions: <c>M104 S{nozzle_temperature_c}</c>, <c>{if bed_temperature_c &gt; 0}</c> … <c>{elsif …}</c> … <c>{else}</c> …
-/// <c>{endif}</c>. Between braces stands any formula of <see cref="Expressions.Formula"/> over the keys of the profiles and the names of
-/// <see cref="TemplateNames"/>, or the name of a text. Flags are 1 and 0. Numbers are written with up to five decimals. A line that has only directives gives
+/// <c>{endif}</c>. Braces contain any formula of <see cref="Expressions.Formula"/> over the keys of the profiles and the names of
+/// <see cref="TemplateNames"/>, or the name of a text. Flags are 1 and 0. Numbers are written with up to five decimals. A line with only directives gives
 /// no line; <c>{{</c> and <c>}}</c> are braces of the text. Immutable.
 /// </summary>
 public sealed class Template
@@ -20,7 +20,7 @@ public sealed class Template
 
     private Template(IReadOnlyList<TemplatePart> parts) => _parts = parts;
 
-    /// <summary>Reads a template; errors carry its line and column, and what <paramref name="source"/> says of file and key.</summary>
+    /// <summary>Reads a template; errors carry its line and column, and file and key of <paramref name="source"/>.</summary>
     public static Result<Template> Parse(IReadOnlyList<string> lines, SourceLocation? source = null)
     {
         if (lines is null) throw new ArgumentNullException(nameof(lines));
@@ -29,7 +29,7 @@ public sealed class Template
         return new Result<Template>(parser.Problems.Count == 0 ? new Template(parser.Parts) : null, parser.Problems);
     }
 
-    /// <summary>The lines for these values. An error where a value is not known here or not finite.</summary>
+    /// <summary>The lines for these values. An error if a value is unknown here or not finite.</summary>
     public Result<IReadOnlyList<string>> Render(TemplateValues values)
     {
         if (values is null) throw new ArgumentNullException(nameof(values));
@@ -39,7 +39,7 @@ public sealed class Template
         var lines = new List<string>();
         var line = new StringBuilder();
         var directives = false;
-        // For each open if: is this branch taken, and was one taken.
+        // For each open if: whether this branch is taken, and whether one was taken.
         var open = new Stack<(bool Now, bool Done)>();
         foreach (var part in _parts)
         {
@@ -65,7 +65,7 @@ public sealed class Template
                     break;
                 case TemplatePartKind.LineEnd:
                     var text = line.ToString();
-                    // Inside a branch that is not taken, or with directives and nothing else, a line is none.
+                    // A line inside a branch that is not taken, or with only directives, is dropped.
                     if (text.Trim().Length > 0 || (!directives && active)) lines.Add(text.TrimEnd());
                     line.Clear();
                     directives = false;
@@ -89,7 +89,7 @@ public sealed class Template
     {
         var value = part.Formula!.Evaluate(slots);
         if (missing.FirstOrDefault(n => Mentions(part.Text, n)) is { } name)
-            problems.Add(new Diagnostic(Severity.Error, "template.no_value", $"{name} is not known here.", part.Place));
+            problems.Add(new Diagnostic(Severity.Error, "template.no_value", $"{name} is unknown here.", part.Place));
         else if (double.IsNaN(value) || double.IsInfinity(value))
             problems.Add(new Diagnostic(Severity.Error, "template.not_finite", $"\"{part.Text}\" has no finite value.", part.Place));
         else
@@ -102,8 +102,8 @@ public sealed class Template
         for (var at = text.IndexOf(name, StringComparison.Ordinal); at >= 0; at = text.IndexOf(name, at + 1, StringComparison.Ordinal))
         {
             var before = at > 0 && IsLetter(text[at - 1]);
-            var behind = at + name.Length < text.Length && IsLetter(text[at + name.Length]);
-            if (!before && !behind) return true;
+            var after = at + name.Length < text.Length && IsLetter(text[at + name.Length]);
+            if (!before && !after) return true;
         }
         return false;
     }

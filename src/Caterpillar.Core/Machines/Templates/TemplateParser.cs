@@ -13,7 +13,7 @@ internal sealed class TemplateParser(SourceLocation source)
     private readonly List<TemplatePart> _parts = [];
     private readonly List<Diagnostic> _problems = [];
 
-    // For each open if: where it stands, and whether its else has come.
+    // For each open if: its location, and whether its else has come.
     private readonly Stack<(SourceLocation Place, bool Else)> _open = new();
 
     public IReadOnlyList<TemplatePart> Parts => _parts;
@@ -50,8 +50,8 @@ internal sealed class TemplateParser(SourceLocation source)
             var end = c == '{' ? line.IndexOfAny(['}'], at) : -1;
             if (end < 0)
             {
-                Problem("template.brace", c == '{' ? "This brace is not closed; write {{ for a brace in the text."
-                    : "There is no brace to close; write }} for a brace in the text.", Place(number, at + 1));
+                Problem("template.brace", c == '{' ? "This brace is not closed; use {{ for a brace in the text."
+                    : "There is no brace to close; use }} for a brace in the text.", Place(number, at + 1));
                 return;
             }
             Flush(text, number, at);
@@ -79,12 +79,12 @@ internal sealed class TemplateParser(SourceLocation source)
                 return;
             case "elsif" or "elseif" or "elif":
                 if (_open.Count == 0) Problem("template.no_if", $"There is no if before this {word}.", place);
-                else if (_open.Peek().Else) Problem("template.after_else", $"{word} stands behind else.", place);
+                else if (_open.Peek().Else) Problem("template.after_else", $"{word} comes after else.", place);
                 Condition(TemplatePartKind.Elsif, inside, word, place);
                 return;
             case "else" when trimmed == "else":
                 if (_open.Count == 0) Problem("template.no_if", "There is no if before this else.", place);
-                else if (_open.Peek().Else) Problem("template.after_else", "This if has an else already.", place);
+                else if (_open.Peek().Else) Problem("template.after_else", "This if already has an else.", place);
                 else _open.Push((_open.Pop().Place, true));
                 _parts.Add(new TemplatePart(TemplatePartKind.Else, "", place));
                 return;
@@ -112,7 +112,7 @@ internal sealed class TemplateParser(SourceLocation source)
         var formula = Expressions.Formula.Compile(text, TemplateNames.Numbers, place);
         foreach (var problem in formula.Diagnostics) _problems.Add(problem with { Source =
             place with { Column = place.Column + from + (problem.Source?.Column ?? 1) - 1 } });
-        if (formula.Value is { UsesRandom: true }) Problem("template.random", "Templates do not roll dice.", place);
+        if (formula.Value is { UsesRandom: true }) Problem("template.random", "Templates cannot use random numbers.", place);
         _parts.Add(new TemplatePart(kind, text.Trim(), place, formula.Value));
     }
 

@@ -7,7 +7,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// The values that templates may use: every number and word of the three profiles by its key, and what is known of the print (<see cref="TemplateNames"/>).
+/// The values that templates may use: every number and word of the three profiles by its key, and what is known about the print (<see cref="TemplateNames"/>).
 /// Immutable.
 /// </summary>
 public sealed class TemplateValues
@@ -21,7 +21,7 @@ public sealed class TemplateValues
         _texts = texts;
     }
 
-    /// <summary>The values of a setup, and of the print where its toolpath is there.</summary>
+    /// <summary>The values of a setup, and of the print if there is a toolpath.</summary>
     public static TemplateValues Of(PrintSetup setup, Toolpath? toolpath = null)
     {
         if (setup is null) throw new ArgumentNullException(nameof(setup));
@@ -63,8 +63,8 @@ public sealed class TemplateValues
         {
             switch (key.Kind)
             {
-                case KeyKind.Number or KeyKind.Whole: numbers[key.Name] = (double)key.Get(profile); break;
-                case KeyKind.Flag: numbers[key.Name] = (bool)key.Get(profile) ? 1 : 0; break;
+                case KeyKind.Number or KeyKind.Integer: numbers[key.Name] = (double)key.Get(profile); break;
+                case KeyKind.Boolean: numbers[key.Name] = (bool)key.Get(profile) ? 1 : 0; break;
                 case KeyKind.Choice: texts[key.Name] = (string)key.Get(profile); break;
             }
         }

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>A layer of a body on its way through the stages. Each stage writes its own part; a layer's neighbors are only read.</summary>
+/// <summary>A layer of a body as it passes through the stages. Each stage writes its own part; a layer's neighbors are only read.</summary>
 internal sealed class LayerWork(Body body, int index, PlannedLayer plan, SliceRules rules)
 {
     public Body Body { get; } = body;

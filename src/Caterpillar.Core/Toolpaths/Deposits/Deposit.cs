@@ -5,17 +5,17 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// What is printed so far, seen from above: a height field of square cells, with the strands in bins for exact answers. One structure for the height of
+/// What has been printed so far, seen from above: a height field of square cells, with the strands in bins for exact answers. One structure for the height of
 /// travels, beads from the gap, the safe return of turtles, support and collision. It grows with the print; strands far below the top of their bin are dropped,
-/// and there the cells answer (never too low, and too wide by less than a cell). Not thread-safe.
+/// and there the cells answer (never too low, and too wide by less than one cell). Not thread-safe.
 /// </summary>
 public sealed class Deposit
 {
     // Deviation of the chords of an arc, mm.
     private const double ArcTolerance = 0.02;
 
-    // Bins on each side of the origin: 4 m with the usual cell. What lies further out has one height.
-    private const int Reach = 1024;
+    // Bins on each side of the origin: 4 m with the usual cell. Everything farther out has one height.
+    private const int MaxBins = 1024;
     private readonly double _cell;
     private readonly double _keepDepth;
     private readonly StrandStore _store = new();
@@ -28,7 +28,7 @@ public sealed class Deposit
     /// <exception cref="ArgumentOutOfRangeException">A length is not positive.</exception>
     public Deposit(double cell = 0.25, double keepDepth = 10)
     {
-        if (!(cell > 0) || double.IsInfinity(cell)) throw new ArgumentOutOfRangeException(nameof(cell), "A cell has a positive size.");
+        if (!(cell > 0) || double.IsInfinity(cell)) throw new ArgumentOutOfRangeException(nameof(cell), "The cell size must be positive.");
         if (!(keepDepth > 0)) throw new ArgumentOutOfRangeException(nameof(keepDepth), "The depth must be positive.");
         _cell = cell;
         _keepDepth = keepDepth;
@@ -37,13 +37,13 @@ public sealed class Deposit
     /// <summary>Side of a cell, mm.</summary>
     public double Cell => _cell;
 
-    /// <summary>Highest point printed, mm; negative infinity while nothing is.</summary>
+    /// <summary>Highest point printed, mm; negative infinity before anything is.</summary>
     public double Highest { get; private set; } = double.NegativeInfinity;
 
     /// <summary>Number of strands kept for exact answers.</summary>
     public int StrandCount => _store.Count;
 
-    /// <summary>Adds the strands of a path. Segments without material leave nothing.</summary>
+    /// <summary>Adds the strands of a path. Segments without material are skipped.</summary>
     public void Add(PrintPath path, BeadShape shape = BeadShape.Rectangle)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
@@ -54,7 +54,7 @@ public sealed class Deposit
     public void Add(Vec3 from, Vec3 to, Bead bead, Arc? arc = null, BeadShape shape = BeadShape.Rectangle)
     {
         if (!(bead.Area > 0)) return;
-        // A bead of next to no height would be as wide as the bed.
+        // A bead of almost no height would be as wide as the bed.
         var half = Math.Min(bead.Width(shape), 40 * Math.Sqrt(bead.Area / Math.PI)) / 2;
         if (arc is not { } turn)
         {
@@ -71,19 +71,20 @@ public sealed class Deposit
         }
     }
 
-    /// <summary>Adds a straight strand: the way of the nozzle's tip (its top) in mm and half its width in mm.</summary>
+    /// <summary>Adds a straight strand: the path of the nozzle tip (its top) in mm and half its width in mm.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite, or the width is negative.</exception>
     public void Add(Vec3 from, Vec3 to, double halfWidth)
     {
-        if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "A strand has finite ends.");
-        if (!(halfWidth >= 0) || double.IsInfinity(halfWidth)) throw new ArgumentOutOfRangeException(nameof(halfWidth), "A strand has a width.");
+        if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "The ends of a strand must be finite.");
+        if (!(halfWidth >= 0) || double.IsInfinity(halfWidth)) throw new ArgumentOutOfRangeException(nameof(halfWidth),
+            "The width of a strand must be finite and not negative.");
         var strand = new Strand { Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth };
         Highest = Math.Max(Highest, strand.Top);
-        var edge = Reach * DepositBin.Side * _cell;
+        var edge = MaxBins * DepositBin.Side * _cell;
         if (IsOutside(from, halfWidth, edge) || IsOutside(to, halfWidth, edge))
         {
             _outside = Math.Max(_outside, strand.Top);
-            // Only what lies inside is drawn into cells.
+            // Only the part inside is drawn into cells.
             double low = 0, high = 1;
             if (!ClipAxis(strand.Ax, strand.Bx, edge - halfWidth - _cell, ref low, ref high)
                 || !ClipAxis(strand.Ay, strand.By, edge - halfWidth - _cell, ref low, ref high)) return;
@@ -94,12 +95,12 @@ public sealed class Deposit
     }
 
     /// <summary>
-    /// Highest top, mm, of what lies within <paramref name="radius"/> mm of the way from <paramref name="a"/> to <paramref name="b"/>, all seen from above;
-    /// negative infinity where nothing does.
+    /// Highest top, mm, of what lies within <paramref name="radius"/> mm of the line from <paramref name="a"/> to <paramref name="b"/>, all seen from above;
+    /// negative infinity if nothing does.
     /// </summary>
     public double TopAlong(Vec3 a, Vec3 b, double radius)
     {
-        var edge = Reach * DepositBin.Side * _cell;
+        var edge = MaxBins * DepositBin.Side * _cell;
         var best = IsOutside(a, radius, edge) || IsOutside(b, radius, edge) ? _outside : double.NegativeInfinity;
         if (_bins.Length == 0) return best;
         var side = DepositBin.Side * _cell;
@@ -126,13 +127,13 @@ public sealed class Deposit
 
     /// <summary>
     /// Highest top, mm, not above <paramref name="limit"/>, of what lies within <paramref name="radius"/> mm of a point seen from above; negative infinity
-    /// where nothing does.
+    /// if nothing does.
     /// </summary>
     public double TopUnder(Vec3 point, double limit, double radius = 0)
     {
         var best = double.NegativeInfinity;
         var side = DepositBin.Side * _cell;
-        if (_bins.Length == 0 || !(Math.Abs(point.X) < Reach * side && Math.Abs(point.Y) < Reach * side)) return best;
+        if (_bins.Length == 0 || !(Math.Abs(point.X) < MaxBins * side && Math.Abs(point.Y) < MaxBins * side)) return best;
         var lastRow = Clamp(point.Y + radius, side, _bottom, _rows);
         var lastColumn = Clamp(point.X + radius, side, _left, _columns);
         for (var row = Clamp(point.Y - radius, side, _bottom, _rows); row <= lastRow; row++)
@@ -153,15 +154,15 @@ public sealed class Deposit
     }
 
     /// <summary>
-    /// True when a tip of some radius in mm moves straight from <paramref name="a"/> to <paramref name="b"/> without dipping more than
-    /// <paramref name="tolerance"/> mm below the top of anything that it passes.
+    /// True if a tip of the given radius in mm can move straight from <paramref name="a"/> to <paramref name="b"/> without dipping more than
+    /// <paramref name="tolerance"/> mm below the top of anything it passes.
     /// </summary>
     public bool IsFree(Vec3 a, Vec3 b, double radius, double tolerance = 1e-6)
     {
         var top = TopAlong(a, b, radius);
         if (top <= Math.Min(a.Z, b.Z) + tolerance) return true;
         if (top > Math.Max(a.Z, b.Z) + tolerance && a.Z == b.Z) return false;
-        // On a slope the height differs along the way: look at it in pieces.
+        // On a slope the height differs along the line: check it in pieces.
         if ((b - a).LengthXY <= _cell / 4) return false;
         var middle = Vec3.Lerp(a, b, 0.5);
         return IsFree(a, middle, radius, tolerance) && IsFree(middle, b, radius, tolerance);
@@ -261,16 +262,16 @@ public sealed class Deposit
 
     private void GrowTo(int column, int row)
     {
-        // Half as much again on the side that was left, so that growing costs little in all.
+        // Grows by half on the side that was exceeded, so that growing costs little overall.
         var margin = _bins.Length == 0 ? 4 : Math.Max(_columns, _rows) / 2;
         var left = _bins.Length == 0 ? column - margin : column < _left ? column - margin : _left;
         var bottom = _bins.Length == 0 ? row - margin : row < _bottom ? row - margin : _bottom;
         var right = _bins.Length == 0 ? column + margin : column >= _left + _columns ? column + margin : _left + _columns - 1;
         var top = _bins.Length == 0 ? row + margin : row >= _bottom + _rows ? row + margin : _bottom + _rows - 1;
-        left = Math.Max(left, -Reach - 1);
-        bottom = Math.Max(bottom, -Reach - 1);
-        right = Math.Min(right, Reach);
-        top = Math.Min(top, Reach);
+        left = Math.Max(left, -MaxBins - 1);
+        bottom = Math.Max(bottom, -MaxBins - 1);
+        right = Math.Min(right, MaxBins);
+        top = Math.Min(top, MaxBins);
         var bins = new DepositBin?[(right - left + 1) * (top - bottom + 1)];
         for (var y = 0; y < _rows; y++)
         {

@@ -2,14 +2,14 @@ using System;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>A square of cells of a <see cref="Deposit"/>, with the strands that reach into it.</summary>
+/// <summary>A square of cells of a <see cref="Deposit"/>, with the strands that overlap it.</summary>
 internal sealed class DepositBin
 {
     public const int Bits = 4;
     public const int Side = 1 << Bits;
     private const int FirstCompaction = 64;
 
-    /// <summary>Highest top in each cell, mm; negative infinity where nothing is.</summary>
+    /// <summary>Highest top in each cell, mm; negative infinity in empty cells.</summary>
     public readonly double[] Cells = new double[Side * Side];
 
     public int[] Strands = new int[4];
@@ -19,7 +19,7 @@ internal sealed class DepositBin
     /// <summary>Highest top in the bin.</summary>
     public double Top = double.NegativeInfinity;
 
-    /// <summary>Highest top among strands that were dropped because the print is far above them; there only the cells know.</summary>
+    /// <summary>Highest top among strands that were dropped because the print is far above them; there only the cells answer.</summary>
     public double Dropped = double.NegativeInfinity;
 
     private int _compactAt = FirstCompaction;

@@ -23,7 +23,7 @@ internal static class FlatSegment
         return true;
     }
 
-    /// <summary>Parameter from 0 to 1 of the place nearest to a point.</summary>
+    /// <summary>Parameter from 0 to 1 of the point nearest to another.</summary>
     public static double Parameter(Vec3 p, Vec3 a, Vec3 b)
     {
         double dx = b.X - a.X, dy = b.Y - a.Y;

@@ -4,19 +4,19 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// A straight piece of printed material seen from above: the way of the nozzle's tip, which is its top, and half its width. Its footprint is a stadium.
+/// A straight piece of printed material seen from above: the path of the nozzle tip, which is its top, and half its width. Its footprint is a stadium.
 /// </summary>
 internal struct Strand
 {
     public double Ax, Ay, Az, Bx, By, Bz, Half;
 
-    // Bins that name it; 0 when it is free.
+    // Number of bins that refer to it; 0 if it is free.
     public int Users;
 
     public readonly double Top => Math.Max(Az, Bz);
 
     /// <summary>
-    /// Highest top of the part whose footprint comes within a distance of a segment seen from above; negative infinity where none does.
+    /// Highest top of the part whose footprint comes within a distance of a segment seen from above; negative infinity if none does.
     /// </summary>
     public readonly double TopWithin(Vec3 a, Vec3 b, double distance)
     {
@@ -25,7 +25,7 @@ internal struct Strand
         return Math.Max(Az + (Bz - Az) * from, to >= 1 ? Bz : Az + (Bz - Az) * to);
     }
 
-    /// <summary>Top where it is nearest to a point seen from above, if that is within a distance of its footprint; else negative infinity.</summary>
+    /// <summary>Top at its point nearest to a point seen from above, if that is within a distance of its footprint; else negative infinity.</summary>
     public readonly double TopAt(Vec3 p, double distance)
     {
         double dx = Bx - Ax, dy = By - Ay;
@@ -102,7 +102,7 @@ internal static class StadiumClip
     }
 }
 
-/// <summary>Strands by number, in chunks; numbers of strands that no bin names any more are used again.</summary>
+/// <summary>Strands by number, in chunks; numbers of strands that no bin refers to are reused.</summary>
 internal sealed class StrandStore
 {
     private const int ChunkBits = 12;
@@ -112,7 +112,7 @@ internal sealed class StrandStore
     private int _freeCount;
     private int _next;
 
-    /// <summary>Number of strands that are kept.</summary>
+    /// <summary>Number of stored strands.</summary>
     public int Count => _next - _freeCount;
 
     public ref Strand this[int index] => ref _chunks[index >> ChunkBits][index & ChunkMask];

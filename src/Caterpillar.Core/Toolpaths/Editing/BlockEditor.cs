@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Collects the moves of an edited block. Rotary axes stay where they are until a move turns them.</summary>
+/// <summary>Collects the moves of an edited block. Rotary axes keep their position until a move turns them.</summary>
 internal sealed class BlockEditor
 {
     private readonly ToolpathBuilder _builder = new(MoveSource.Lines, null);
@@ -13,7 +13,7 @@ internal sealed class BlockEditor
     private double _c;
 
     /// <summary>An editor for a block of a toolpath.</summary>
-    public static BlockEditor Behind(Toolpath toolpath, int block)
+    public static BlockEditor After(Toolpath toolpath, int block)
     {
         var editor = new BlockEditor();
         if (block > 0 && toolpath.Blocks[block - 1].Columns is { A: not null } before) editor.Take(before, before.Count - 1);
@@ -26,7 +26,7 @@ internal sealed class BlockEditor
         if (_turns) _builder.SetRotary(_a, _b, _c);
     }
 
-    /// <summary>The last move turns the rotary axes as a move of these columns does.</summary>
+    /// <summary>Sets the rotary axes of the last move from a move of these columns.</summary>
     public void Turn(ToolpathColumns columns, int i)
     {
         if (columns.A is null || _builder.Count == 0) return;

@@ -1,19 +1,19 @@
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Which moves a map of chosen moves takes along.</summary>
+/// <summary>Determines which moves are mapped together with the chosen ones.</summary>
 internal static class MappedMoves
 {
     public static bool[] All(Toolpath toolpath)
     {
         var all = new bool[toolpath.Count];
         for (var i = 0; i < all.Length; i++) all[i] = true;
-        Stay(toolpath, all);
+        Unmap(toolpath, all);
         return all;
     }
 
     /// <summary>
-    /// The chosen strands, what is chosen between them, and what is done in place at their ends. Travels that lead to the first strand or away from the last
-    /// have one end elsewhere: a way from or to the home position stays.
+    /// The chosen strands, the chosen moves between them, and the moves in place at their ends. Travels that lead to the first strand or away from the last
+    /// have one end elsewhere: a travel from or to the home position stays.
     /// </summary>
     public static bool[] Of(Toolpath toolpath, MoveFilter filter)
     {
@@ -37,12 +37,12 @@ internal static class MappedMoves
         }
         for (var i = 1; i < mapped.Length; i++) mapped[i] |= inPlace[i] && mapped[i - 1];
         for (var i = mapped.Length - 2; i >= 0; i--) mapped[i] |= inPlace[i] && mapped[i + 1];
-        Stay(toolpath, mapped);
+        Unmap(toolpath, mapped);
         return mapped;
     }
 
-    /// <summary>Unmaps ways home, which go where the switches are, and what is done in place where no travel leads to the strand that follows.</summary>
-    public static void Stay(Toolpath toolpath, bool[] mapped)
+    /// <summary>Unmaps homing moves, which go to the switches, and moves in place without a travel to the strand that follows.</summary>
+    public static void Unmap(Toolpath toolpath, bool[] mapped)
     {
         var stays = false;
         foreach (var move in toolpath.Moves())

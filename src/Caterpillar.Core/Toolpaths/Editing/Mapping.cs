@@ -6,7 +6,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Moves, turns and scales paths and toolpaths. Cross-sections and speeds stay; E follows the length of the printed moves. Arcs stay arcs where the map keeps
+/// Moves, turns and scales paths and toolpaths. Cross-sections and speeds stay; E follows the length of the printed moves. Arcs stay arcs if the map keeps
 /// circles in the XY plane, else they become chords.
 /// </summary>
 public static class Mapping
@@ -14,7 +14,7 @@ public static class Mapping
     /// <summary>The image of a path.</summary>
     /// <param name="path">The path.</param>
     /// <param name="map">The map, shift in mm.</param>
-    /// <param name="tolerance">Distance in mm that chords keep from an arc before it is mapped.</param>
+    /// <param name="tolerance">Maximum deviation of chords from an arc before it is mapped, mm.</param>
     public static PrintPath Transformed(this PrintPath path, Affine map, double tolerance = 0.01)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
@@ -24,7 +24,7 @@ public static class Mapping
 
     /// <summary>The image of a toolpath. The material of a printed move follows its length; retractions, primes and speeds stay.</summary>
     /// <inheritdoc cref="Transformed(PrintPath, Affine, double)" path="/param"/>
-    public static Toolpath Transformed(this Toolpath toolpath, Affine map, double tolerance = 0.01)
+    public static Toolpath Transform(this Toolpath toolpath, Affine map, double tolerance = 0.01)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var start = toolpath.Start is { } from ? map.Apply(from) : (Vec3?)null;
@@ -33,17 +33,17 @@ public static class Mapping
     }
 
     /// <summary>
-    /// The same for the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Layers that are chosen
-    /// whole (by number and object) get their new heights.
+    /// The same for the chosen strands and the chosen moves between them; the rest stays, and travels lead to the new starts of strands. Layers that are chosen
+    /// completely (by number and object) get their new heights.
     /// </summary>
-    /// <inheritdoc cref="Transformed(Toolpath, Affine, double)" path="/param"/>
-    public static Toolpath Transformed(this Toolpath toolpath, MoveFilter filter, Affine map, double tolerance = 0.01)
+    /// <inheritdoc cref="Transform(Toolpath, Affine, double)" path="/param"/>
+    public static Toolpath Transform(this Toolpath toolpath, MoveFilter filter, Affine map, double tolerance = 0.01)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
         var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), new AffineRunMap(map, tolerance), tolerance)
             .Run(toolpath.Start ?? Vec3.Zero);
-        return mapped.With(toolpath.Start, toolpath.Layers.Select(l => filter.MatchesWhole(l) ? Image(l, map) : l));
+        return mapped.With(toolpath.Start, toolpath.Layers.Select(l => filter.MatchesLayer(l) ? Image(l, map) : l));
     }
 
     private static PrintPath Mapped(PrintPath path, Affine map, bool keepsArcs, double tolerance)

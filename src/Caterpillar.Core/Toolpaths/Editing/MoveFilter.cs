@@ -5,17 +5,17 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Chooses moves of a toolpath. Every condition that is given must hold; without any, all moves are meant.</summary>
+/// <summary>Chooses moves of a toolpath. All given conditions must hold; without any, all moves are chosen.</summary>
 public sealed record MoveFilter
 {
     /// <summary>Roles of strands; null for all.</summary>
     public IReadOnlyCollection<Role>? Roles { get; init; }
 
-    /// <summary>What the machine does; null for all.</summary>
+    /// <summary>Kinds of moves; null for all.</summary>
     public IReadOnlyCollection<MoveKind>? Kinds { get; init; }
 
     /// <summary>
-    /// First and last number of the layer in its object (<see cref="Layer.Index"/>); null for no limit. Moves without a layer are outside as soon as one is
+    /// First and last number of the layer in its object (<see cref="Layer.Index"/>); null for no limit. Moves without a layer are excluded as soon as one is
     /// given.
     /// </summary>
     public int? FirstLayer { get; init; }
@@ -28,10 +28,10 @@ public sealed record MoveFilter
     /// <summary>Number of the tool; null for all.</summary>
     public int? Tool { get; init; }
 
-    /// <summary>A box in mm in which the move ends; null for everywhere.</summary>
-    public Bounds? Region { get; init; }
+    /// <summary>A box in mm that contains the end of the move; null for everywhere.</summary>
+    public Bounds? Box { get; init; }
 
-    /// <summary>Printing moves only.</summary>
+    /// <summary>Printing moves.</summary>
     public static MoveFilter Prints { get; } = new() { Kinds = [MoveKind.Print] };
 
     public bool Matches(Move move, Layer? layer)
@@ -41,9 +41,9 @@ public sealed record MoveFilter
             && (LastLayer is null || (layer is not null && layer.Index <= LastLayer))
             && (Objects is null || (layer is not null && Objects.Contains(layer.Object)))
             && (Tool is null || move.Tool == Tool)
-            && (Region is null || Region.Value.Contains(move.End));
+            && (Box is null || Box.Value.Contains(move.End));
 
-    /// <summary>The same, but for the moves that are in no layer, where the toolpath has any layers: start and end code of a file.</summary>
+    /// <summary>The same without the moves that belong to no layer (start and end code of a file), if the toolpath has layers.</summary>
     public MoveFilter InLayersOf(Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
@@ -61,6 +61,6 @@ public sealed record MoveFilter
     internal bool MatchesWhole(Layer layer)
         => Roles is null && Kinds is null && Tool is null && Region is null && Matches(default, layer);
 
-    /// <summary>True when the move of a toolpath is chosen.</summary>
+    /// <summary>True if the move of a toolpath is chosen.</summary>
     internal bool Matches(Toolpath toolpath, Move move) => Matches(move, move.Layer >= 0 ? toolpath.Layers[move.Layer] : null);
 }

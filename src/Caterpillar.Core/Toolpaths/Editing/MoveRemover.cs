@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Cuts moves out of a toolpath and mends what the cut leaves open: the way to the next strand, and for each tool what is pulled back, by E or by the firmware
-/// (G10 and G11). Events stay, and so do ways home; a dwell goes with its event. Blocks without cuts are shared.
+/// Removes moves from a toolpath and repairs the cuts: the travel to the next strand, and for each tool the retraction, by E or by the firmware
+/// (G10 and G11). Events stay, and so do homing moves; a dwell is removed with its event. Blocks without cuts are shared.
 /// </summary>
 internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
 {
@@ -37,7 +37,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
                 _made += count;
                 continue;
             }
-            _editor = BlockEditor.Behind(toolpath, block);
+            _editor = BlockEditor.After(toolpath, block);
             for (var i = first; i < first + count; i++) Step(toolpath[i], block, i - first);
             _blocks.AddRange(_editor.ToBlocks());
         }
@@ -65,7 +65,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         }
         var dwell = move.Kind == MoveKind.Dwell ? TakeDwell(move.Index) : null;
         Events(move.Index);
-        Mend(move);
+        Repair(move);
         if (dwell is not null) _events.Add(new MoveEvent(_made, dwell));
         Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move, move.Source, move.Arc);
         _editor!.Turn(toolpath.Blocks[block].Columns, i);
@@ -87,14 +87,14 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         if (move.Kind == MoveKind.Retract && move.E < 0 && move.Speed > 0) _retractSpeed = move.Speed;
     }
 
-    // Pulled back before the way, pushed forward again at its end: a travel takes along what is still pulled back.
-    private void Mend(Move move)
+    // Retracted before the travel, restored at its end: a travel carries over what is still retracted.
+    private void Repair(Move move)
     {
         var tool = Of(move.Tool);
         var isTravel = move.Kind == MoveKind.Travel;
         if (tool.Missing > NoChange) Pull(move, tool, tool.Missing);
         if (tool.MissesFirmware) Firmware(move, tool, MoveKind.Retract);
-        // A travel begins anywhere; everything else where it began.
+        // A travel may start anywhere; everything else at its old start.
         if (!isTravel || move.Arc is not null) Travel(move);
         if (isTravel) return;
         if (tool.Missing < -NoChange) Pull(move, tool, tool.Missing);
@@ -132,7 +132,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         _made++;
     }
 
-    // Events up to a move; those of a block that is kept whole stay at their moves.
+    // Events up to a move; those of an unchanged block stay at their moves.
     private void Events(int before, int first = int.MaxValue)
     {
         for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move <= before; _nextEvent++)
@@ -142,7 +142,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         }
     }
 
-    // The event of a dwell goes where the dwell goes.
+    // The event of a dwell moves with the dwell.
     private DwellEvent? TakeDwell(int move)
     {
         DwellEvent? dwell = null;
@@ -170,7 +170,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         return true;
     }
 
-    /// <summary>What a tool has pulled back, with all moves and with those that are kept.</summary>
+    /// <summary>The retraction of a tool, with all moves and with the kept ones.</summary>
     private sealed class Balance
     {
         private double _before;

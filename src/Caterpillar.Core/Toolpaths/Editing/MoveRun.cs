@@ -4,15 +4,15 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Consecutive moves of a toolpath that are mapped together, divided into pieces where the map bends them.</summary>
+/// <summary>Consecutive moves of a toolpath that are mapped together, divided into pieces where the map curves them.</summary>
 internal sealed class MoveRun(Toolpath toolpath, Vec3 start)
 {
     public Toolpath Toolpath => toolpath;
 
-    /// <summary>Where the first piece begins, and where each ends, mm.</summary>
+    /// <summary>Start of the first piece and end of each, mm.</summary>
     public List<Vec3> Points { get; } = [start];
 
-    /// <summary>For each piece its geometry where it is not straight.</summary>
+    /// <summary>For each piece its arc, or null if it is straight.</summary>
     public List<Arc?> Arcs { get; } = [];
 
     /// <summary>For each piece the move it belongs to, and its share of that move.</summary>
@@ -20,12 +20,12 @@ internal sealed class MoveRun(Toolpath toolpath, Vec3 start)
 
     public List<double> Shares { get; } = [];
 
-    /// <summary>For each piece the factor of its material for a mm of its way, and its speed in mm/s.</summary>
+    /// <summary>For each piece the factor for its material per mm of length, and its speed in mm/s.</summary>
     public List<double> Flows { get; } = [];
 
     public List<double> Speeds { get; } = [];
 
-    /// <summary>The points behind the last are pieces of a move.</summary>
+    /// <summary>The points added since the last call are the pieces of a move.</summary>
     public void Close(Move move, Arc? arc = null)
     {
         while (Moves.Count < Points.Count - 1)
@@ -48,7 +48,7 @@ internal abstract class RunMap
     /// <summary>Maps a run in place.</summary>
     public abstract void Map(MoveRun run);
 
-    /// <summary>Pieces of what is printed, and of arcs, whose images are met within the tolerance (mm) by straight ones; the rest stays whole.</summary>
+    /// <summary>Divides printed moves and arcs so that straight pieces match their images within the tolerance (mm); other moves stay whole.</summary>
     protected static void DivideSmoothly(Move move, MoveRun run, double tolerance, Func<Vec3[], Vec3[]> map)
     {
         if (move.Kind == MoveKind.Print || move.Arc is not null) SmoothDivision.Divide(move.Start, move.End, move.Arc, tolerance, map, run.Points, run.Shares);

@@ -29,7 +29,7 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
     }
 }
 
-/// <summary>Maps point by point; what is printed is divided until its image is smooth.</summary>
+/// <summary>Maps point by point; printed moves are divided until their image is smooth.</summary>
 internal sealed class PointRunMap(Func<Vec3, Vec3> map, double tolerance) : RunMap
 {
     private readonly Func<Vec3[], Vec3[]> _map = points => Array.ConvertAll(points, p => map(p));

@@ -5,8 +5,8 @@ using System.Linq;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Gives the moves from one place to another to another tool; a tool that is new is like the last one. Each tool has its own balance of retraction, so that
-/// what restored one may prime the other; kinds and deposited amounts follow.
+/// Assigns a range of moves to another tool; a new tool has the properties of the last one. Each tool has its own balance of retraction, so that
+/// a move that restored one may prime the other; kinds and deposited amounts follow.
 /// </summary>
 internal sealed class ToolReassigner(Toolpath toolpath, int from, int until, int tool)
 {
@@ -55,7 +55,7 @@ internal sealed class ToolReassigner(Toolpath toolpath, int from, int until, int
 
     private static double Restore(Dictionary<int, double> pulled, int tool, double e) => Restore(pulled, tool, e, out _);
 
-    // How much of a push only restores.
+    // The part of the E that only restores.
     private static double Restore(Dictionary<int, double> pulled, int tool, double e, out bool hadRetracted)
     {
         pulled.TryGetValue(tool, out var before);

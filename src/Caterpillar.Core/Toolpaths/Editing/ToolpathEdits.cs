@@ -20,11 +20,11 @@ public static class ToolpathEdits
         return Change(toolpath, filter, (columns, i) => columns.Speed[i] *= factor);
     }
 
-    /// <summary>Multiplies the material of the chosen printing moves; what only restores a retraction stays.</summary>
+    /// <summary>Multiplies the material of the chosen printing moves; E that only restores a retraction stays.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The factor is negative or not finite.</exception>
     public static Toolpath ScaleFlow(this Toolpath toolpath, MoveFilter filter, double factor)
     {
-        if (!(factor >= 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "A flow factor is 0 or more.");
+        if (!(factor >= 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "A flow factor must be 0 or more.");
         return Change(toolpath, filter, (columns, i) =>
         {
             if (columns.Kind[i] is not (MoveKind.Print or MoveKind.Prime)) return;
@@ -35,8 +35,8 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Maps the chosen strands and what is chosen between them; the rest stays, and travels lead to where the strands now begin. Strands are divided until
-    /// their image is met within <paramref name="tolerance"/> mm, arcs become chords, and the material of printing moves follows their length. For shifts,
+    /// Maps the chosen strands and the chosen moves between them; the rest stays, and travels lead to the new starts of strands. Strands are divided until
+    /// they match their image within <paramref name="tolerance"/> mm, arcs become chords, and the material of printing moves follows their length. For shifts,
     /// turns and scaling see <see cref="Mapping"/>, which keeps arcs.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
@@ -51,8 +51,8 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Cuts the chosen moves out. Where a strand's start is no longer reached, a travel leads to it, and retraction is carried over for each tool: after the
-    /// cut as much is pulled back as before it was, by E or by the firmware. Events stay, and so does homing.
+    /// Removes the chosen moves. If the start of a strand is no longer reached, a travel is added, and retraction is carried over for each tool: after the
+    /// cut it is as large as it was, by E or by the firmware. Events stay, and so does homing.
     /// </summary>
     public static Toolpath Remove(this Toolpath toolpath, MoveFilter filter)
     {
@@ -70,10 +70,10 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Puts an event before a move (its number; the number of moves for the end). Behind a <see cref="ToolEvent"/> its tool makes the moves up to the next one;
-    /// each tool has its own balance of retraction.
+    /// Inserts an event before a move (its number; the number of moves for the end). After a <see cref="ToolEvent"/> its tool makes the moves up to the next
+    /// one; each tool has its own balance of retraction.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such move.</exception>
     public static Toolpath Insert(this Toolpath toolpath, int move, PrinterEvent what)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
@@ -82,7 +82,7 @@ public static class ToolpathEdits
         var events = toolpath.Events.ToList();
         var at = events.FindIndex(e => e.Move > move);
         if (at < 0) at = events.Count;
-        // A dwell or a way home is its event: what is put in front of the move comes in front of both.
+        // A dwell or a homing move belongs to its event: an event inserted before the move comes before both.
         while (at > 0 && events[at - 1].Move == move && events[at - 1].Event is DwellEvent or HomeEvent && move < toolpath.Count
             && IsOf(toolpath, toolpath[move], events[at - 1].Event)) at--;
         var next = events.Skip(at).Where(e => e.Event is ToolEvent).Select(e => (int?)e.Move).FirstOrDefault() ?? toolpath.Count;

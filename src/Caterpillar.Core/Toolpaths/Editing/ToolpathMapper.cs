@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Maps moves of a toolpath, run by run; blocks without any are shared. The material of strands follows their length. A travel that leads to a strand that is
-/// mapped ends where it now begins; what is done in place is done where the head now stands.
+/// Maps moves of a toolpath, run by run; unaffected blocks are shared. The material of strands follows their length. A travel that leads to a
+/// mapped strand ends at its new start; moves in place happen at the new position of the head.
 /// </summary>
 /// <param name="toolpath">The toolpath.</param>
 /// <param name="mapped">For each move, whether its end is mapped.</param>
@@ -39,7 +39,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
                 _position = toolpath[first + count - 1].End;
                 continue;
             }
-            _editor = BlockEditor.Behind(toolpath, block);
+            _editor = BlockEditor.After(toolpath, block);
             for (var i = first; i < first + count; i++)
             {
                 Step(toolpath[i]);
@@ -103,14 +103,14 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         var to = run.Points[piece + 1];
         var share = run.Shares[piece];
         var deposited = move.Deposited * share;
-        // The strand that leads here is not mapped: the way begins where it ends.
+        // The strand before is not mapped: the travel starts at its end.
         if (arc is not null && _position != run.Points[piece]) arc = null;
         if (move.Kind == MoveKind.Print && move.Length > 0)
             deposited = move.Deposited / move.Length * run.Flows[piece] * (arc?.Length(_position, to) ?? _position.DistanceTo(to));
         Add(move, to, deposited + Rest(move, share, piece == 0 || run.Moves[piece - 1] != move.Index), deposited, run.Speeds[piece], arc);
     }
 
-    // Its start or end may have gone with a strand. What goes straight up or down still does.
+    // Its start or end may have moved with a strand. Vertical moves stay vertical.
     private void Unmapped(Move move, Vec3 end)
     {
         if (end == move.End && _position != move.Start && move.Kind != MoveKind.Print && move.Start.X == end.X
@@ -130,7 +130,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         }
     }
 
-    // The part of E that is not deposited: a strand that restores does so first; what only pulls or restores does it all along.
+    // The part of E that is not deposited: a strand that restores does so first; other moves spread it over their length.
     private static double Rest(Move move, double share, bool isFirst)
     {
         var rest = move.E - move.Deposited;
@@ -144,7 +144,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         _made++;
     }
 
-    // Events up to a move; those of a block that is shared stay at their moves.
+    // Events up to a move; those of a shared block stay at their moves.
     private void Events(int before, int first = int.MaxValue)
     {
         for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move <= before; _nextEvent++)

@@ -12,7 +12,7 @@ public enum PathAxis : byte
     Z,
 }
 
-/// <summary>The word of G-code that a coordinate drives: a rotary axis, or a linear one whose motor was put to other use.</summary>
+/// <summary>The G-code word that a coordinate is mapped to: a rotary axis, or a linear one whose motor drives something else.</summary>
 public enum OutputAxis : byte
 {
     A,
@@ -24,35 +24,35 @@ public enum OutputAxis : byte
 }
 
 /// <summary>
-/// Lets a coordinate of the path drive another word, scaled, for printers with a rotating platform or other extra axes (Caterpillar 2019, section 6: a sleeve
+/// Maps a coordinate of the path to another word, scaled, for printers with a rotating platform or other extra axes (Caterpillar 2019, section 6: a sleeve
 /// motor that turns the platform, "generated based on the scaled toolpaths"). The path is planned unrolled, and mapped last: amounts of E stay those of the
 /// unrolled path, and so does the time of every move.
 /// </summary>
-/// <param name="From">The coordinate that drives.</param>
-/// <param name="To">The word that it drives.</param>
-/// <param name="Scale">Degrees of a rotary word, or mm of a linear one, for one mm of the coordinate; may be negative.</param>
-/// <param name="Hold">Where the driving coordinate itself stays, mm, when another word takes its place.</param>
+/// <param name="From">The source coordinate.</param>
+/// <param name="To">The target word.</param>
+/// <param name="Scale">Degrees of a rotary word, or mm of a linear one, per mm of the coordinate; may be negative.</param>
+/// <param name="Hold">Constant value of the source coordinate itself, mm, if another word replaces it.</param>
 public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, double Hold = 0)
 {
     private const double ChordTolerance = 0.01;
 
-    /// <summary>The mapping that unrolls a drum of a diameter in mm: its circumference is a turn.</summary>
+    /// <summary>The mapping for a drum of a diameter in mm: its circumference is one turn.</summary>
     public static AxisMapping Drum(PathAxis from, OutputAxis to, double diameter, double hold = 0)
         => diameter > 0 ? new AxisMapping(from, to, 360 / (Math.PI * diameter), hold)
-            : throw new ArgumentOutOfRangeException(nameof(diameter), "A drum needs a diameter.");
+            : throw new ArgumentOutOfRangeException(nameof(diameter), "A drum needs a positive diameter.");
 
     /// <summary>
-    /// The toolpath with its words driven so; arcs become chords. The speed of a move is changed so that its time stays: it counts along X, Y and Z where one
-    /// of them moves, else in degrees per second (as RS274/NGC section 2.1.2.5 has it).
+    /// The mapped toolpath; arcs become chords. The speed of a move is changed so that its time stays: it is measured along X, Y and Z if one
+    /// of them moves, else in degrees per second (as in RS274/NGC section 2.1.2.5).
     /// </summary>
-    /// <exception cref="InvalidOperationException">The scale is zero or not finite, or two coordinates would drive one word.</exception>
+    /// <exception cref="InvalidOperationException">The scale is zero or not finite, or two coordinates would map to one word.</exception>
     public Toolpath Apply(Toolpath toolpath, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (Scale == 0 || double.IsNaN(Scale - Scale)
             || double.IsNaN(Hold - Hold)) throw new InvalidOperationException("The scale of an axis must be finite and not zero.");
         if (To >= OutputAxis.X && To - OutputAxis.X != (int)From)
-            throw new InvalidOperationException("A linear word can be driven by its own coordinate only.");
+            throw new InvalidOperationException("A linear word can only be mapped from its own coordinate.");
         var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start is { } start ? Mapped(start) : null);
         foreach (var layer in toolpath.Layers) builder.AddLayer(layer);
         var nextEvent = 0;
@@ -88,8 +88,8 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
     {
         var length = last.DistanceTo(next);
         if (!(length > 0)) return move.Speed;
-        var way = from.DistanceTo(to);
-        return move.Speed * (way > 0 ? way : Math.Abs(degrees)) / length;
+        var distance = from.DistanceTo(to);
+        return move.Speed * (distance > 0 ? distance : Math.Abs(degrees)) / length;
     }
 
     private double Coordinate(Vec3 p) => From switch { PathAxis.X => p.X, PathAxis.Y => p.Y, _ => p.Z };

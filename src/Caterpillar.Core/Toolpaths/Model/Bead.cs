@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Cross-section from which the width of a strand follows.</summary>
+/// <summary>Shape of the cross-section, which determines the width of a strand.</summary>
 public enum BeadShape : byte
 {
     /// <summary>Width × height (Caterpillar 2019).</summary>
@@ -17,7 +17,7 @@ public enum BeadShape : byte
 }
 
 /// <summary>
-/// The strand that is laid down along a segment: cross-section in mm², height in mm where it is known, speed in mm/s. An area of 0 deposits nothing (a stroke
+/// The strand that is deposited along a segment: cross-section in mm², height in mm if known, speed in mm/s. An area of 0 deposits nothing (a stroke
 /// of a pen, a brush or a bare hot tool).
 /// </summary>
 public readonly record struct Bead
@@ -25,7 +25,7 @@ public readonly record struct Bead
     /// <summary>Cross-section in mm², 0 or more.</summary>
     public double Area { get; }
 
-    /// <summary>Height of the layer in mm, or 0 where it is not known.</summary>
+    /// <summary>Height of the layer in mm, or 0 if unknown.</summary>
     public double Height { get; }
 
     /// <summary>Speed of the head in mm/s, or 0 for the speed of the print settings.</summary>
@@ -40,7 +40,7 @@ public readonly record struct Bead
     }
 
     /// <summary>A bead from its width and height in mm; <paramref name="multiplier"/> scales the area.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite, or a stadium is narrower than high.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite, or a stadium is narrower than it is high.</exception>
     public static Bead FromWidth(double width, double height, double multiplier = 1, double speed = 0, BeadShape shape = BeadShape.Rectangle)
     {
         Check(width, nameof(width));
@@ -50,14 +50,14 @@ public readonly record struct Bead
             BeadShape.Rectangle => width * height,
             BeadShape.Stadium => width >= height
                 ? height * (width - height) + Math.PI / 4 * height * height
-                : throw new ArgumentOutOfRangeException(nameof(width), "A stadium is at least as wide as high."),
+                : throw new ArgumentOutOfRangeException(nameof(width), "A stadium must be at least as wide as high."),
             _ => Math.PI / 4 * width * width,
         };
         return new Bead(area * Check(multiplier, nameof(multiplier)), height, speed);
     }
 
     /// <summary>
-    /// Width in mm that follows from the area and the height for a shape. Where the height is unknown, or a stadium would be narrower than high, the strand is
+    /// Width in mm for a shape, from the area and the height. If the height is unknown, or a stadium would be narrower than it is high, the strand is
     /// round.
     /// </summary>
     public double Width(BeadShape shape = BeadShape.Rectangle)
@@ -82,5 +82,5 @@ public readonly record struct Bead
     }
 
     private static double Check(double value, string name)
-        => value >= 0 && !double.IsInfinity(value) ? value : throw new ArgumentOutOfRangeException(name, "A bead needs finite values of 0 or more.");
+        => value >= 0 && !double.IsInfinity(value) ? value : throw new ArgumentOutOfRangeException(name, "The values of a bead must be finite and 0 or more.");
 }

@@ -3,14 +3,14 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Ways home: the travels that <see cref="HomeEvent"/> stands for. They go where the switches are, whatever is done to the moves around them.
+/// Homing moves: the travels of a <see cref="HomeEvent"/>. They go to the switches, whatever happens to the moves around them.
 /// </summary>
 internal static class Homing
 {
-    /// <summary>Where a head that stands at <paramref name="from"/> is after homing, mm.</summary>
+    /// <summary>Position of a head after homing from <paramref name="from"/>, mm.</summary>
     public static Vec3 Home(this HomeEvent home, Vec3 from) => new(home.X ? 0 : from.X, home.Y ? 0 : from.Y, home.Z ? 0 : from.Z);
 
-    /// <summary>The event that a move of a toolpath is the way of, or null.</summary>
+    /// <summary>The homing event that a move of a toolpath belongs to, or null.</summary>
     public static HomeEvent? HomeOf(this Toolpath toolpath, Move move)
     {
         if (move.Kind != MoveKind.Travel || move.E != 0 || toolpath.Events.Count == 0) return null;

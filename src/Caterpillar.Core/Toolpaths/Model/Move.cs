@@ -4,8 +4,8 @@ namespace Caterpillar.Toolpaths;
 
 /// <summary>One move of a <see cref="Toolpath"/>, gathered from its columns.</summary>
 /// <param name="Index">Number of the move in the toolpath, from 0.</param>
-/// <param name="Start">Where it begins, mm.</param>
-/// <param name="End">Where it ends, mm.</param>
+/// <param name="Start">Start point, mm.</param>
+/// <param name="End">End point, mm.</param>
 /// <param name="E">Commanded change of E, signed, in the unit of the tool (mm of filament or mm³).</param>
 /// <param name="Deposited">Part of it that becomes material on the part, after the retraction balance; same unit.</param>
 /// <param name="Speed">mm/s; for moves in place, of the filament.</param>
@@ -13,17 +13,17 @@ namespace Caterpillar.Toolpaths;
 /// <param name="Role">What the strand is for.</param>
 /// <param name="Layer">Index into the layers of the toolpath, or −1.</param>
 /// <param name="Tool">Number of the tool.</param>
-/// <param name="Source">Line of the file (from 1) or number of the step (from 0), as the toolpath says; −1 where there is none.</param>
-/// <param name="Arc">Its geometry where it is not straight.</param>
+/// <param name="Source">Line of the file (from 1) or number of the step (from 0), according to the toolpath; −1 if there is none.</param>
+/// <param name="Arc">Its geometry if it is not straight.</param>
 public readonly record struct Move(
     int Index, Vec3 Start, Vec3 End, double E, double Deposited, double Speed, MoveKind Kind, Role Role, int Layer, int Tool, int Source, Arc? Arc)
 {
-    /// <summary>Box around the way of the head, mm.</summary>
+    /// <summary>Box around the motion of the head, mm.</summary>
     public Bounds Bounds => Arc is { } arc ? arc.Bounds(Start, End) : Bounds.Empty.Include(Start).Include(End);
 
-    /// <summary>True when the head stays where it is.</summary>
+    /// <summary>True if the head does not move.</summary>
     internal bool IsInPlace => Arc is null && Start.DistanceTo(End) <= 1e-9;
 
-    /// <summary>Length of the way of the head, mm.</summary>
+    /// <summary>Length of the motion of the head, mm.</summary>
     public double Length => Arc is { } arc ? arc.Length(Start, End) : Start.DistanceTo(End);
 }

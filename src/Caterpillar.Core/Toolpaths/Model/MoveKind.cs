@@ -1,6 +1,6 @@
 namespace Caterpillar.Toolpaths;
 
-/// <summary>What the machine does in a move, after the retraction balance.</summary>
+/// <summary>Kinds of moves, after the retraction balance.</summary>
 public enum MoveKind : byte
 {
     /// <summary>Motion that deposits material.</summary>
@@ -9,21 +9,21 @@ public enum MoveKind : byte
     /// <summary>Motion that deposits nothing.</summary>
     Travel,
 
-    /// <summary>Motion while filament is pulled back.</summary>
+    /// <summary>Motion while filament is retracted.</summary>
     Wipe,
 
-    /// <summary>Filament pulled back in place.</summary>
+    /// <summary>Filament retracted in place.</summary>
     Retract,
 
-    /// <summary>Retracted filament pushed forward again in place.</summary>
+    /// <summary>Retracted filament restored in place.</summary>
     Restore,
 
-    /// <summary>Motion that only pushes retracted filament forward again.</summary>
+    /// <summary>Motion that only restores retracted filament.</summary>
     MovingRestore,
 
-    /// <summary>Material pushed out in place, beyond what was retracted.</summary>
+    /// <summary>Material extruded in place, beyond what was retracted.</summary>
     Prime,
 
-    /// <summary>Waiting in place; the duration is in the event that hangs on the move.</summary>
+    /// <summary>Waiting in place; the duration is in the event attached to the move.</summary>
     Dwell,
 }

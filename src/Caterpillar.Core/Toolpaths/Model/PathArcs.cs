@@ -4,11 +4,11 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Arcs in paths: fitted to straight segments, and taken apart into chords again.</summary>
+/// <summary>Arcs in paths: fitted to straight segments, and expanded into chords.</summary>
 public static class PathArcs
 {
     /// <summary>
-    /// Replaces runs of straight segments by arcs within a tolerance (see <see cref="ArcFitter"/>). An arc never crosses a change of the bead, nor the seam of
+    /// Replaces runs of straight segments with arcs within a tolerance (see <see cref="ArcFitter"/>). An arc never crosses a change of the bead or the seam of
     /// a closed path; arcs of the path stay. The bead stays as it is, so that the material per mm is constant within an arc.
     /// </summary>
     public static PrintPath Fit(PrintPath path, ArcFitOptions? options = null)
@@ -20,7 +20,7 @@ public static class PathArcs
         var beads = new List<Bead>();
         var arcs = new List<Arc?>();
         var found = false;
-        // Behind the last segment of the run of straight segments with one bead.
+        // After the last segment of the run of straight segments with one bead.
         var runEnd = 0;
         for (var i = 0; i < path.SegmentCount;)
         {
@@ -48,7 +48,7 @@ public static class PathArcs
         return found ? Build(path, points, beads, arcs) : path;
     }
 
-    /// <summary>Replaces every arc by equal chords that keep within <paramref name="tolerance"/> mm of it.</summary>
+    /// <summary>Replaces every arc with equal chords that deviate at most <paramref name="tolerance"/> mm from it.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
     public static PrintPath Expand(PrintPath path, double tolerance = 0.01)
     {
@@ -64,7 +64,7 @@ public static class PathArcs
             var chords = 1;
             if (path.ArcOf(i) is { } arc)
             {
-                // A loop of two chords would have no inside.
+                // A loop of two chords would have no area.
                 chords = Math.Max(arc.ChordCount(start, tolerance), Math.Abs(arc.Sweep) > 180 ? 3 : path.IsClosed ? 2 : 1);
                 for (var k = 1; k < chords; k++) points.Add(arc.PointAt(start, end, (double)k / chords));
             }

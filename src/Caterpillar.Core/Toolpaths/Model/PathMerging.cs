@@ -8,9 +8,9 @@ namespace Caterpillar.Toolpaths;
 public static class PathMerging
 {
     /// <summary>
-    /// Joins each open path to the one before it where the start of the one lies within <paramref name="tolerance"/> mm of the end of the other and role,
-    /// layer, tool, name and overrides are equal. The order is kept. With <paramref name="reverse"/> a path is also turned around to fit. The beads stay with
-    /// their segments; the joint is the end of the first path. A chain that comes back to its start becomes closed.
+    /// Joins each open path to the one before it if its start lies within <paramref name="tolerance"/> mm of the end of the other and role,
+    /// layer, tool, name and overrides are equal. The order is kept. With <paramref name="reverse"/> a path is also reversed to fit. The beads stay with
+    /// their segments; the joint is the end of the first path. A chain that returns to its start becomes closed.
     /// </summary>
     /// <exception cref="ArgumentException">The tolerance is negative or not a number, or a path is null.</exception>
     public static IReadOnlyList<PrintPath> Merge(IReadOnlyList<PrintPath> paths, double tolerance = 0.01, bool reverse = false)
@@ -42,7 +42,7 @@ public static class PathMerging
         if (last.End.DistanceTo(path.Start) <= tolerance) return path;
         if (!reverse) return null;
         if (last.End.DistanceTo(path.End) <= tolerance) return path.Reversed();
-        // Only the first path of a chain can still be turned itself.
+        // Only the first path of a chain can still be reversed.
         if (chain.Count > 1) return null;
         if (last.Start.DistanceTo(path.Start) <= tolerance)
         {

@@ -6,7 +6,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// What to lay down, in one go and in order: vertices in mm, the segments between them straight or arcs in the XY plane with linear Z, and the beads of the
+/// A path to deposit in one go: vertices in mm, the segments between them straight or arcs in the XY plane with linear Z, and the beads of the
 /// segments. A closed path does not repeat its first vertex and has a segment back to it. Immutable.
 /// </summary>
 public sealed class PrintPath
@@ -22,7 +22,7 @@ public sealed class PrintPath
     {
     }
 
-    /// <summary>A path with a bead for each segment, and optionally an arc for each (null where it is straight).</summary>
+    /// <summary>A path with a bead for each segment, and optionally an arc for each (null if it is straight).</summary>
     /// <exception cref="ArgumentException">As above; or the number of beads or arcs is not that of the segments; or an arc lies in another plane than
     /// XY.</exception>
     public PrintPath(IEnumerable<Vec3> points, IEnumerable<Bead> beads, bool closed = false, IEnumerable<Arc?>? arcs = null)
@@ -34,7 +34,8 @@ public sealed class PrintPath
     private PrintPath(Vec3[] points, Bead[] beads, bool closed, Arc?[]? arcs, bool perSegment = false)
     {
         if (arcs is not null && Array.TrueForAll(arcs, a => a is null)) arcs = null;
-        if (points.Length < (closed && arcs is null ? 3 : 2)) throw new ArgumentException("A path needs two vertices, a closed one three.", nameof(points));
+        if (points.Length < (closed && arcs is null ? 3 : 2)) throw new ArgumentException("A path needs at least two vertices, a closed one three.",
+            nameof(points));
         foreach (var p in points)
         {
             if (!p.IsFinite) throw new ArgumentException("A vertex is not finite.", nameof(points));
@@ -43,7 +44,8 @@ public sealed class PrintPath
         if (perSegment && beads.Length != segments) throw new ArgumentException($"{segments} segments need as many beads, not {beads.Length}.", nameof(beads));
         if (arcs is not null && arcs.Length != segments) throw new ArgumentException($"{segments} segments need as many arcs or nulls, not {arcs.Length}.",
             nameof(arcs));
-        if (arcs is not null && Array.Exists(arcs, a => a is { Plane: not ArcPlane.XY })) throw new ArgumentException("Arcs of a path lie in the XY plane.",
+        if (arcs is not null && Array.Exists(arcs,
+            a => a is { Plane: not ArcPlane.XY })) throw new ArgumentException("Arcs of a path must lie in the XY plane.",
             nameof(arcs));
         _points = points;
         _beads = beads;
@@ -75,16 +77,16 @@ public sealed class PrintPath
 
     public Role Role { get; init; }
 
-    /// <summary>The layer it belongs to, or null where there are none.</summary>
+    /// <summary>The layer it belongs to, or null if there are none.</summary>
     public Layer? Layer { get; init; }
 
     /// <summary>Number of the tool, from 0.</summary>
     public int Tool { get; init; }
 
-    /// <summary>A name for people, or empty.</summary>
+    /// <summary>Display name, or empty.</summary>
     public string Name { get; init; } = "";
 
-    /// <summary>A color given by its designer as 0xRRGGBB, for pictures and baking, or null.</summary>
+    /// <summary>A color chosen by the designer as 0xRRGGBB, for pictures and baking, or null.</summary>
     public int? Color { get; init; }
 
     public PathOverrides? Overrides { get; init; }
@@ -96,10 +98,10 @@ public sealed class PrintPath
     /// <summary>The bead of a segment.</summary>
     public Bead BeadOf(int segment) => _beads.Length == 1 ? _beads[0] : _beads[segment];
 
-    /// <summary>The arc of a segment, or null where it is straight.</summary>
+    /// <summary>The arc of a segment, or null if it is straight.</summary>
     public Arc? ArcOf(int segment) => _arcs?[segment];
 
-    /// <summary>True when all segments share one bead.</summary>
+    /// <summary>True if all segments share one bead.</summary>
     public bool IsUniform => _beads.Length == 1 || Array.TrueForAll(_beads, b => b == _beads[0]);
 
     /// <summary>End vertex of a segment.</summary>
@@ -160,11 +162,11 @@ public sealed class PrintPath
         return With(points, beads, arcs);
     }
 
-    /// <summary>A closed path that begins at another of its vertices.</summary>
+    /// <summary>A closed path that starts at another of its vertices.</summary>
     /// <exception cref="InvalidOperationException">The path is open.</exception>
     public PrintPath StartingAt(int vertex)
     {
-        if (!IsClosed) throw new InvalidOperationException("Only a closed path can begin elsewhere.");
+        if (!IsClosed) throw new InvalidOperationException("Only a closed path can start at another vertex.");
         return vertex == 0 ? this : With(Rotated(_points, vertex), _beads.Length == 1 ? _beads : Rotated(_beads, vertex), _arcs is null ? null
             : Rotated(_arcs, vertex));
     }
@@ -195,7 +197,7 @@ public sealed class PrintPath
     /// <summary>The same path in a color, 0xRRGGBB, or in none.</summary>
     public PrintPath WithColor(int? color) => new(this) { Color = color };
 
-    /// <summary>Takes the arrays over without a copy; for code that has just made them.</summary>
+    /// <summary>Takes ownership of the arrays without a copy; for code that has just made them.</summary>
     internal static PrintPath Own(Vec3[] points, Bead[] beads, bool closed, Arc?[]? arcs = null) => new(points, beads, closed, arcs, beads.Length != 1);
 
     internal Vec3[] RawPoints => _points;

@@ -1,6 +1,6 @@
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Something the machine does besides moving. It happens at its place in the order of steps or moves.</summary>
+/// <summary>Something the machine does other than moving. It happens at its position in the order of steps or moves.</summary>
 public abstract record PrinterEvent;
 
 /// <summary>Nozzle temperature in °C (0 = off) of a tool; with <paramref name="Wait"/> the machine waits until it is reached (M104, M109).</summary>
@@ -12,26 +12,26 @@ public sealed record BedTemperatureEvent(double Celsius, bool Wait = false) : Pr
 /// <summary>Part cooling fan, 0 to 1 (M106, M107).</summary>
 public sealed record FanEvent(double Speed) : PrinterEvent;
 
-/// <summary>From here on another tool works (T).</summary>
+/// <summary>Changes the tool (T).</summary>
 public sealed record ToolEvent(int Tool) : PrinterEvent;
 
-/// <summary>Acceleration in mm/s² from here on (M204).</summary>
+/// <summary>Sets the acceleration in mm/s² (M204).</summary>
 public sealed record AccelerationEvent(double Value) : PrinterEvent;
 
-/// <summary>The machine looks for its reference switches (G28). Where that moves the head, the event hangs on a travel to the home position.</summary>
+/// <summary>Homing (G28). If that moves the head, the event is attached to a travel to the home position.</summary>
 public sealed record HomeEvent(bool X = true, bool Y = true, bool Z = true) : PrinterEvent;
 
-/// <summary>The machine waits for some seconds (G4).</summary>
+/// <summary>The machine waits for a time in seconds (G4).</summary>
 public sealed record DwellEvent(double Seconds) : PrinterEvent;
 
-/// <summary>The machine waits for its user (M0 or what the dialect has for it).</summary>
+/// <summary>The machine waits for its user (M0 or the equivalent of the dialect).</summary>
 public sealed record PauseEvent(string Message = "") : PrinterEvent;
 
-/// <summary>A comment line. Line ends in the text become blanks.</summary>
+/// <summary>A comment line. Line ends in the text become spaces.</summary>
 public sealed record CommentEvent(string Text) : PrinterEvent;
 
 /// <summary>A line written as it is.</summary>
 public sealed record RawEvent(string Line) : PrinterEvent;
 
-/// <summary>Material pushed out (positive) or pulled back (negative) in place, in mm³.</summary>
+/// <summary>Material extruded (positive) or retracted (negative) in place, in mm³.</summary>
 public sealed record ExtrudeEvent(double Volume, double Speed = 0) : PrinterEvent;

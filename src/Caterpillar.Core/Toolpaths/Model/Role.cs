@@ -3,7 +3,7 @@ namespace Caterpillar.Toolpaths;
 /// <summary>What a printed strand is for.</summary>
 public enum Role : byte
 {
-    /// <summary>Not said: turtle drawings, traces, user curves, files without comments.</summary>
+    /// <summary>Unspecified: turtle drawings, traces, user curves, files without comments.</summary>
     Unspecified,
     OuterWall,
     InnerWall,

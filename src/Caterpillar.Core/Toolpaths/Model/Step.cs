@@ -18,7 +18,7 @@ public abstract class Step
 }
 
 /// <summary>
-/// Paths with the same group may be sorted among each other. Groups keep the order in which they first appear: the layers from below, in each layer the
+/// Paths of the same group may be sorted among themselves. Groups keep the order in which they first appear: the layers from below, in each layer the
 /// islands, in each island walls before infill.
 /// </summary>
 /// <param name="Layer">Number of the layer in the whole print.</param>
@@ -41,27 +41,27 @@ public sealed class PathStep : Step
     /// <summary>Paths of one group may be sorted; without a group the path stays where it is.</summary>
     public StepGroup? Group { get; }
 
-    /// <summary>The path begins where it begins and runs as it runs (a chosen seam): sorting may change only its place in the order.</summary>
+    /// <summary>The start and direction of the path are fixed (a chosen seam): sorting may only change its position in the order.</summary>
     public bool KeepStart { get; init; }
 
-    /// <summary>What the layer covers around the path, seen from above: travels inside it pass over the part only. Null where it is not known.</summary>
+    /// <summary>The region that its layer covers, seen from above: travels inside it stay over the part. Null if unknown.</summary>
     public Region? Region { get; init; }
 
     /// <summary>The same step with another path.</summary>
     public PathStep With(PrintPath path) => new(path, Group) { KeepStart = KeepStart, Region = Region };
 }
 
-/// <summary>How a drawn travel is meant.</summary>
+/// <summary>The intent of a drawn travel.</summary>
 public enum TravelIntent : byte
 {
     /// <summary>Exactly as drawn.</summary>
     AsDrawn,
 
-    /// <summary>Get to the last point safely, however: the way is planning's choice (a turtle's pop).</summary>
+    /// <summary>Reach the last point safely: planning chooses the path (a turtle's pop).</summary>
     Return,
 }
 
-/// <summary>A travel that the designer drew: from wherever the head is through these points, mm.</summary>
+/// <summary>A travel that the designer drew: from the current position through these points, mm.</summary>
 public sealed class TravelStep : Step
 {
     private readonly Vec3[] _points;
@@ -88,7 +88,7 @@ public sealed class TravelStep : Step
     public TravelIntent Intent { get; }
 }
 
-/// <summary>Something the machine does at this place. Sorting never crosses it.</summary>
+/// <summary>An event at this position. Sorting never crosses it.</summary>
 public sealed class EventStep : Step
 {
     public EventStep(PrinterEvent what) => Event = what ?? throw new ArgumentNullException(nameof(what));

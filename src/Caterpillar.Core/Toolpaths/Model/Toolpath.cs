@@ -5,7 +5,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>What the numbers in the source column of a toolpath count.</summary>
+/// <summary>The meaning of the source column of a toolpath.</summary>
 public enum MoveSource : byte
 {
     /// <summary>Steps of the design, from 0.</summary>
@@ -16,7 +16,7 @@ public enum MoveSource : byte
 }
 
 /// <summary>A tool as a toolpath needs it.</summary>
-/// <param name="VolumePerE">mm³ for one unit of E (π D²/4 for E in mm of filament, 1 for E in mm³); null where a decoded file does not say.</param>
+/// <param name="VolumePerE">mm³ per unit of E (π D²/4 for E in mm of filament, 1 for E in mm³); null if a decoded file does not state it.</param>
 public sealed record ToolpathTool(double? VolumePerE);
 
 /// <summary>An event and the move before which it happens; an event after the last move has the number of moves.</summary>
@@ -55,7 +55,7 @@ public sealed class Toolpath
 
     public IReadOnlyList<ToolpathBlock> Blocks => _blocks;
 
-    /// <summary>The layers that the moves name, in order of first appearance.</summary>
+    /// <summary>The layers of the moves, in order of first appearance.</summary>
     public IReadOnlyList<Layer> Layers { get; }
 
     /// <summary>Events, ascending by move.</summary>
@@ -64,10 +64,10 @@ public sealed class Toolpath
     /// <summary>The tools by number.</summary>
     public IReadOnlyList<ToolpathTool> Tools { get; }
 
-    /// <summary>Where the head stands before the first move, mm; null where a decoded file does not say (moves then begin at the origin).</summary>
+    /// <summary>Position of the head before the first move, mm; null if a decoded file does not state it (moves then start at the origin).</summary>
     public Vec3? Start { get; }
 
-    /// <summary>What <see cref="Move.Source"/> counts.</summary>
+    /// <summary>The meaning of <see cref="Move.Source"/>.</summary>
     public MoveSource Source { get; }
 
     /// <summary>A move by its number.</summary>
@@ -90,12 +90,12 @@ public sealed class Toolpath
         }
     }
 
-    /// <summary>mm³ of material that a move deposits; null where the factor of its tool is not known.</summary>
+    /// <summary>mm³ of material that a move deposits; null if the factor of its tool is unknown.</summary>
     public double? VolumeOf(Move move) => VolumePerE(move.Tool) * move.Deposited;
 
     /// <summary>
-    /// The strand that a printing move lays down: its area in mm² from what it deposits, its height from the thickness of its layer; null where it prints
-    /// nothing or the factor of its tool is not known. Slicers mean a <see cref="BeadShape.Stadium"/>, Cura a <see cref="BeadShape.Rectangle"/>.
+    /// The strand that a printing move deposits: its area in mm² from what it deposits, its height from the thickness of its layer; null if it prints
+    /// nothing or the factor of its tool is unknown. Slicers assume a <see cref="BeadShape.Stadium"/>, Cura a <see cref="BeadShape.Rectangle"/>.
     /// </summary>
     public Bead? BeadOf(Move move)
     {
@@ -105,10 +105,10 @@ public sealed class Toolpath
         return area >= 0 && !double.IsInfinity(area) ? new Bead(area, ThicknessOf(move.Layer), speed) : null;
     }
 
-    /// <summary>Thickness of a layer in mm; 0 where it is not known, or for no layer.</summary>
+    /// <summary>Thickness of a layer in mm; 0 if unknown, or without a layer.</summary>
     internal double ThicknessOf(int layer) => layer >= 0 ? Layers[layer].Thickness : 0;
 
-    /// <summary>mm³ for one unit of E of a tool, or null.</summary>
+    /// <summary>mm³ per unit of E of a tool, or null.</summary>
     public double? VolumePerE(int tool) => tool >= 0 && tool < Tools.Count ? Tools[tool].VolumePerE : null;
 
     /// <summary>The same toolpath with other moves in some blocks; for edits.</summary>
@@ -124,7 +124,7 @@ public sealed class Toolpath
     /// <summary>The same moves from another start, in layers of other heights.</summary>
     internal Toolpath With(Vec3? start, IEnumerable<Layer> layers) => new(_blocks, layers, _events, Tools, start, Source);
 
-    /// <summary>Number of the first event at a move or behind it.</summary>
+    /// <summary>Number of the first event at or after a move.</summary>
     internal int FirstEventOf(int move)
     {
         int low = 0, high = _events.Length;
@@ -140,7 +140,7 @@ public sealed class Toolpath
     /// <summary>Number of the first move of a block.</summary>
     internal int FirstOf(int block) => _firsts[block];
 
-    /// <summary>Where the head stands before a block begins.</summary>
+    /// <summary>Position of the head before a block.</summary>
     internal Vec3 StartOf(int block)
     {
         if (block == 0) return Start ?? Vec3.Zero;

@@ -8,7 +8,7 @@ namespace Caterpillar.Toolpaths;
 public static class ToolpathArcs
 {
     /// <summary>
-    /// Replaces runs of straight printing moves by arcs within a tolerance (see <see cref="ArcFitter"/>). A run has one role, layer, tool and speed, material
+    /// Replaces runs of straight printing moves with arcs within a tolerance (see <see cref="ArcFitter"/>). A run has one role, layer, tool and speed, material
     /// per mm that differs by no more than
     /// <paramref name="evenness"/> (and the rounding of its file), and nothing between its lines. An arc takes the source of its first move and the material of
     /// all.
@@ -64,7 +64,7 @@ public static class ToolpathArcs
         return toolpath.WithBlocks(blocks, events);
     }
 
-    // Behind the last move of the run that begins at a move.
+    // After the last move of the run that starts at a move.
     private static int RunEnd(ToolpathColumns c, Vec3[] points, int start, int first, HashSet<int> eventful, double evenness)
     {
         if (!IsStraightPrint(c, start)) return start + 1;

@@ -4,12 +4,12 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// A stretch of up to <see cref="Capacity"/> moves as columns. Blocks are immutable and shared: an edit copies only the blocks it changes, and in them only the
+/// A run of up to <see cref="Capacity"/> moves as columns. Blocks are immutable and shared: an edit copies only the blocks it changes, and in them only the
 /// columns.
 /// </summary>
 public sealed class ToolpathBlock
 {
-    /// <summary>The most moves in one block.</summary>
+    /// <summary>Maximum number of moves in one block.</summary>
     public const int Capacity = 65536;
 
     internal ToolpathBlock(ToolpathColumns columns) => Columns = columns;
@@ -20,7 +20,7 @@ public sealed class ToolpathBlock
 }
 
 /// <summary>
-/// The columns of a block; index i is the i-th move of the block. Filled by whoever makes the block and never changed afterwards.
+/// The columns of a block; index i is the i-th move of the block. Filled by the creator of the block and never changed afterwards.
 /// </summary>
 internal sealed class ToolpathColumns
 {
@@ -44,10 +44,10 @@ internal sealed class ToolpathColumns
     // Index into Toolpath.Layers, or -1.
     public int[] Layer;
 
-    // Line of the G-code file (from 1) or number of the step (from 0); -1 where there is none.
+    // Line of the G-code file (from 1) or number of the step (from 0); -1 if there is none.
     public int[] Source;
 
-    // Rotary axes in degrees at the end of the move, where some move of the block has them.
+    // Rotary axes in degrees at the end of the move, if some move of the block has them.
     public double[]? A;
     public double[]? B;
     public double[]? C;

@@ -25,13 +25,13 @@ public sealed class ToolpathBuilder
 
     public Vec3? Start { get; }
 
-    /// <summary>Where the head stands after the moves so far, mm.</summary>
+    /// <summary>Position of the head after the moves so far, mm.</summary>
     public Vec3 Position { get; private set; }
 
     /// <summary>Number of moves so far.</summary>
     public int Count => _sealed + _columns.Count;
 
-    /// <summary>Makes a layer known and returns the number that moves name it by.</summary>
+    /// <summary>Adds a layer and returns the index by which moves refer to it.</summary>
     public int AddLayer(Layer layer)
     {
         _layers.Add(layer ?? throw new ArgumentNullException(nameof(layer)));

@@ -3,12 +3,12 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Sums over a toolpath, independent of the machine's accelerations.</summary>
-/// <param name="PrintLength">Way of the head while printing, mm.</param>
-/// <param name="TravelLength">Way of the head without printing, mm.</param>
+/// <param name="PrintLength">Length of printing motion, mm.</param>
+/// <param name="TravelLength">Length of motion without printing, mm.</param>
 /// <param name="DepositedE">Deposited E in the units of the tools.</param>
-/// <param name="DepositedVolume">Deposited material in mm³; null where a tool's factor is not known.</param>
+/// <param name="DepositedVolume">Deposited material in mm³; null if the factor of a tool is unknown.</param>
 /// <param name="PrintMoves">Moves that print.</param>
-/// <param name="TravelMoves">Moves of the head that do not.</param>
+/// <param name="TravelMoves">Moves of the head that do not print.</param>
 /// <param name="Retractions">Retractions in place or in motion.</param>
 /// <param name="PrintBounds">Box around the printed moves, both ends and the extremes of arcs, mm.</param>
 /// <param name="AllBounds">Box around the ends of all moves, mm.</param>

@@ -16,7 +16,7 @@ public sealed class ConeTraceComponent()
         ports.Number("Bottom Radius", "R", "Radius of the wall at the bottom, in mm; 0 for a tip.");
         ports.Number("Top Radius", "T", "Radius of the wall at the top, in mm; 0 for a tip.");
         ports.Number("Height", "H", "Height of the cone, in mm.");
-        ports.Number("Pitch", "P", "Climb of a turn, in mm.");
+        ports.Number("Pitch", "P", "Rise per turn, in mm.");
         StrandPorts(ports);
         RampPorts(ports);
     }

@@ -4,9 +4,9 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.GH.Components.Design;
 
-/// <summary>A filled cylinder of flat spirals on top of each other, outwards and inwards in turn (Kanada's cylinder).</summary>
+/// <summary>A filled cylinder of stacked flat spirals, alternately outward and inward (Kanada's cylinder).</summary>
 public sealed class CylinderTraceComponent()
-    : TraceComponent("Cylinder Trace", "Cylinder", "A filled cylinder of flat spirals on top of each other, outwards and inwards in turn (Kanada's cylinder).")
+    : TraceComponent("Cylinder Trace", "Cylinder", "A filled cylinder of stacked flat spirals, alternately outward and inward (Kanada's cylinder).")
 {
     public override Guid ComponentGuid => new("96d4c2b7-1a8e-4f75-b3e9-0e5d7f6c4e34");
 
@@ -15,8 +15,8 @@ public sealed class CylinderTraceComponent()
         PlanePort(ports);
         ports.Number("Radius", "R", "Radius of the cylinder, in mm.");
         ports.Number("Height", "H", "Height of the cylinder, in mm.");
-        ports.Number("Vertical Pitch", "V", "Distance of the spirals, in mm.");
-        ports.Number("Horizontal Pitch", "P", "Distance of the turns of a spiral, in mm.");
+        ports.Number("Vertical Pitch", "V", "Distance between the spirals, in mm.");
+        ports.Number("Horizontal Pitch", "P", "Distance between the turns of a spiral, in mm.");
         StrandPorts(ports);
     }
 

@@ -4,9 +4,9 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.GH.Components.Design;
 
-/// <summary>A hollow cylinder as one string, without layers and seams (Kanada's helix).</summary>
+/// <summary>A hollow cylinder as one string, without layers or seams (Kanada's helix).</summary>
 public sealed class HelixTraceComponent()
-    : TraceComponent("Helix Trace", "Helix", "A hollow cylinder as one string, without layers and seams (Kanada's helix).")
+    : TraceComponent("Helix Trace", "Helix", "A hollow cylinder as one string, without layers or seams (Kanada's helix).")
 {
     public override Guid ComponentGuid => new("2f9e6a84-b57c-4e13-a0d8-7c4b1e5f3d33");
 
@@ -15,7 +15,7 @@ public sealed class HelixTraceComponent()
         PlanePort(ports);
         ports.Number("Radius", "R", "Radius of the wall, in mm.");
         ports.Number("Height", "H", "Height of the wall, in mm.");
-        ports.Number("Pitch", "P", "Climb of a turn, in mm.");
+        ports.Number("Pitch", "P", "Rise per turn, in mm.");
         StrandPorts(ports);
         RampPorts(ports);
     }

@@ -9,10 +9,10 @@ namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Grows an L-system into a turtle program.</summary>
 public sealed class LSystemComponent() : CaterpillarComponent(
-    "L-System", "LSys", "Grows a word by rules and makes a turtle program of it: F draws, f goes without drawing, + - ^ & \\ / | turn, [ ] branch and come "
-        + "back.", Panel.Design)
+    "L-System", "LSys", "Grows a word by rules and makes a turtle program of it: F draws, f moves without drawing, + - ^ & \\ / | turn, [ ] branch and "
+        + "return.", Panel.Design)
 {
-    // A word beyond this is shown shortened.
+    // A longer word is shown shortened.
     private const int ShownLetters = 100_000;
 
     public override Guid ComponentGuid => new("e90b7d86-5a0c-4f1e-b6a4-1d4f9e7c3a14");
@@ -20,18 +20,18 @@ public sealed class LSystemComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Text("Axiom", "A", "Word of generation 0, for example F.");
-        ports.Text("Rules", "R", "Rules, for example F -> F[+F]F[-F]F; 0.3 F -> FF draws by chance; A(l) : l > 1 -> F(l)A(l*0.7) has values.",
+        ports.Text("Rules", "R", "Rules, for example F -> F[+F]F[-F]F; 0.3 F -> FF applies by chance; A(l) : l > 1 -> F(l)A(l*0.7) has values.",
             access: GH_ParamAccess.list);
-        ports.Integer("Generations", "G", "Number of times that the word is rewritten.");
+        ports.Integer("Generations", "G", "Number of times the word is rewritten.");
         ports.Angle("Angle", "An", "Turn of + - ^ & \\ /, in degrees.", 90);
-        ports.Integer("Seed", "Sd", "Seed of the choices by chance, from 0.", 0);
+        ports.Integer("Seed", "Sd", "Seed of the random choices, from 0.", 0);
         ports.Number("Step", "St", "Length of F and f, in mm.", 1);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
         ports.Add(new TurtleProgramParam(), "Program", "P", "The grown word as a turtle program.");
-        ports.Text("Text", "T", "The grown word; its beginning where it is very long.");
+        ports.Text("Text", "T", "The grown word; only its beginning if it is very long.");
         ports.Diagnostics();
     }
 

@@ -13,9 +13,9 @@ public sealed class SpiralTraceComponent() : TraceComponent("Spiral Trace", "Spi
     {
         PlanePort(ports);
         ports.Number("Radius", "R", "Radius of the outermost turn, in mm.");
-        ports.Number("Pitch", "P", "Distance of the turns, in mm.");
+        ports.Number("Pitch", "P", "Distance between the turns, in mm.");
         StrandPorts(ports);
-        ports.Boolean("Inward", "I", "True begins at the radius, false in the middle.", false);
+        ports.Boolean("Inward", "I", "True starts at the radius, false in the middle.", false);
     }
 
     private protected override void Solve(Run run)

@@ -12,7 +12,7 @@ using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.Design;
 
-/// <summary>Which ends of a helix begin with less flow.</summary>
+/// <summary>Which ends of a helix have reduced flow.</summary>
 public enum TraceRamp
 {
     None,
@@ -27,21 +27,21 @@ public abstract class TraceComponent(string name, string nickname, string descri
 {
     private protected static void PlanePort(InputPorts ports)
         => ports.Add(new Param_Plane(), "Plane", "Pl",
-            "Where the shape stands, in document units: its middle at the origin, its axis along Z, its start along X. The world's origin without it.",
+            "Position of the shape, in document units: its center at the origin, its axis along Z, its start along X. World XY by default.",
             optional: true);
 
     private protected static void StrandPorts(InputPorts ports)
     {
-        ports.Add(new BeadParam(), "Bead", "B", "Strand and speed; 0.45 mm wide and 0.2 mm high at the speed of the print settings without it.",
+        ports.Add(new BeadParam(), "Bead", "B", "Strand and speed; by default 0.45 mm wide and 0.2 mm high, at the speed of the print settings.",
             optional: true);
-        ports.Integer("Strings Per Turn", "N", "Number of straight strings in a turn.", Trace.DefaultStringsPerTurn);
+        ports.Integer("Strings Per Turn", "N", "Number of straight strings per turn.", Trace.DefaultStringsPerTurn);
     }
 
     private protected static void RampPorts(InputPorts ports)
     {
-        ports.Choice("Ramp", "Ra", "Which end begins with less flow: the gap to the bed opens from nothing in the first turn, and the last one ends level.",
+        ports.Choice("Ramp", "Ra", "Which end has reduced flow: the gap to the bed grows from nothing along the first turn, and the last turn ends level.",
             TraceRamp.None);
-        ports.Number("Least Flow", "L", "Flow at the very end of a ramp, 0 to 1 of the full one.", 0.2);
+        ports.Number("Minimum Flow", "L", "Flow at the very end of a ramp, from 0 to 1 of the full flow.", 0.2);
     }
 
     private protected static FlowRamp? RampOf(Run run, int input)
@@ -53,7 +53,7 @@ public abstract class TraceComponent(string name, string nickname, string descri
 
     private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new PrintPathParam(), "Print Path", "P", "The strings as one path.");
 
-    /// <summary>Solves with the plane at input 0 and the bead and the strings of a turn at two inputs in a row.</summary>
+    /// <summary>Solves with the plane at input 0, and the bead and the strings per turn at two consecutive inputs.</summary>
     private protected static void Build(Run run, int beadInput, object?[] key, Action<Trace, int> draw)
     {
         var frame = run.MaybeValue<Rg.Plane>(0) is { } plane ? RhinoGeometry.ToFrame(plane, run.Units) : Frame.World;
@@ -63,7 +63,7 @@ public abstract class TraceComponent(string name, string nickname, string descri
         {
             var trace = new Trace(bead.Area).SetSpeed(bead.Speed);
             draw(trace, strings);
-            var path = trace.ToPaths().FirstOrDefault() ?? throw new InputProblem("The shape is smaller than a string.");
+            var path = trace.ToPaths().FirstOrDefault() ?? throw new InputProblem("The shape is smaller than one string.");
             if (bead.Height > 0) path = path.WithBeads(i => new Bead(path.BeadOf(i).Area, bead.Height, bead.Speed));
             return path.Transformed(Affine.FromFrame(frame));
         }));

@@ -47,12 +47,12 @@ public sealed class TurtleMoveComponent()
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Choice("Kind", "K", "Which move.", TurtleMoveKind.Forward);
+        ports.Choice("Kind", "K", "Kind of the move.", TurtleMoveKind.Forward);
         ports.Number("Distance", "D", "Distance, radius of arcs and circles, or side of polygons, in mm.", 10);
-        ports.Number("Height", "H", "Way along up, in mm: of Forward And Up, and what an arc climbs; lifts take the distance.", 0);
+        ports.Number("Height", "H", "Distance along up, in mm: of Forward And Up, and the climb of an arc; lifts use Distance.", 0);
         ports.Add(new Param_Point(), "Point", "Pt", "Point to go or jump to, in document units.", optional: true);
         ports.Angle("Angle", "A", "Turn of an arc, in degrees; positive to the left.", 90);
-        ports.Integer("Count", "N", "Number of segments of arcs and circles (0: as many as they need), or of sides of polygons.", 0);
+        ports.Integer("Count", "N", "Number of segments of arcs and circles (0: as many as needed), or of sides of polygons.", 0);
     }
 
     private protected override TurtleCommand Command(Run run)
@@ -77,7 +77,7 @@ public sealed class TurtleMoveComponent()
     }
 }
 
-/// <summary>How Rotate turns.</summary>
+/// <summary>How the turtle turns.</summary>
 public enum TurtleRotateKind
 {
     Turn,
@@ -97,7 +97,7 @@ public sealed class TurtleRotateComponent() : TurtleCommandComponent(
         ports.Angle("Yaw", "Y", "Turn about up, in degrees.", 0);
         ports.Angle("Pitch", "P", "Turn about left, in degrees.", 0);
         ports.Angle("Roll", "R", "Turn about forward, in degrees.", 0);
-        ports.Choice("Kind", "K", "Turn about its own axes, set the heading from the axes of the world, or add to the angles of the heading.",
+        ports.Choice("Kind", "K", "Turn about its own axes, set the heading relative to the world axes, or add to the angles of the heading.",
             TurtleRotateKind.Turn);
     }
 
@@ -119,16 +119,16 @@ public sealed class TurtleRotateComponent() : TurtleCommandComponent(
 
 /// <summary>Pen up or down.</summary>
 public sealed class TurtlePenComponent()
-    : TurtleCommandComponent("Pen", "Pen", "Puts the pen down, so that moves print, or lifts it. Nothing is retracted; that is planning's.")
+    : TurtleCommandComponent("Pen", "Pen", "Puts the pen down, so that moves print, or lifts it. Nothing is retracted: planning does that.")
 {
     public override Guid ComponentGuid => new("5e2c9f37-d1a8-4f39-9b7d-b0d7a3f24c17");
 
-    private protected override void Inputs(InputPorts ports) => ports.Boolean("Down", "D", "True prints, false does not.", true);
+    private protected override void Inputs(InputPorts ports) => ports.Boolean("Down", "D", "True: moves print. False: they do not.", true);
 
     private protected override TurtleCommand Command(Run run) => TurtleCommand.Of(run.Get<bool>(0) ? TurtleAction.PenDown : TurtleAction.PenUp);
 }
 
-/// <summary>How an amount of extrusion is said.</summary>
+/// <summary>How an amount of extrusion is given.</summary>
 public enum TurtleExtrusionKind
 {
     FilamentPerMm,
@@ -136,8 +136,9 @@ public enum TurtleExtrusionKind
     WidthAndHeight,
 }
 
-/// <summary>How much the turtle extrudes, and how fast it goes.</summary>
-public sealed class TurtleExtrusionComponent() : TurtleCommandComponent("Extrusion", "Extrusion", "How much moves extrude from here on, and how fast they are.")
+/// <summary>How much the turtle extrudes, and how fast it moves.</summary>
+public sealed class TurtleExtrusionComponent()
+    : TurtleCommandComponent("Extrusion", "Extrusion", "Sets how much the following moves extrude, and how fast they are.")
 {
     public override Guid ComponentGuid => new("a84f1b2d-6e3c-47d0-8a19-5c9e0d7f1b18");
 
@@ -146,8 +147,8 @@ public sealed class TurtleExtrusionComponent() : TurtleCommandComponent("Extrusi
         ports.Choice("Kind", "K", "mm of filament per mm of path, cross-section of the strand in mm², or its width and height in mm.",
             TurtleExtrusionKind.FilamentPerMm);
         ports.Number("Value", "V", "The amount: mm per mm, mm², or the width in mm.", 0.05);
-        ports.Number("Height", "H", "Height of the strand, in mm; 0 where it is not known.", 0);
-        ports.OptionalNumber("Speed", "S", "Speed from here on, in mm/s; as before without it.");
+        ports.Number("Height", "H", "Height of the strand, in mm; 0 if unknown.", 0);
+        ports.OptionalNumber("Speed", "S", "Speed of the following moves, in mm/s; unchanged by default.");
     }
 
     private protected override TurtleCommand Command(Run run)
@@ -162,7 +163,7 @@ public sealed class TurtleExtrusionComponent() : TurtleCommandComponent("Extrusi
                 TurtleExtrusionKind.FilamentPerMm => TurtleCommand.Of(TurtleAction.Density, value),
                 TurtleExtrusionKind.Area => TurtleCommand.Of(TurtleAction.Area, value, height),
                 _ => TurtleCommand.Of(TurtleAction.Bead, value, height > 0 ? height
-                    : throw new InputProblem("Height must be greater than zero where the width is given.")),
+                    : throw new InputProblem("Height must be greater than zero if the width is given.")),
             },
         };
         if (run.MaybeValue<double>(3) is not null) commands.Add(TurtleCommand.Of(TurtleAction.Speed, run.Positive(3)));
@@ -170,7 +171,7 @@ public sealed class TurtleExtrusionComponent() : TurtleCommandComponent("Extrusi
     }
 }
 
-/// <summary>What Event does.</summary>
+/// <summary>Kinds of events.</summary>
 public enum TurtleEventKind
 {
     Extrude,
@@ -190,16 +191,17 @@ public enum TurtleEventKind
     Pop,
 }
 
-/// <summary>Something that the printer does besides moving, or a tag.</summary>
+/// <summary>A command other than a move, or a tag.</summary>
 public sealed class TurtleEventComponent()
-    : TurtleCommandComponent("Event", "Event", "Something that the printer does besides moving, a tag of what follows, or a branching point.")
+    : TurtleCommandComponent("Event", "Event", "A command other than a move, a tag for what follows, or a branching point.")
 {
     public override Guid ComponentGuid => new("f3d7c8e1-0b5a-4c92-a7e4-9a1c6b2d8f19");
 
     private protected override void Inputs(InputPorts ports)
     {
         ports.Choice("Kind", "K", "What happens.", TurtleEventKind.Dwell);
-        ports.Number("Value", "V", "mm of filament, milliseconds, °C (waits until reached), fan 0 to 1, number of a tool or layer, or thickness of the next "
+        ports.Number("Value", "V", "mm of filament, milliseconds, °C (waits until reached), fan speed 0 to 1, number of a tool or layer, or thickness of the "
+            + "next "
             + "layer in mm.", 0);
         ports.Text("Text", "T", "Comment, raw line, message of a pause, name, or color as #rrggbb.", "");
     }
@@ -229,15 +231,15 @@ public sealed class TurtleEventComponent()
     }
 }
 
-/// <summary>Commands several times.</summary>
-public sealed class TurtleRepeatComponent() : TurtleCommandComponent("Repeat", "Repeat", "Commands several times, as one command.")
+/// <summary>Repeats commands.</summary>
+public sealed class TurtleRepeatComponent() : TurtleCommandComponent("Repeat", "Repeat", "Repeats commands, as one command.")
 {
     public override Guid ComponentGuid => new("08e5b6a9-4f2d-4e71-b3c8-d4f6a7012e1a");
 
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new TurtleCommandParam(), "Commands", "C", "Commands in order.", GH_ParamAccess.list);
-        ports.Integer("Count", "N", "Number of times.", 4);
+        ports.Integer("Count", "N", "Number of repetitions.", 4);
     }
 
     private protected override TurtleCommand Command(Run run)

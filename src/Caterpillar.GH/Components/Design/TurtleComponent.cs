@@ -14,20 +14,20 @@ using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.Design;
 
-/// <summary>Carries out turtle programs.</summary>
+/// <summary>Runs turtle programs.</summary>
 public sealed class TurtleComponent()
-    : CaterpillarComponent("Turtle", "Turtle", "Carries out a turtle program: print paths, and all steps in order for planning.", Panel.Design)
+    : CaterpillarComponent("Turtle", "Turtle", "Runs a turtle program: print paths, and all steps in order for planning.", Panel.Design)
 {
     public override Guid ComponentGuid => new("b7f06a52-91de-4f7b-8a2a-40d9c55f3c12");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new TurtleProgramParam(), "Program", "P", "Program to carry out; text that is a script is one too.");
+        ports.Add(new TurtleProgramParam(), "Program", "P", "Program to run; text is read as a script.");
         ports.Add(new Param_Plane(), "Start Plane", "Pl",
-            "Where the turtle stands at first, in document units: X is forward, Y left. The world's origin without it.", optional: true);
-        ports.Number("Filament Diameter", "D", "Diameter of the filament, in mm, by which mm of filament become strands.", 1.75);
-        ports.Boolean("Every Pose", "E", "True gives the pose and triangle behind every command, false the last only.", false);
-        ports.Add(new BeadParam(), "Bead", "B", "Strand at first, in place of the 0.05 mm of filament per mm; commands of the program change it.",
+            "Initial pose of the turtle, in document units: X is forward, Y left. World XY by default.", optional: true);
+        ports.Number("Filament Diameter", "D", "Diameter of the filament, in mm, which turns mm of filament into strands.", 1.75);
+        ports.Boolean("Every Pose", "E", "True gives the pose and triangle after every command, false only the last.", false);
+        ports.Add(new BeadParam(), "Bead", "B", "Initial strand, instead of 0.05 mm of filament per mm; commands of the program change it.",
             optional: true);
     }
 
@@ -36,7 +36,7 @@ public sealed class TurtleComponent()
         ports.Add(new PrintPathParam(), "Print Paths", "P", "What is deposited, in order.", GH_ParamAccess.list);
         ports.Add(new StepParam(), "Steps", "S", "Paths, drawn travels and events, in order.", GH_ParamAccess.list);
         ports.Add(new Param_Plane(), "Planes", "Pl", "Poses of the turtle, in document units.", GH_ParamAccess.list);
-        ports.Curve("Triangles", "T", "The turtle as triangles, their sharp corners forward, in document units.", GH_ParamAccess.list);
+        ports.Curve("Triangles", "T", "The turtle as triangles that point forward, in document units.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 

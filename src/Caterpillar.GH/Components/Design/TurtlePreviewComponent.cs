@@ -13,9 +13,9 @@ using Rhino.Display;
 
 namespace Caterpillar.GH.Components.Design;
 
-/// <summary>Shows a turtle on its way.</summary>
+/// <summary>Shows a turtle along its path.</summary>
 public sealed class TurtlePreviewComponent() : CaterpillarComponent(
-    "Turtle Preview", "TPrev", "Shows the turtle as a triangle at a part of its way, and what it has printed until there.", Panel.Design, GH_Exposure.secondary)
+    "Turtle Preview", "TPrev", "Shows the turtle as a triangle at a position on its path, and what it has printed so far.", Panel.Design, GH_Exposure.secondary)
 {
     private readonly List<Drawn> _drawn = [];
 
@@ -62,14 +62,14 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new StepParam(), "Steps", "S", "Steps of the turtle, or print paths.", GH_ParamAccess.list);
-        ports.Number("Position", "t", "Part of the way by length, 0 to 1.", 1);
+        ports.Number("Position", "t", "Position along the path by length, 0 to 1.", 1);
         ports.Number("Size", "Sz", "Half the width of the triangle, in mm.", 2);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Curve("Triangle", "T", "The turtle as a closed triangle, its sharp corner forward, in document units.");
-        ports.Add(new Param_Plane(), "Plane", "Pl", "Pose of the turtle, in document units: X along its way, Y left.");
+        ports.Curve("Triangle", "T", "The turtle as a closed triangle that points forward, in document units.");
+        ports.Add(new Param_Plane(), "Plane", "Pl", "Pose of the turtle, in document units: X forward, Y left.");
     }
 
     private protected override void Solve(Run run)
@@ -80,9 +80,9 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
         if (part is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
         var size = run.Positive(2);
         var units = run.Units;
-        var way = run.Cached(steps.Cast<object?>().ToArray(), () => new TurtleTimeline(steps));
-        var pose = way.PoseAt(part);
-        var printed = way.PrintedUntil(part).Select(r => new Rg.PolylineCurve(r.Select(p => RhinoGeometry.ToPoint(p, units)))).ToList();
+        var timeline = run.Cached(steps.Cast<object?>().ToArray(), () => new TurtleTimeline(steps));
+        var pose = timeline.PoseAt(part);
+        var printed = timeline.PrintedUntil(part).Select(r => new Rg.PolylineCurve(r.Select(p => RhinoGeometry.ToPoint(p, units)))).ToList();
         var outline = TurtleShape.Outline(pose, size, units);
         var box = outline.GetBoundingBox(true);
         foreach (var curve in printed) box.Union(curve.GetBoundingBox(true));

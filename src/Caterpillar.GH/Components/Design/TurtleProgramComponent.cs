@@ -18,9 +18,9 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Text("Script", "S", "Script of turtle commands; the texts of a list are its lines.", access: GH_ParamAccess.list, optional: true);
+        ports.Text("Script", "S", "Script of turtle commands; the items of a list are its lines.", access: GH_ParamAccess.list, optional: true);
         ports.Add(new TurtleCommandParam(), "Commands", "C", "Commands in order.", GH_ParamAccess.list, optional: true);
-        ports.Text("Variables", "V", "Values of the script's parameters, each as name=value.", access: GH_ParamAccess.list, optional: true);
+        ports.Text("Variables", "V", "Values for the script's parameters, each as name=value.", access: GH_ParamAccess.list, optional: true);
         ports.Integer("Seed", "Sd", "Seed of the script's random numbers, from 0.", 0);
     }
 

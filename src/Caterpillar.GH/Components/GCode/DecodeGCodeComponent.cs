@@ -13,9 +13,9 @@ using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.GCode;
 
-/// <summary>Reads G-code back as a toolpath.</summary>
+/// <summary>Decodes G-code into a toolpath.</summary>
 public sealed class DecodeGCodeComponent() : CaterpillarComponent(
-    "Decode G-code", "Decode", "Reads a G-code file, or G-code from a wire, as a toolpath.", Panel.GCode)
+    "Decode G-code", "Decode", "Decodes a G-code file, or G-code from a wire, into a toolpath.", Panel.GCode)
 {
     private const string Detect = "detect";
 
@@ -26,7 +26,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         ports.File("File", "F", "File to read: plain, binary (.bgcode) or gzip.", "G-code|*.gcode;*.bgcode;*.gco;*.g;*.nc;*.gcode.gz|All files|*.*",
             optional: true);
         ports.Add(new GCodeParam(), "G-code", "G", "G-code to read instead of a file; text is G-code.", optional: true);
-        ports.Text("Dialect", "D", "Dialect of the firmware, such as marlin2, klipper or reprapfirmware; \"detect\" finds it in the file.", Detect);
+        ports.Text("Dialect", "D", "Dialect of the firmware, such as marlin2, klipper or reprapfirmware; \"detect\" takes it from the file.", Detect);
         ports.Choice("Rule", "R", "What counts as printing: E beyond what was retracted (Balance), or any rise of E (Rising).", ExtrusionRule.Balance);
     }
 
@@ -34,8 +34,8 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
     {
         ports.Add(new ToolpathParam(), "Toolpath", "T", "What the file makes the printer do, move by move.");
         ports.Add(new GCodeParam(), "G-code", "G", "The file, byte for byte.");
-        ports.Text("Settings", "S", "Settings that the slicer left in comments, as key=value.", GH_ParamAccess.list);
-        ports.Text("Dialect", "Di", "Dialect by which it was read.");
+        ports.Text("Settings", "S", "Settings that the slicer wrote into comments, as key=value.", GH_ParamAccess.list);
+        ports.Text("Dialect", "Di", "Dialect that was used for reading.");
         ports.Diagnostics();
     }
 

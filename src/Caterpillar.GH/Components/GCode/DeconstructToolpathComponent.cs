@@ -19,16 +19,16 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Point("Points", "P", "Where each move ends, in document units. A move without a layer stands with the layer before it.", GH_ParamAccess.tree);
-        ports.Number("Amounts", "E", "Change of E of each move, in mm of filament (or mm³ where the machine counts so).", GH_ParamAccess.tree);
+        ports.Point("Points", "P", "End of each move, in document units. A move without a layer is listed with the layer before it.", GH_ParamAccess.tree);
+        ports.Number("Amounts", "E", "Change of E of each move, in mm of filament (or mm³ if the machine counts volume).", GH_ParamAccess.tree);
         ports.Number("Speeds", "V", "Speed of each move, in mm/s.", GH_ParamAccess.tree);
-        ports.Text("Kinds", "K", "What the machine does: Print, Travel, Wipe, Retract, Restore, Moving Restore, Prime or Dwell.", GH_ParamAccess.tree);
+        ports.Text("Kinds", "K", "What the move does: Print, Travel, Wipe, Retract, Restore, Moving Restore, Prime or Dwell.", GH_ParamAccess.tree);
         ports.Text("Roles", "R", "What each strand is for, such as OuterWall or Infill.", GH_ParamAccess.tree);
-        ports.Integer("Sources", "S", "Number of the line of the file, from 1, or of the step of the design, from 0; -1 where there is none.",
+        ports.Integer("Sources", "S", "Line number in the file, from 1, or number of the step of the design, from 0; -1 if there is none.",
             GH_ParamAccess.tree);
-        ports.Number("Areas", "A", "Cross-section of each strand in mm²; 0 for what prints nothing, and where the diameter of the filament is not known.",
+        ports.Number("Areas", "A", "Cross-section of each strand in mm²; 0 for moves that print nothing, or if the filament diameter is unknown.",
             GH_ParamAccess.tree);
-        ports.Number("Widths", "W", "Width of each strand in mm, with round sides and the height of its layer; 0 where there is none.", GH_ParamAccess.tree);
+        ports.Number("Widths", "W", "Width of each strand in mm, with round sides and the height of its layer; 0 if there is none.", GH_ParamAccess.tree);
     }
 
     private protected override void Solve(Run run)

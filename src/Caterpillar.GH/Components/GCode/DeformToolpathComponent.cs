@@ -12,9 +12,9 @@ using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.GCode;
 
-/// <summary>Bends a toolpath by formulas.</summary>
+/// <summary>Deforms a toolpath by formulas.</summary>
 public sealed class DeformToolpathComponent() : CaterpillarComponent(
-    "Deform Toolpath", "DeformTP", "Bends what a toolpath prints by formulas of position, area and speed; the material follows the length of the strands.",
+    "Deform Toolpath", "DeformTP", "Deforms what a toolpath prints by formulas for position, area and speed; the material follows the length of the strands.",
         Panel.GCode)
 {
     private const int Formulas = 1 + MoveFilterPorts.Count;
@@ -23,16 +23,16 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "TP", "Toolpath to bend, planned or decoded.");
+        ports.Add(new ToolpathParam(), "Toolpath", "TP", "Toolpath to deform, planned or decoded.");
         MoveFilterPorts.Declare(ports);
         DeformationPorts.Declare(ports);
-        ports.Add(new Param_Plane(), "Plane", "Pl", "Frame of the coordinates, in document units; its Z is the axis of angles. The world's origin without it.",
+        ports.Add(new Param_Plane(), "Plane", "Pl", "Frame of the coordinates, in document units; its Z is the axis of angles. World XY by default.",
             optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "The bent toolpath.");
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "The deformed toolpath.");
         ports.Diagnostics();
     }
 
@@ -40,10 +40,10 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
     {
         var goo = run.Get<ToolpathGoo>(0);
         var filter = MoveFilterPorts.ReadLayers(run, 1, goo.Value);
-        var asked = DeformationPorts.Read(run, Formulas);
-        if (asked.Tolerance == 0) throw new InputProblem("Tolerance must be greater than zero.");
+        var request = DeformationPorts.Read(run, Formulas);
+        if (request.Tolerance == 0) throw new InputProblem("Tolerance must be greater than zero.");
         var frame = run.MaybeValue<Rg.Plane>(Formulas + DeformationPorts.Count) is { } plane ? RhinoGeometry.ToFrame(plane, run.Units) : Frame.World;
-        var compiled = asked.Compile();
+        var compiled = request.Compile();
         if (compiled.Value is not { } deformation)
         {
             run.SetList(1, run.Report(compiled.Diagnostics));
@@ -52,8 +52,8 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
         }
         if (frame != Frame.World) deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation)
             .Then(Deformation.Cartesian(p => frame.ToWorld(p)));
-        var result = run.Cached([goo.Value, frame, .. MoveFilterPorts.Key(filter), .. asked.Key],
-            () => run.Work("Deform", (_, _) => goo.Value.Deform(filter, deformation, asked.Tolerance)));
+        var result = run.Cached([goo.Value, frame, .. MoveFilterPorts.Key(filter), .. request.Key],
+            () => run.Work("Deform", (_, _) => goo.Value.Deform(filter, deformation, request.Tolerance)));
         run.SetList(1, run.Report(result.Diagnostics));
         run.Set(0, result.Value is { } bent ? goo.With(bent) : null);
     }

@@ -8,9 +8,9 @@ using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.GCode;
 
-/// <summary>Changes speed, flow and place of some moves.</summary>
+/// <summary>Changes speed, flow and position of some moves.</summary>
 public sealed class EditToolpathComponent() : CaterpillarComponent(
-    "Edit Toolpath", "EditTP", "Changes speed, flow and place of the moves of some roles, layers, objects or places.", Panel.GCode)
+    "Edit Toolpath", "EditTP", "Changes speed, flow and position of moves, chosen by role, layer, object or box.", Panel.GCode)
 {
     private const int After = 1 + MoveFilterPorts.Count;
 
@@ -20,8 +20,8 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
     {
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to change, planned or decoded.");
         MoveFilterPorts.Declare(ports);
-        ports.Number("Speed Factor", "S", "Speed of the chosen moves, as a factor of what it was.", 1);
-        ports.Number("Flow Factor", "Fl", "Material of the chosen moves, as a factor of what it was.", 1);
+        ports.Number("Speed Factor", "S", "Factor for the speed of the chosen moves.", 1);
+        ports.Number("Flow Factor", "Fl", "Factor for the material of the chosen moves.", 1);
         ports.Add(new Param_Transform(), "Transform", "X",
             "Moves, turns or scales the chosen strands, in document units; start and end code stay where they are.", optional: true);
     }
@@ -41,7 +41,7 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
         {
             var map = RhinoGeometry.ToAffine(transform, run.Units)
                 ?? throw new InputProblem("Transform must keep lines parallel: it moves, turns, scales or shears.");
-            edited = edited.Transformed(MoveFilterPorts.ReadLayers(run, 1, edited), map);
+            edited = edited.Transform(MoveFilterPorts.ReadLayers(run, 1, edited), map);
         }
         run.Set(0, goo.With(edited));
     }

@@ -7,9 +7,9 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Components.GCode;
 
-/// <summary>Keeps some moves of a toolpath, or takes them out.</summary>
+/// <summary>Keeps some moves of a toolpath, or removes them.</summary>
 public sealed class FilterToolpathComponent() : CaterpillarComponent(
-    "Filter Toolpath", "FilterTP", "Keeps the moves of some roles, layers or places, or takes them out; travels and retractions are mended at the cuts.",
+    "Filter Toolpath", "FilterTP", "Keeps or removes moves, chosen by role, layer, object or box; travels and retractions are repaired at the cuts.",
         Panel.GCode)
 {
     public override Guid ComponentGuid => new("3db465e0-e208-4bcc-8814-4b292260c251");
@@ -18,7 +18,7 @@ public sealed class FilterToolpathComponent() : CaterpillarComponent(
     {
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to cut, planned or decoded.");
         MoveFilterPorts.Declare(ports);
-        ports.Boolean("Remove", "Re", "True takes the chosen moves out, false keeps only them.", false);
+        ports.Boolean("Remove", "Re", "True removes the chosen moves, false keeps only them.", false);
     }
 
     private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "What is left.");

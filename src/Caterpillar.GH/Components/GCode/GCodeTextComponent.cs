@@ -12,8 +12,8 @@ namespace Caterpillar.GH.Components.GCode;
 public sealed class GCodeTextComponent() : CaterpillarComponent(
     "G-code Text", "Text", "Some lines of a G-code file as text, so that wires and panels stay light.", Panel.GCode)
 {
-    // More is too much for a Panel.
-    private const int Most = 100_000;
+    // A Panel cannot show more.
+    private const int MaxLines = 100_000;
 
     public override Guid ComponentGuid => new("acfddb64-0be4-4f60-8e9f-0c1eb22c20ce");
 
@@ -31,7 +31,7 @@ public sealed class GCodeTextComponent() : CaterpillarComponent(
         var document = run.Get<GCodeDocument>(0);
         var (start, count) = (run.Get<int>(1), run.Get<int>(2));
         if (start == 0) throw new InputProblem("Start counts from 1, or from -1 at the end.");
-        if (count is < 0 or > Most) throw new InputProblem($"Count must be from 0 to {NumberFormatter.Format(Most)}.");
+        if (count is < 0 or > MaxLines) throw new InputProblem($"Count must be from 0 to {NumberFormatter.Format(MaxLines)}.");
         var first = start > 0 ? start : Math.Max(1, document.LineCount + start + 1);
         run.SetList(0, document.Lines(first, count).Select(line => line.Text));
     }

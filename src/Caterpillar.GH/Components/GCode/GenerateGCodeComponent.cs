@@ -15,24 +15,24 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Checks a toolpath and writes it as G-code.</summary>
 public sealed class GenerateGCodeComponent() : CaterpillarComponent(
-    "Generate G-code", "GCode", "Checks a toolpath against the printer and writes it as G-code; what would hurt the machine is not written.", Panel.GCode)
+    "Generate G-code", "GCode", "Checks a toolpath against the printer and writes it as G-code; what could damage the machine is not written.", Panel.GCode)
 {
     public override Guid ComponentGuid => new("a6c5f777-8567-40ff-8b2c-76e275996590");
 
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to write.");
-        ports.Add(new PrinterParam(), "Printer", "P", "Printer that will print it, or the name of its profile; without it the one it was planned for.",
+        ports.Add(new PrinterParam(), "Printer", "P", "Target printer, or the name of its profile; by default the one it was planned for.",
             optional: true);
         ports.Text("Override Reason", "R",
-            "Why the findings of the checks are to be ignored, in words; they stay in the file as a comment. Empty obeys the checks.", "");
-        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; without it the one it was planned for.", optional: true);
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings, or the name of their profile; without them those it was planned for.", optional: true);
-        ports.Boolean("Write Anew", "A",
-            "False writes a decoded file again with only its edits changed; true writes all of it anew, with the printer's start and end code.", false);
-        ports.Text("Start Code", "SC", "Lines in place of everything before the first layer of a decoded file; without it what is there stays.",
+            "Reason to ignore the findings of the checks; it is kept in the file as a comment. Empty obeys the checks.", "");
+        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default the one it was planned for.", optional: true);
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings, or the name of their profile; by default those it was planned for.", optional: true);
+        ports.Boolean("Rewrite All", "A",
+            "False keeps all lines of a decoded file that no edit changes; true rewrites all of it, with the printer's start and end code.", false);
+        ports.Text("Start Code", "SC", "Lines that replace everything before the first layer of a decoded file; by default that is kept.",
             optional: true);
-        ports.Text("End Code", "EC", "Lines in place of everything behind the last layer of a decoded file; without it what is there stays.", optional: true);
+        ports.Text("End Code", "EC", "Lines that replace everything after the last layer of a decoded file; by default that is kept.", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -52,12 +52,12 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
             return;
         }
         if (string.IsNullOrWhiteSpace(reason)) reason = null;
-        var anew = run.Get<bool>(5) || goo.DecodedGCode is null;
+        var rewriteAll = run.Get<bool>(5) || goo.DecodedGCode is null;
         var (start, end) = (run.Maybe<string>(6), run.Maybe<string>(7));
-        if (anew && (start ?? end) is not null) run.Report(GH_RuntimeMessageLevel.Warning,
-            "Start Code and End Code are for decoded files that are written again; this one is written anew, with those of its printer.");
+        if (rewriteAll && (start ?? end) is not null) run.Report(GH_RuntimeMessageLevel.Warning,
+            "Start Code and End Code apply to decoded files whose lines are kept; this one is rewritten, with the code of its printer.");
         var code = new EditOptions { Start = Lines(start), End = Lines(end) };
-        var result = run.Cached([goo.Value, setup, reason, anew, start, end], () => run.Work("Writing", (progress, cancel) => anew
+        var result = run.Cached([goo.Value, setup, reason, rewriteAll, start, end], () => run.Work("Writing", (progress, cancel) => rewriteAll
             ? SafeWriter.ToDocument(goo.Value, setup, reason, progress, cancel)
             : SafeWriter.ToDocument(goo.DecodedGCode!, goo.Value, setup, reason, code, progress, cancel)));
         var document = run.Accept(result, texts);

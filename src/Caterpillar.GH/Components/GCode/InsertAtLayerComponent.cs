@@ -9,7 +9,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.GCode;
 
-/// <summary>What is put in front of a layer.</summary>
+/// <summary>What is inserted before a layer.</summary>
 public enum LayerEventKind
 {
     Pause,
@@ -22,18 +22,18 @@ public enum LayerEventKind
     RawLine,
 }
 
-/// <summary>Puts pauses, tools and other events in front of layers.</summary>
+/// <summary>Inserts pauses, tool changes and other events before layers.</summary>
 public sealed class InsertAtLayerComponent() : CaterpillarComponent(
-    "Insert At Layer", "InsertTP", "Puts a pause, a tool change, a temperature or a line of G-code in front of layers of a toolpath.", Panel.GCode)
+    "Insert At Layer", "InsertTP", "Inserts a pause, a tool change, a temperature or a line of G-code before layers of a toolpath.", Panel.GCode)
 {
     public override Guid ComponentGuid => new("b4c1e0d7-58a2-4f6b-9e31-7d90a2c4f615");
 
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to change, planned or decoded.");
-        ports.Integer("Layers", "L", "Numbers of the layers, from 0, in front of which it happens.", access: GH_ParamAccess.list);
+        ports.Integer("Layers", "L", "Numbers of the layers, from 0, before which it happens.", access: GH_ParamAccess.list);
         ports.Choice("Kind", "K", "What happens.", LayerEventKind.Pause);
-        ports.Number("Value", "V", "Number of the tool, °C, fan from 0 to 1, or seconds.", 0);
+        ports.Number("Value", "V", "Number of the tool, °C, fan speed from 0 to 1, or seconds.", 0);
         ports.Text("Text", "Tx", "Message of a pause, comment, or line of G-code.", "");
     }
 

@@ -12,22 +12,22 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Components.GCode;
 
-/// <summary>Turns a design into what the machine does.</summary>
+/// <summary>Turns a design into machine moves.</summary>
 public sealed class PlanToolpathComponent() : CaterpillarComponent(
-    "Plan Toolpath", "Plan", "Turns print paths and other steps into a toolpath: adds travels, lifts and retractions, and amounts of material.", Panel.GCode)
+    "Plan Toolpath", "Plan", "Turns print paths and other steps into a toolpath: adds travels, lifts, retractions and amounts of material.", Panel.GCode)
 {
     public override Guid ComponentGuid => new("3f0184a5-8769-4bde-bc26-3f46d7e01ed3");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Flattened(new StepParam(), "Steps", "S", "Print paths, travels and events in the order of the design; branches follow each other.");
-        ports.Add(new PrinterParam(), "Printer", "P", "Printer that will print it, or the name of its profile.");
-        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; without it the one that the printer names.", optional: true);
-        ports.Add(new SettingsParam(), "Settings", "Se", "Print settings, or the name of their profile; without them those that the printer names.",
+        ports.Flattened(new StepParam(), "Steps", "S", "Print paths, travels and events in the order of the design; branches are joined in order.");
+        ports.Add(new PrinterParam(), "Printer", "P", "Target printer, or the name of its profile.");
+        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default that of the printer.", optional: true);
+        ports.Add(new SettingsParam(), "Settings", "Se", "Print settings, or the name of their profile; by default those of the printer.",
             optional: true);
-        ports.Choice("Policy", "Po", "What planning may add: all that the settings say (Printer), or nothing beyond what was drawn (As Drawn).",
+        ports.Choice("Policy", "Po", "What planning may add: everything in the settings (Printer), or nothing (As Drawn).",
             PlanPolicy.Printer);
-        ports.Choice("Sort", "So", "How paths are sorted inside the groups that a slicer gave them; other paths keep their order.", SortRule.Tour);
+        ports.Choice("Sort", "So", "How paths are sorted inside the groups of a slicer; other paths keep their order.", SortRule.Tour);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -59,6 +59,6 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
         if (toolpath is not null) run.Summarize($"{NumberFormatter.Format(toolpath.Count)} moves");
     }
 
-    // Goo makes a new step each time it is asked: the path in it is what stays.
+    // Goo makes a new step on each request; the path in it stays the same.
     private static object Identity(Step step) => step is PathStep path ? path.Path : step;
 }

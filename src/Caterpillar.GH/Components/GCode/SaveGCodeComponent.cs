@@ -12,7 +12,7 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Writes G-code to a file when a button is pressed.</summary>
 public sealed class SaveGCodeComponent() : CaterpillarComponent(
-    "Save G-code", "Save", "Writes G-code to a file at the moment when Save becomes true; the file is written whole or not at all.", Panel.GCode)
+    "Save G-code", "Save", "Writes G-code to a file when Save becomes true; the file is written completely or not at all.", Panel.GCode)
 {
     // By item: whether Save was true in the last solution, and what was written last.
     private readonly Dictionary<int, bool> _pressed = [];
@@ -25,11 +25,11 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
         ports.Add(new GCodeParam(), "G-code", "G", "G-code to write.");
         ports.Target("File", "F", "File to write, binary where its name ends in .bgcode; relative to the definition's own file.",
             "G-code|*.gcode|Binary G-code|*.bgcode");
-        ports.Boolean("Save", "S", "The moment it becomes true the file is written: give a button.", false);
-        ports.Boolean("Overwrite", "O", "True replaces a file that is there already.", false);
+        ports.Boolean("Save", "S", "The file is written when this becomes true: connect a button.", false);
+        ports.Boolean("Overwrite", "O", "True replaces an existing file.", false);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Text("Path", "P", "The file, once this G-code is in it.");
+    private protected override void Outputs(OutputPorts ports) => ports.Text("Path", "P", "Path of the file, once this G-code has been written to it.");
 
     private protected override void Solve(Run run)
     {
@@ -48,7 +48,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
 
     private void Write(Run run, GCodeDocument document, string file, bool overwrite)
     {
-        if (File.Exists(file) && !overwrite) throw new InputProblem($"{file} is there already, and Overwrite is false.");
+        if (File.Exists(file) && !overwrite) throw new InputProblem($"{file} already exists, and Overwrite is false.");
         run.Work("Saving", (progress, cancel) =>
         {
             document.WriteFile(file, progress, cancel);

@@ -10,7 +10,7 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Takes a print path apart.</summary>
 public sealed class DeconstructPrintPathComponent() : CaterpillarComponent(
-    "Deconstruct Print Path", "DePPath", "Takes a print path apart into its points, in mm² its cross-sections and in mm/s its speeds.", Panel.Path)
+    "Deconstruct Print Path", "DePPath", "Takes a print path apart into its points, its cross-sections in mm² and its speeds in mm/s.", Panel.Path)
 {
     public override Guid ComponentGuid => new("e6ce3d42-9733-467d-adc0-7f8b0c87d00c");
 
@@ -23,7 +23,7 @@ public sealed class DeconstructPrintPathComponent() : CaterpillarComponent(
         ports.Number("Areas", "A", "Cross-section of each segment, in mm².", GH_ParamAccess.list);
         ports.Number("Speeds", "V", "Speed of each segment, in mm/s; 0 is the speed of the print settings.", GH_ParamAccess.list);
         ports.Text("Role", "R", "What the path is for, such as OuterWall or Infill.");
-        ports.Integer("Layer", "L", "Number of its layer, from 0; -1 where it has none.");
+        ports.Integer("Layer", "L", "Number of its layer, from 0; -1 if it has none.");
     }
 
     private protected override void Solve(Run run)

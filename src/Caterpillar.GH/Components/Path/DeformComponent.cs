@@ -7,9 +7,9 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Components.Path;
 
-/// <summary>Bends paths by formulas.</summary>
+/// <summary>Deforms paths by formulas.</summary>
 public sealed class DeformComponent() : PathShapingComponent(
-    "Deform", "Deform", "Bends print paths by formulas of position, area and speed, in Cartesian or cylindrical coordinates. Angles are degrees.")
+    "Deform", "Deform", "Deforms print paths by formulas for position, area and speed, in Cartesian or cylindrical coordinates. Angles are in degrees.")
 {
     public override Guid ComponentGuid => new("4b6e1f93-d05a-4c7e-8321-a9c7e4f0b541");
 
@@ -23,25 +23,25 @@ public sealed class DeformComponent() : PathShapingComponent(
     private protected override void Solve(Run run)
     {
         var before = PathsOf(run);
-        var asked = DeformationPorts.Read(run, 1);
+        var request = DeformationPorts.Read(run, 1);
         var frame = FrameOf(run, 1 + DeformationPorts.Count);
-        var deformation = asked.Compile();
+        var deformation = request.Compile();
         if (deformation.Value is null)
         {
             run.SetList(1, run.Report(deformation.Diagnostics));
             return;
         }
-        var shaped = run.Cached([frame, .. asked.Key, .. before.Select(p => p.Value)], () => run.Work("Deform", (progress, cancel) =>
+        var shaped = run.Cached([frame, .. request.Key, .. before.Select(p => p.Value)], () => run.Work("Deform", (progress, cancel) =>
         {
             var problems = new DiagnosticList();
             var local = ToLocal(before.Select(p => p.Value), frame);
-            if (asked.HasSpeed && local.Any(p => Enumerable.Range(0, p.SegmentCount).Any(i => p.BeadOf(i).Speed == 0)))
-                problems.Add(Severity.Warning, "shape.no_speed", "Paths have no speed of their own: v is 0 there.");
-            // One by one: a path that can't be bent does not stop the others.
+            if (request.HasSpeed && local.Any(p => Enumerable.Range(0, p.SegmentCount).Any(i => p.BeadOf(i).Speed == 0)))
+                problems.Add(Severity.Warning, "shape.no_speed", "Some paths have no speed of their own: v is 0 there.");
+            // One by one: a path that can't be deformed does not stop the others.
             var paths = new PrintPath?[local.Length];
             for (var i = 0; i < local.Length; i++)
             {
-                var bent = deformation.Value.Apply([local[i]], asked.Tolerance, null, cancel);
+                var bent = deformation.Value.Apply([local[i]], request.Tolerance, null, cancel);
                 foreach (var problem in bent.Diagnostics) problems.Add(problem with { Source = new SourceLocation(Step: i) });
                 if (bent.Value is { Count: > 0 } value) paths[i] = ToWorld(value[0], frame);
                 progress.Report((i + 1.0) / local.Length);

@@ -8,7 +8,7 @@ using Caterpillar.Shaping;
 
 namespace Caterpillar.GH.Components.Path;
 
-/// <summary>The ports that say how something is bent: system, five formulas, tolerance.</summary>
+/// <summary>The ports of a deformation: system, five formulas, tolerance.</summary>
 internal static class DeformationPorts
 {
     public const int Count = 7;
@@ -17,27 +17,28 @@ internal static class DeformationPorts
     {
         ports.Choice("System", "S", "Coordinates of the formulas: x, y, z in mm (Cartesian), or r in mm, theta in degrees and z in mm (Cylindrical).",
             DeformationSystem.Cartesian);
-        ports.Text("X", "X", "Formula of the new x, or of the new r in cylindrical coordinates, for example r + 1.05 * z; without it the coordinate stays.",
+        ports.Text("X", "X", "Formula of the new x, or of the new r in cylindrical coordinates, for example r + 1.05 * z; by default the coordinate is "
+            + "unchanged.",
             optional: true);
-        ports.Text("Y", "Y", "Formula of the new y, or of the new theta in degrees, for example theta + 3 * z; without it the coordinate stays.",
+        ports.Text("Y", "Y", "Formula of the new y, or of the new theta in degrees, for example theta + 3 * z; by default the coordinate is unchanged.",
             optional: true);
-        ports.Text("Z", "Z", "Formula of the new z, for example 0.3 * z; without it the coordinate stays.", optional: true);
-        ports.Text("Area", "A", "Formula of the new cross-section in mm² over c, the old one, and the coordinates before the mapping, for example 0.96 * c.",
+        ports.Text("Z", "Z", "Formula of the new z, for example 0.3 * z; by default the coordinate is unchanged.", optional: true);
+        ports.Text("Area", "A", "Formula of the new cross-section in mm², in c (the old one) and the coordinates before the mapping, for example 0.96 * c.",
             optional: true);
-        ports.Text("Speed", "V", "Formula of the new speed in mm/s over v, the old one, and the coordinates before the mapping, for example 0.5 * v.",
+        ports.Text("Speed", "V", "Formula of the new speed in mm/s, in v (the old one) and the coordinates before the mapping, for example 0.5 * v.",
             optional: true);
-        ports.Number("Tolerance", "T", "Distance in mm that bent curves keep from straight segments, which are divided for it; 0 divides none.", 0.01);
+        ports.Number("Tolerance", "T", "Maximum deviation in mm; segments are divided to stay within it. 0 divides none.", 0.01);
     }
 
-    public static Asked Read(Run run, int first)
+    public static Request Read(Run run, int first)
     {
         var tolerance = run.Finite(first + 6);
         if (tolerance < 0) throw new InputProblem("Tolerance must be 0 or more.");
-        return new Asked(run.Choice<DeformationSystem>(first), Enumerable.Range(first + 1, 5).Select(i => run.Maybe<string>(i) ?? "").ToArray(), tolerance);
+        return new Request(run.Choice<DeformationSystem>(first), Enumerable.Range(first + 1, 5).Select(i => run.Maybe<string>(i) ?? "").ToArray(), tolerance);
     }
 
-    /// <summary>What the ports say.</summary>
-    public sealed record Asked(DeformationSystem System, IReadOnlyList<string> Formulas, double Tolerance)
+    /// <summary>The values of the ports.</summary>
+    public sealed record Request(DeformationSystem System, IReadOnlyList<string> Formulas, double Tolerance)
     {
         public bool HasSpeed => Formulas[4].Trim().Length > 0;
 

@@ -10,17 +10,17 @@ using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Path;
 
-/// <summary>Replaces runs of segments by arcs.</summary>
+/// <summary>Replaces runs of segments with arcs.</summary>
 public sealed class FitArcsComponent() : CaterpillarComponent(
-    "Fit Arcs", "FitArcs", "Replaces runs of straight segments by arcs within a tolerance, flat or helical, for smaller and smoother G-code.", Panel.Path,
+    "Fit Arcs", "FitArcs", "Replaces runs of straight segments with arcs within a tolerance, flat or helical, for smaller and smoother G-code.", Panel.Path,
         GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("ce1b33da-ca9c-4052-913f-de8e63260a7c");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths whose segments become arcs where they lie on one.", GH_ParamAccess.list);
-        ports.Number("Tolerance", "T", "Largest distance between an arc and the segments it replaces, in mm.", new ArcFitOptions().Tolerance);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths whose segments become arcs if they lie on one.", GH_ParamAccess.list);
+        ports.Number("Tolerance", "T", "Maximum distance between an arc and the segments it replaces, in mm.", new ArcFitOptions().Tolerance);
     }
 
     private protected override void Outputs(OutputPorts ports)

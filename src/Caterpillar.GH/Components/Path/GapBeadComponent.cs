@@ -23,20 +23,20 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in the order in which they are printed; each finds the ones before it underneath.",
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in printing order; each lies on the ones before it.",
             GH_ParamAccess.list);
         ports.Geometry("Geometry", "G", "Objects below the paths, in document units: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list,
             optional: true);
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings from which the limits follow; without them the standard ones.", optional: true);
-        ports.OptionalNumber("Least Gap", "Min", "Smaller gaps are printed as if they were this high, in mm; without it a quarter of the layer height.");
-        ports.OptionalNumber("Greatest Gap", "Max", "Larger gaps are printed as if they were this high, in mm; without it twice the layer height.");
-        ports.Number("Width", "W", "Width of the strands in mm; 0 takes it from each bead.", 0);
-        ports.Boolean("Bed", "B", "True where the bed, at Z = 0, is underneath too.", true);
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings that determine the limits; the standard ones by default.", optional: true);
+        ports.OptionalNumber("Minimum Gap", "Min", "Smaller gaps are printed as if they were this high, in mm; a quarter of the layer height by default.");
+        ports.OptionalNumber("Maximum Gap", "Max", "Larger gaps are printed as if they were this high, in mm; twice the layer height by default.");
+        ports.Number("Width", "W", "Width of the strands in mm; 0 uses that of each bead.", 0);
+        ports.Boolean("Bed", "B", "True if the bed, at Z = 0, is underneath too.", true);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "The same paths with other beads; segments over an uneven gap are divided.", GH_ParamAccess.list);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "The same paths with new beads; segments over an uneven gap are divided.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 
@@ -50,7 +50,7 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         var gap = GapBead.For(run.Maybe<PrintSettings>(2) ?? new PrintSettings()) with { Width = run.Finite(5), Bed = run.Get<bool>(6) ? 0 : null };
         if (run.MaybeValue<double>(3) is not null) gap = gap with { MinGap = run.Positive(3) };
         if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };
-        if (gap.MinGap > gap.MaxGap) throw new InputProblem("Least Gap must not be above Greatest Gap.");
+        if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be above Maximum Gap.");
         var result = run.Cached([.. paths, .. meshes.Select(m => (object)m.DataCRC(0)), gap, units.ToMillimeters], () =>
         {
             var below = gap with { Surface = RhinoMesh.ToTriangles(meshes, units) };

@@ -11,16 +11,16 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Joins paths whose ends touch.</summary>
 public sealed class MergePathsComponent() : CaterpillarComponent(
-    "Merge Paths", "Merge", "Joins paths whose ends touch, where role, layer, tool and name are equal; each segment keeps its strand.", Panel.Path,
+    "Merge Paths", "Merge", "Joins paths whose ends touch if role, layer, tool and name are equal; each segment keeps its strand.", Panel.Path,
         GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("53edb3ac-450f-4275-a38f-0ca4dd43c9b1");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in the order in which they are printed.", GH_ParamAccess.list);
-        ports.Number("Tolerance", "T", "Largest gap that is closed, in mm.", 0.01);
-        ports.Boolean("Reverse", "Re", "True turns paths around where that makes them fit.", false);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in printing order.", GH_ParamAccess.list);
+        ports.Number("Tolerance", "T", "Maximum gap to close, in mm.", 0.01);
+        ports.Boolean("Reverse", "Re", "True reverses paths if that makes them fit.", false);
     }
 
     private protected override void Outputs(OutputPorts ports)

@@ -11,8 +11,8 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Components.Path;
 
-/// <summary>How an image lies on the paths.</summary>
-public enum ImageLay
+/// <summary>How an image is mapped onto paths.</summary>
+public enum ImageProjection
 {
     Cylinder,
     Globe,
@@ -20,9 +20,9 @@ public enum ImageLay
     Along,
 }
 
-/// <summary>Writes an image or a formula into paths.</summary>
+/// <summary>Modulates paths by an image or a formula.</summary>
 public sealed class ModulateComponent() : PathShapingComponent(
-    "Modulate", "Mod", "Writes an image or a formula into print paths by their speed, their flow or their place.")
+    "Modulate", "Mod", "Modulates the speed, flow or position of print paths by an image or a formula.")
 {
     public override Guid ComponentGuid => new("8a2d7c05-4e9b-4f36-b718-5d1c0e6f9a42");
 
@@ -32,21 +32,22 @@ public sealed class ModulateComponent() : PathShapingComponent(
         ports.File("Image", "I", "Image (PNG, PGM, PBM): black is 0, white is 1.", "Images (*.png;*.pgm;*.pbm)|*.png;*.pgm;*.pbm|All files|*.*",
             optional: true);
         ports.Text("Expression", "E",
-            "Formula of the field, 0 to 1, instead of an image, over x, y, z, r in mm, theta in degrees, s (way along the path in mm) and u (the same from 0 "
+            "Formula of the field, 0 to 1, instead of an image, in x, y, z, r in mm, theta in degrees, s (length along the path in mm) and u (the same from 0 "
                 + "to 1), for example 0.5 + 0.5 * sin(6 * theta).",
             optional: true);
-        ports.Choice("Mode", "M", "What changes: the speed at a constant flow of material, the flow at a constant speed, or the place, to the left of the "
-            + "way or upwards.", ModulationMode.Speed);
-        ports.Number("Low", "L", "Amount where the field is 0: factor on speed or flow, or displacement in mm.", 1);
-        ports.Number("High", "H", "Amount where the field is 1: factor on speed or flow, or displacement in mm.", 0.65);
-        ports.Text("Mask", "Ma", "Formula over the same names of how much takes effect, 0 to 1; everything without it.", optional: true);
-        ports.Number("Resolution", "R", "Segments are divided into parts of at most so many mm first; 0 leaves them as they are.", 0);
+        ports.Choice("Mode", "M", "What changes: the speed at a constant flow of material, the flow at a constant speed, or the position, to the left of the "
+            + "path or upward.", ModulationMode.Speed);
+        ports.Number("Low", "L", "Amount where the field is 0: factor for speed or flow, or displacement in mm.", 1);
+        ports.Number("High", "H", "Amount where the field is 1: factor for speed or flow, or displacement in mm.", 0.65);
+        ports.Text("Mask", "Ma", "Formula in the same variables for the strength of the effect, 0 to 1; full strength by default.", optional: true);
+        ports.Number("Resolution", "R", "Segments are first divided into parts of at most this length, in mm; 0 leaves them as they are.", 0);
         PlanePort(ports);
-        ports.Choice("Mapping", "W", "How the image lies on the paths: around them, as on a globe, seen from above, or one row for each path; it is as large "
-            + "as they are.", ImageLay.Cylinder);
-        ports.Integer("Repeat", "N", "Number of times that the image is repeated around a cylinder.", 1);
-        ports.Boolean("Smooth", "Sm", "True takes values between pixels, false the nearest pixel.", false);
-        ports.Number("Reference Speed", "V", "Speed in mm/s of paths that have none of their own; 0 where all have one.", 0);
+        ports.Choice("Mapping", "W", "How the image is mapped onto the paths: around them, as on a globe, seen from above, or one row for each path; it is "
+            + "as large "
+            + "as they are.", ImageProjection.Cylinder);
+        ports.Integer("Repeat", "N", "Number of times the image is repeated around a cylinder.", 1);
+        ports.Boolean("Smooth", "Sm", "True interpolates between pixels, false takes the nearest pixel.", false);
+        ports.Number("Reference Speed", "V", "Speed in mm/s of paths that have none of their own; 0 if all have one.", 0);
     }
 
     private protected override void Solve(Run run)
@@ -61,7 +62,7 @@ public sealed class ModulateComponent() : PathShapingComponent(
         var mask = run.Maybe<string>(6);
         var resolution = run.Finite(7) is >= 0 and var length ? length : throw new InputProblem("Resolution must be 0 or more.");
         var frame = FrameOf(run, 8);
-        var (lay, smooth, speed) = (run.Choice<ImageLay>(9), run.Get<bool>(11), run.Finite(12));
+        var (lay, smooth, speed) = (run.Choice<ImageProjection>(9), run.Get<bool>(11), run.Finite(12));
         var repeat = run.Get<int>(10) is >= 1 and var times ? times : throw new InputProblem("Repeat must be 1 or more.");
         object? written = file is null ? null : File.GetLastWriteTimeUtc(file);
         object?[] key = [file, written, expression, mode, low, high, mask, resolution, frame, lay, repeat, smooth, speed, .. before.Select(p => p.Value)];
@@ -79,19 +80,19 @@ public sealed class ModulateComponent() : PathShapingComponent(
         })));
     }
 
-    private static Field? ImageField(string file, PrintPath[] paths, ImageLay lay, int repeat, bool smooth, List<Diagnostic> problems)
+    private static Field? ImageField(string file, PrintPath[] paths, ImageProjection lay, int repeat, bool smooth, List<Diagnostic> problems)
     {
         if (Accept(ImageReader.Read(file), problems) is not { } image) return null;
         var box = Bounds.Empty;
         foreach (var path in paths) box = box.Include(path.Bounds);
         var size = box.Size;
-        if ((lay == ImageLay.Cylinder && !(size.Z > 0)) || (lay == ImageLay.Plan && !(size.X > 0 && size.Y > 0)))
+        if ((lay == ImageProjection.Cylinder && !(size.Z > 0)) || (lay == ImageProjection.Plan && !(size.X > 0 && size.Y > 0)))
             throw new InputProblem($"The paths are too flat for the mapping {lay}.");
         var mapping = lay switch
         {
-            ImageLay.Cylinder => ImageMappings.Cylinder(box.Min.Z, box.Max.Z, repeats: repeat),
-            ImageLay.Globe => ImageMappings.Globe(new Vec3(0, 0, box.Center.Z)),
-            ImageLay.Plan => ImageMappings.Plan(box.Min, size.X, size.Y),
+            ImageProjection.Cylinder => ImageMappings.Cylinder(box.Min.Z, box.Max.Z, repeats: repeat),
+            ImageProjection.Globe => ImageMappings.Globe(new Vec3(0, 0, box.Center.Z)),
+            ImageProjection.Plan => ImageMappings.Plan(box.Min, size.X, size.Y),
             _ => ImageMappings.Along(image.Height),
         };
         return Fields.Image(image, mapping, smooth);

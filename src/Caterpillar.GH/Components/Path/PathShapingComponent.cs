@@ -13,23 +13,23 @@ using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.Path;
 
-/// <summary>Base of the components that give each print path another shape or other beads: paths first, paths and diagnostics out.</summary>
+/// <summary>Base of the components that change the shape or the beads of print paths: paths first, paths and diagnostics out.</summary>
 public abstract class PathShapingComponent(string name, string nickname, string description)
     : CaterpillarComponent(name, nickname, description, Panel.Path, GH_Exposure.secondary)
 {
     private protected static void PathsPort(InputPorts ports)
-        => ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths, in the order of printing.", GH_ParamAccess.list);
+        => ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in printing order.", GH_ParamAccess.list);
 
     private protected static void PlanePort(InputPorts ports)
         => ports.Add(new Param_Plane(), "Plane", "Pl",
-            "Frame of the coordinates, in document units; its Z is the axis of angles. The world's origin without it.", optional: true);
+            "Frame of the coordinates, in document units; its Z is the axis of angles. World XY by default.", optional: true);
 
     private protected static Frame FrameOf(Run run, int input)
         => run.MaybeValue<Rg.Plane>(input) is { } plane ? RhinoGeometry.ToFrame(plane, run.Units) : Frame.World;
 
     private protected sealed override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths in their order; null where one can't be made.", GH_ParamAccess.list);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths in their order; null where the result is invalid.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 
@@ -46,7 +46,7 @@ public abstract class PathShapingComponent(string name, string nickname, string 
         run.SetList(0, shaped.Paths.Select((path, i) => path is null ? null : before[i].With(path)));
     }
 
-    /// <summary>Paths in coordinates of a frame; the world's own stay as they are.</summary>
+    /// <summary>Paths in the coordinates of a frame; unchanged for the world frame.</summary>
     private protected static PrintPath[] ToLocal(IEnumerable<PrintPath> paths, Frame frame)
     {
         if (frame == Frame.World) return paths.ToArray();
@@ -57,7 +57,7 @@ public abstract class PathShapingComponent(string name, string nickname, string 
 
     private protected static PrintPath ToWorld(PrintPath path, Frame frame) => frame == Frame.World ? path : path.Transformed(Affine.FromFrame(frame));
 
-    /// <summary>What came of the paths.</summary>
+    /// <summary>The result for the paths.</summary>
     private protected sealed record Shaped(IReadOnlyList<PrintPath?> Paths, IReadOnlyList<Diagnostic> Diagnostics)
     {
         public static Shaped Of(Result<IReadOnlyList<PrintPath>> result, Frame frame)

@@ -13,9 +13,9 @@ using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.Path;
 
-/// <summary>Puts print paths into an order with short ways between them.</summary>
+/// <summary>Sorts print paths for short travel.</summary>
 public sealed class SortPathsComponent() : CaterpillarComponent(
-    "Sort Paths", "Sort", "Puts print paths into an order with short ways between them; none is lost. Paths that are not sorted are printed in their order.",
+    "Sort Paths", "Sort", "Sorts print paths for short travel; none is lost. Unsorted paths are printed in their order.",
         Panel.Path)
 {
     public override Guid ComponentGuid => new("b1d0a5ee-6f0e-4b7c-9a55-61c2f1a7d3e4");
@@ -27,16 +27,16 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
             "The order: as given (None), as given but each from its nearest end (Orient), from each end to the nearest start, by layer, by lowest point, or "
                 + "the shortest tour found.",
             SortRule.Nearest);
-        ports.Boolean("Reverse", "Re", "True where open paths may be printed from their other end.", true);
-        ports.Boolean("Rotate", "Ro", "True where closed paths may begin at any of their vertices.", true);
-        ports.Add(new Param_Point(), "Start", "S", "Where the head comes from, in document units; without it the first path stays first.", optional: true);
+        ports.Boolean("Reverse", "Re", "True if open paths may be printed from their other end.", true);
+        ports.Boolean("Rotate", "Ro", "True if closed paths may start at any of their vertices.", true);
+        ports.Add(new Param_Point(), "Start", "S", "Start position of the head, in document units; by default the first path stays first.", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths in their new order, turned and rotated where that was allowed.", GH_ParamAccess.list);
-        ports.Integer("Indices", "I", "Number of each path in the input, counted from 0.", GH_ParamAccess.list);
-        ports.Number("Way", "W", "Length of the ways from the end of each path to the start of the next, in mm.");
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths in their new order, reversed and rotated if allowed.", GH_ParamAccess.list);
+        ports.Integer("Indices", "I", "Index of each path in the input, from 0.", GH_ParamAccess.list);
+        ports.Number("Travel", "T", "Total distance from the end of each path to the start of the next, in mm.");
     }
 
     private protected override void Solve(Run run)
@@ -49,12 +49,12 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
         var options = new SortOptions(run.Choice<SortRule>(1), run.Get<bool>(2), run.Get<bool>(3), start);
         var order = run.Cached([.. paths, options], () => run.Work("Sorting", (progress, cancel) => PathSorter.Order(paths, options, progress, cancel)));
         var sorted = order.Select(place => Placed(paths[place.Index], place)).ToArray();
-        // What has been sorted here is printed in this order: it leaves the groups that a slicer gave it.
+        // Paths sorted here are printed in this order: they leave the groups of the slicer.
         run.SetList(0, sorted.Select(path => new PrintPathGoo(path)));
         run.SetList(1, order.Select(place => place.Index));
-        var way = PathSorter.WayBetween(sorted);
-        run.Set(2, way);
-        run.Summarize($"{NumberFormatter.Format(way, 1)} mm of {NumberFormatter.Format(PathSorter.WayBetween(paths), 1)}");
+        var travel = PathSorter.TravelBetween(sorted);
+        run.Set(2, travel);
+        run.Summarize($"{NumberFormatter.Format(travel, 1)} mm of {NumberFormatter.Format(PathSorter.TravelBetween(paths), 1)}");
     }
 
     private static PrintPath Placed(PrintPath path, PathPlacement place)

@@ -23,9 +23,9 @@ public enum SubdivisionMode
     Angle,
 }
 
-/// <summary>Divides a curve as printing does.</summary>
+/// <summary>Divides a curve as it will be printed.</summary>
 public sealed class SubdivideCurveComponent() : CaterpillarComponent(
-    "Subdivide Curve", "SubCrv", "Separates the linear from the curved parts of a curve; linear parts keep their end points only, curved parts are divided.",
+    "Subdivide Curve", "SubCrv", "Separates the linear from the curved parts of a curve; linear parts keep only their end points, curved parts are divided.",
         Panel.Path)
 {
     public override Guid ComponentGuid => new("a31cc893-fa2f-4120-a76b-5b2d09d19c7c");
@@ -34,18 +34,18 @@ public sealed class SubdivideCurveComponent() : CaterpillarComponent(
     {
         ports.Add(new Param_Curve(), "Curve", "C", "Curve to divide, in document units.");
         ports.Choice("Mode", "M", "How curved parts are divided: by distance, by chord tolerance or by angle.", SubdivisionMode.Distance);
-        ports.Number("Distance", "D", "Largest length of a segment of a curved part, in mm.", 1);
-        ports.Number("Tolerance", "T", "Largest distance between curve and segment, in mm.", 0.05);
-        ports.Angle("Angle", "A", "Largest turn of the curve along a segment, in degrees.", 5);
-        ports.Number("Shortest", "S", "No segment of a curved part is shorter, in mm; 0 for no such limit.", 0);
-        ports.Number("Longest", "L", "No segment of a curved part is longer, in mm; 0 for no such limit.", 0);
+        ports.Number("Distance", "D", "Maximum length of a segment of a curved part, in mm.", 1);
+        ports.Number("Tolerance", "T", "Maximum distance between curve and segment, in mm.", 0.05);
+        ports.Angle("Angle", "A", "Maximum turn of the curve along a segment, in degrees.", 5);
+        ports.Number("Shortest", "S", "Minimum length of a segment of a curved part, in mm; 0 for no limit.", 0);
+        ports.Number("Longest", "L", "Maximum length of a segment of a curved part, in mm; 0 for no limit.", 0);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
         ports.Point("Points", "Pt", "Points of the divided curve, in document units; a closed curve does not repeat its first one.", GH_ParamAccess.list);
-        ports.Curve("Lines", "Li", "The linear parts, a line each.", GH_ParamAccess.list);
-        ports.Curve("Curved Parts", "Cu", "The divided curved parts, a polyline each.", GH_ParamAccess.list);
+        ports.Curve("Lines", "Li", "The linear parts, one line each.", GH_ParamAccess.list);
+        ports.Curve("Curved Parts", "Cu", "The divided curved parts, one polyline each.", GH_ParamAccess.list);
     }
 
     private protected override void Solve(Run run)

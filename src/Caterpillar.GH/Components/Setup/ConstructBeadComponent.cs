@@ -17,10 +17,10 @@ public sealed class ConstructBeadComponent() : CaterpillarComponent(
     {
         ports.Number("Width", "W", "Width of the strand, in mm.", 0.45);
         ports.Number("Height", "H", "Height of the strand, in mm.", 0.2);
-        ports.Number("Multiplier", "M", "A factor on the cross-section; 1 is the plain strand.", 1);
+        ports.Number("Multiplier", "M", "Factor for the cross-section; 1 is the plain strand.", 1);
         ports.Number("Speed", "V", "Speed of the head, in mm/s; 0 is the speed of the print settings.", 0);
-        ports.Choice("Model", "S", "Cross-section that width and height belong to: a rectangle (as in the Caterpillar paper), a stadium (as slicers have it) "
-            + "or a circle of the width.", BeadShape.Stadium);
+        ports.Choice("Model", "S", "Shape of the cross-section: a rectangle (as in the Caterpillar paper), a stadium (as in slicers) "
+            + "or a circle with the width as diameter.", BeadShape.Stadium);
         ports.Number("Filament Diameter", "D", "Diameter of the filament for the output E Factor, in mm.", 1.75);
     }
 
@@ -28,7 +28,7 @@ public sealed class ConstructBeadComponent() : CaterpillarComponent(
     {
         ports.Add(new BeadParam(), "Bead", "B", "The strand.");
         ports.Number("Area", "A", "Cross-section of the strand, in mm².");
-        ports.Number("E Factor", "E", "Filament for one mm of path, in mm.");
+        ports.Number("E Factor", "E", "Filament per mm of path, in mm.");
     }
 
     private protected override void Solve(Run run)

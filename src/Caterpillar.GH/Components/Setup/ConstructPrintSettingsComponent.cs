@@ -9,21 +9,21 @@ using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Setup;
 
-/// <summary>Print settings from a profile and some values of one's own.</summary>
+/// <summary>Print settings from a profile, with some values overridden.</summary>
 public sealed class ConstructPrintSettingsComponent() : ProfileComponent(
-    "Construct Print Settings", "Settings", "How to print: the settings of a profile, with the values given here instead of its own.")
+    "Construct Print Settings", "Settings", "Print settings from a profile, with some values overridden.")
 {
     public override Guid ComponentGuid => new("eb1bc290-3166-4963-b83d-d36f484b35cb");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new SettingsParam(), "Base", "B", "Settings to begin with, or the name of their profile; without it the standard ones.", optional: true);
-        ports.OptionalNumber("Layer Height", "H", "Height of a layer, in mm; without it that of the base.");
-        ports.OptionalNumber("Line Width", "W", "Width of a line, in mm; without it that of the base.");
-        ports.OptionalNumber("Print Speed", "P", "Speed of the head while it prints, in mm/s; without it that of the base.");
-        ports.OptionalNumber("Travel Speed", "T", "Speed of the head while it does not print, in mm/s; without it that of the base.");
-        ports.OptionalNumber("Subdivision Distance", "S", "Distance of points on curved paths, in mm; without it that of the base.");
-        ports.Text("Overrides", "O", "Other values to change as key=value, for example wall_count=3 or infill_percent=15; keys carry their unit.",
+        ports.Add(new SettingsParam(), "Base", "B", "Settings to start from, or the name of their profile; the standard ones by default.", optional: true);
+        ports.OptionalNumber("Layer Height", "H", "Height of a layer, in mm; that of the base by default.");
+        ports.OptionalNumber("Line Width", "W", "Width of a line, in mm; that of the base by default.");
+        ports.OptionalNumber("Print Speed", "P", "Speed of printing moves, in mm/s; that of the base by default.");
+        ports.OptionalNumber("Travel Speed", "T", "Speed of travel moves, in mm/s; that of the base by default.");
+        ports.OptionalNumber("Subdivision Distance", "S", "Distance between points on curved paths, in mm; that of the base by default.");
+        ports.Text("Overrides", "O", "Other values to override, as key=value, for example wall_count=3 or infill_percent=15; keys include their unit.",
             access: GH_ParamAccess.list, optional: true);
     }
 

@@ -24,10 +24,10 @@ public sealed class PlanarSlicerComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Geometry("Geometry", "G", "Solids to slice, standing where they are to be printed, in document units: meshes, Breps, SubDs or extrusions.",
+        ports.Geometry("Geometry", "G", "Solids to slice, in document units, at the position where they are printed: meshes, Breps, SubDs or extrusions.",
             GH_ParamAccess.list);
-        ports.Add(new SettingsParam(), "Settings", "S", "How to print; without it the standard settings.", optional: true);
-        ports.Number("Tolerance", "T", "How far the facets of a curved solid may be from it, in mm.", 0.05);
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings; the standard ones by default.", optional: true);
+        ports.Number("Tolerance", "T", "Maximum deviation of facets from a curved solid, in mm.", 0.05);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -36,7 +36,7 @@ public sealed class PlanarSlicerComponent() : CaterpillarComponent(
         ports.Add(new PrintPathParam(), "Walls", "W", "The walls alone, one branch per layer.", GH_ParamAccess.tree);
         ports.Add(new PrintPathParam(), "Infill", "I", "The infill alone, one branch per layer.", GH_ParamAccess.tree);
         ports.Curve("Regions", "R", "Outlines of what each layer covers, one branch per layer, in document units.", GH_ParamAccess.tree);
-        ports.Curve("Open Edges", "E", "Edges where the surface of a solid has a gap, in document units.", GH_ParamAccess.list);
+        ports.Curve("Open Edges", "E", "Edges where the surface of a solid is open, in document units.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 

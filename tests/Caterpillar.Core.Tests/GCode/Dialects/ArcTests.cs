@@ -24,7 +24,7 @@ public class ArcTests
         grbl: gcode.c, MOTION_MODE_CW_ARC (axis words, R, offsets, delta_r; unused words), motion_control.c, mc_arc
         """;
 
-    // Length of the way from 0,0,0, or "no" where the arc is refused.
+    // Length of the move from 0,0,0, or "no" if the arc is refused.
     private const string Lengths = """
         |                       slicer marlin2 marlin1 prusa bambu klipper reprapfirmware repetier smoothie sailfish cnc ultigcode bfb grbl
         G3 X0 Y10 I0 J5             | 15.708 15.708 15.708 15.708 15.708 15.708 15.708 15.708 15.708 no 15.708 15.708 no 15.708
@@ -81,7 +81,7 @@ public class ArcTests
     public void Centers_are_relative_or_absolute(string program, string dialect, string length, string source)
         => Assert.That(Length("G0 X10;" + program, dialect, 10), Is.EqualTo(length), source);
 
-    // Two full circles in front of a half one, 3 mm up: rise and E of each move.
+    // Two full circles before a half one, 3 mm up: rise and E of each move.
     [TestCase("marlin2", "3/2")]
     [TestCase("marlin1", "0/0 0/0 3/2")]
     [TestCase("repetier", "3/0 0/2")]

@@ -42,7 +42,7 @@ public class HomingTests
         """;
 
     // X of the machine after each move.
-    private const string Ways = """
+    private const string Paths = """
         |                       slicer marlin2 marlin1 prusa bambu klipper reprapfirmware repetier smoothie sailfish cnc ultigcode bfb grbl
         G1 X10;G28 X0               | 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0
         G1 X10;G91;G28 X0           | 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0 10,0
@@ -52,7 +52,7 @@ public class HomingTests
 
     private static IEnumerable<TestCaseData> PlaceCases() => ProgramTable.Cases(PathSamples, Sources);
 
-    private static IEnumerable<TestCaseData> WayCases() => ProgramTable.Cases(Ways, Sources);
+    private static IEnumerable<TestCaseData> LengthCases() => ProgramTable.Cases(Paths, Sources);
 
     [TestCaseSource(nameof(PlaceCases))]
     public void Homing_goes_to_its_place(string program, string dialect, string place, string source)
@@ -62,9 +62,9 @@ public class HomingTests
         Assert.That(ProgramTable.Text(end.X) + "," + ProgramTable.Text(end.Y) + "," + ProgramTable.Text(end.Z), Is.EqualTo(place), source);
     }
 
-    [TestCaseSource(nameof(WayCases))]
-    public void Homing_takes_its_way(string program, string dialect, string way, string source)
-        => Assert.That(string.Join(",", ProgramTable.Decode(program, dialect).Toolpath.Moves().Select(m => ProgramTable.Text(m.End.X))), Is.EqualTo(way),
+    [TestCaseSource(nameof(LengthCases))]
+    public void Homing_moves_have_their_length(string program, string dialect, string path, string source)
+        => Assert.That(string.Join(",", ProgramTable.Decode(program, dialect).Toolpath.Moves().Select(m => ProgramTable.Text(m.End.X))), Is.EqualTo(path),
             source);
 
     [Test]

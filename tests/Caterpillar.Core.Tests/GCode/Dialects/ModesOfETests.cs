@@ -23,7 +23,7 @@ public class ModesOfETests
         grbl: gcode.c, gc_execute_line: E is an unsupported letter
         """;
 
-    // The sum of E of two moves that both say E1: 2 where E is relative, 1 where it is absolute, 0 where there is none.
+    // The sum of E of two moves that both say E1: 2 where E is relative, 1 where it is absolute, 0 if there is none.
     private const string Sums = """
         |            slicer marlin2 marlin1 prusa bambu klipper reprapfirmware repetier smoothie sailfish cnc ultigcode bfb grbl
         M105            | 1  1  1  1  1  1  1  1  1  1  1  1  0  0

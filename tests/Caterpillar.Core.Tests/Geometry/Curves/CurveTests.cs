@@ -176,12 +176,12 @@ public class CurveTests
             };
             var (start, end) = (curve.DomainStart, curve.DomainEnd);
             var cut = CurveMaker.Next(random, start + 0.01 * (end - start), start + 0.99 * (end - start));
-            var (before, behind) = curve.Split(cut);
+            var (before, after) = curve.Split(cut);
             Assert.That(before.Start.DistanceTo(curve.Start), Is.LessThan(1e-9));
             Assert.That(before.End.DistanceTo(curve.PointAt(cut)), Is.LessThan(1e-9));
-            Assert.That(behind.Start.DistanceTo(curve.PointAt(cut)), Is.LessThan(1e-9));
-            Assert.That(behind.End.DistanceTo(curve.End), Is.LessThan(1e-9));
-            Assert.That(before.Length + behind.Length, Is.EqualTo(curve.Length).Within(1e-7));
+            Assert.That(after.Start.DistanceTo(curve.PointAt(cut)), Is.LessThan(1e-9));
+            Assert.That(after.End.DistanceTo(curve.End), Is.LessThan(1e-9));
+            Assert.That(before.Length + after.Length, Is.EqualTo(curve.Length).Within(1e-7));
             var reversed = curve.Reversed();
             for (var i = 0; i <= 10; i++)
             {

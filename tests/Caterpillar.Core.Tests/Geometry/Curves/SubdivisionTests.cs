@@ -10,7 +10,7 @@ namespace Caterpillar.Tests.Geometry.Curves;
 public class SubdivisionTests
 {
     [Test]
-    public void Of_linear_parts_only_the_end_points_are_printed()
+    public void Linear_parts_keep_only_their_end_points()
     {
         var curve = CurveMaker.LineArcLineNurbsLine();
         var divided = CurveSubdivider.Subdivide(curve, SubdivisionOptions.ByDistance(1));
@@ -68,7 +68,7 @@ public class SubdivisionTests
     }
 
     [Test]
-    public void Long_straight_runs_are_found_whole_on_random_polylines()
+    public void Long_straight_runs_are_found_completely_on_random_polylines()
     {
         var random = new Random(21);
         for (var n = 0; n < 200; n++)
@@ -165,7 +165,7 @@ public class SubdivisionTests
     }
 
     [Test]
-    public void Equal_division_leaves_no_stub_and_a_walk_does()
+    public void Equal_division_leaves_no_remainder_and_full_steps_do()
     {
         var arc = new ArcCurve(Frame.World, 10, 90);
         var equal = CurveSubdivider.Subdivide(arc, SubdivisionOptions.ByDistance(2));
@@ -218,7 +218,7 @@ public class SubdivisionTests
         // The seam in the middle of a side stays.
         var square = new PolylineCurve([new(1, 0), new(2, 0), new(2, 2), new(0, 2), new(0, 0)], closed: true);
         Assert.That(CurveSubdivider.Subdivide(square, SubdivisionOptions.ByDistance(1)).Points, Has.Count.EqualTo(5));
-        // A point on the way back to it goes.
+        // A point on the segment back to it is dropped.
         var five = new PolylineCurve([new(0, 0), new(2, 0), new(2, 2), new(0, 2), new(0, 1)], closed: true);
         Assert.That(CurveSubdivider.Subdivide(five, SubdivisionOptions.ByDistance(1)).Points, Has.Count.EqualTo(4));
     }

@@ -8,7 +8,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Tests.Geometry.Meshes;
 
-/// <summary>Files of every format made in memory: a box 1 × 2 × 3 where nothing else is said.</summary>
+/// <summary>Files of every format made in memory: a box 1 × 2 × 3 unless stated otherwise.</summary>
 internal static class MeshBytes
 {
     public const string ModelStart =
@@ -44,13 +44,13 @@ internal static class MeshBytes
             + "int vertex_indices\nend_header\n"
         + string.Concat(Box.Vertices.Select(p => Numbers(p) + "\n")) + string.Concat(Triples(Box).Select(t => $"3 {t.A} {t.B} {t.C}\n")));
 
-    /// <summary>Binary PLY with an element before, one behind, a list in the vertices and properties around the list of the faces.</summary>
+    /// <summary>Binary PLY with an element before, one after, a list in the vertices and properties around the list of the faces.</summary>
     public static byte[] BinaryPly(bool bigEndian)
     {
         var data = new List<byte>(Text($"ply\r\nformat binary_{(bigEndian ? "big" : "little")}_endian 1.0\r\nelement before 2\r\nproperty list uint8 double "
             + $"d\r\nproperty short s\r\n"
             + "element vertex 8\r\nproperty float z\r\nproperty list uchar ushort l\r\nproperty float x\r\nproperty uchar red\r\nproperty double y\r\n"
-            + "element face 12\r\nproperty char a\r\nproperty list uint uint16 vertex_index\r\nproperty list uchar float b\r\nelement behind 1\r\nproperty "
+            + "element face 12\r\nproperty char a\r\nproperty list uint uint16 vertex_index\r\nproperty list uchar float b\r\nelement after 1\r\nproperty "
                 + "int i\r\nend_header\r\n"));
         void Put(byte[] bytes) => data.AddRange(bigEndian ? Enumerable.Reverse(bytes) : bytes);
         for (var i = 0; i < 2; i++)

@@ -10,18 +10,18 @@ namespace Caterpillar.Tests.Geometry.Meshes;
 /// </summary>
 internal static class MeshDamage
 {
-    /// <summary>A mesh with some triangles damaged in some of the ways, and a name that says which.</summary>
+    /// <summary>A mesh with some triangles damaged in some ways, and a name that says which.</summary>
     public static (TriMesh Mesh, string What) Damage(TriMesh mesh, int seed)
     {
         var random = new Random(seed);
         var triangles = Enumerable.Range(0, mesh.TriangleCount)
             .Select(t => new[] { mesh.Vertices[mesh.Indices[3 * t]], mesh.Vertices[mesh.Indices[3 * t + 1]], mesh.Vertices[mesh.Indices[3 * t + 2]] }).ToList();
-        var ways = 1 + random.Next(15);
+        var kinds = 1 + random.Next(15);
         var what = new List<string> { $"seed {seed}" };
-        if ((ways & 1) != 0) what.Add($"deleted {Change(mesh, triangles, random, _ => [])}");
-        if ((ways & 2) != 0) what.Add($"flipped {Change(mesh, triangles, random, t => [Flipped(t)])}");
-        if ((ways & 4) != 0) what.Add($"doubled {Change(mesh, triangles, random, t => [t, random.Next(2) == 0 ? t : Flipped(t)])}");
-        if ((ways & 8) != 0) what.Add($"moved {Change(mesh, triangles, random, t => [Moved(t, random)])}");
+        if ((kinds & 1) != 0) what.Add($"deleted {Change(mesh, triangles, random, _ => [])}");
+        if ((kinds & 2) != 0) what.Add($"flipped {Change(mesh, triangles, random, t => [Flipped(t)])}");
+        if ((kinds & 4) != 0) what.Add($"doubled {Change(mesh, triangles, random, t => [t, random.Next(2) == 0 ? t : Flipped(t)])}");
+        if ((kinds & 8) != 0) what.Add($"moved {Change(mesh, triangles, random, t => [Moved(t, random)])}");
         var points = triangles.SelectMany(t => t).ToArray();
         return (TriMesh.Create(points, Enumerable.Range(0, points.Length).ToArray()), string.Join(", ", what));
     }

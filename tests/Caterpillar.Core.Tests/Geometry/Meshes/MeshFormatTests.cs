@@ -72,7 +72,7 @@ public class MeshFormatTests
         Assert.That(uncounted.Value!.Single().Mesh.TriangleCount, Is.EqualTo(12));
         var longer = MeshReader.Read([.. MeshBytes.BinaryStl(), 1, 2, 3], "x.stl");
         Assert.That(longer.Diagnostics.Single(),
-            Is.EqualTo(new Diagnostic(Severity.Remark, "mesh.trailing_bytes", "Bytes behind the last facet are ignored.", new SourceLocation("x.stl"), 3)));
+            Is.EqualTo(new Diagnostic(Severity.Remark, "mesh.trailing_bytes", "Bytes after the last facet are ignored.", new SourceLocation("x.stl"), 3)));
     }
 
     [Test]
@@ -85,7 +85,7 @@ public class MeshFormatTests
     }
 
     [Test]
-    public void Facets_that_are_not_finite_are_left_out_and_counted()
+    public void Facets_that_are_not_finite_are_dropped_and_counted()
     {
         var bytes = MeshBytes.BinaryStl();
         BitConverter.GetBytes(float.NaN).CopyTo(bytes, 84 + 12);
@@ -143,7 +143,7 @@ public class MeshFormatTests
     }
 
     [Test]
-    public void Triangles_that_are_inside_out_are_turned()
+    public void Triangles_that_are_inside_out_are_flipped()
     {
         var hollow = TriMesh.Merge([MeshMaker.BumpySphere(24, 12), MeshMaker.InsideOut(MeshMaker.Box(-3, -3, 33, 3, 3, 39))]);
         var random = new Random(8);
@@ -177,22 +177,22 @@ public class MeshFormatTests
     [TestCase("x.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 x 0\n", "x.stl:5:10: error mesh.syntax: A coordinate is not a number.")]
     [TestCase("x.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1", "x.stl:5:9: error mesh.truncated: The file ends inside a vertex.")]
     [TestCase("x.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendfacet",
-        "x.stl:5:1: error mesh.syntax: A facet with fewer than three vertices.")]
+        "x.stl:5:1: error mesh.syntax: A facet has fewer than three vertices.")]
     [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1\n", "x.obj:3:6: error mesh.syntax: A vertex needs three numbers.")]
     [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "x.obj:4:1: error mesh.index: A face uses vertex 4, but there are 3.")]
-    [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "x.obj:4:7: error mesh.index: A face uses a vertex that is not there.")]
-    [TestCase("x.obj", "v 0 0 0\nf 1 -2 1\n", "x.obj:2:5: error mesh.index: A face uses a vertex that is not there.")]
-    [TestCase("x.obj", "v 0 0 0\nf 1 a 1\n", "x.obj:2:5: error mesh.syntax: A corner of a face must be a vertex number, or numbers with slashes.")]
-    [TestCase("x.obj", "# nothing\n", "x.obj: error mesh.empty: There is no triangle in the file.")]
-    [TestCase("x.ply", "plz", "x.ply: error mesh.syntax: A PLY file begins with a line \"ply\". (byte 0)")]
+    [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "x.obj:4:7: error mesh.index: A face uses a vertex that does not exist.")]
+    [TestCase("x.obj", "v 0 0 0\nf 1 -2 1\n", "x.obj:2:5: error mesh.index: A face uses a vertex that does not exist.")]
+    [TestCase("x.obj", "v 0 0 0\nf 1 a 1\n", "x.obj:2:5: error mesh.syntax: A vertex of a face must be a number, or numbers with slashes.")]
+    [TestCase("x.obj", "# nothing\n", "x.obj: error mesh.empty: There are no triangles in the file.")]
+    [TestCase("x.ply", "plz", "x.ply: error mesh.syntax: A PLY file must begin with a line \"ply\". (byte 0)")]
     [TestCase("x.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\nend_header\n0",
         "x.ply:6:1: error mesh.truncated: The header counts 99999999999 of \"vertex\", which do not fit into the file.")]
     [TestCase("x.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 zero\n",
-        "x.ply:8:5: error mesh.syntax: A word that is no number in the vertices.")]
+        "x.ply:8:5: error mesh.syntax: There is a word that is not a number in the vertices.")]
     [TestCase("x.ply", "ply\nformat ascii 1.0\nelement vertex one\n", "x.ply:3:1: error mesh.syntax: An element needs a name and a count.")]
-    [TestCase("x.3mf", "text", "x.3mf: error mesh.syntax: A 3MF file is a zip archive; this is none. (byte 0)")]
-    [TestCase("x.txt", "text", "x.txt: error mesh.unknown_format: This is no mesh file that can be read: STL, OBJ, PLY and 3MF can. (byte 0)")]
-    public void Errors_say_what_and_where(string name, string text, string message)
+    [TestCase("x.3mf", "text", "x.3mf: error mesh.syntax: A 3MF file must be a zip archive. (byte 0)")]
+    [TestCase("x.txt", "text", "x.txt: error mesh.unknown_format: Unknown mesh format; STL, OBJ, PLY and 3MF can be read. (byte 0)")]
+    public void Errors_state_what_and_where(string name, string text, string message)
     {
         var read = MeshReader.Read(MeshBytes.Text(text), name);
         Assert.That(read.Value, Is.Null);

@@ -26,7 +26,7 @@ internal static class MeshMaker
         return TriMesh.Create(mesh.Vertices, turned);
     }
 
-    /// <summary>A star-shaped prism between two heights; the polygon runs counter-clockwise around the origin.</summary>
+    /// <summary>A star-shaped prism between two heights; the polygon runs counterclockwise around the origin.</summary>
     public static TriMesh Prism(IReadOnlyList<Vec3> polygon, double bottom, double top, Vec3 lean)
     {
         var n = polygon.Count;

@@ -12,7 +12,7 @@ namespace Caterpillar.Tests.Geometry.Meshes;
 public class MeshSectionTests
 {
     [Test]
-    public void A_box_gives_a_rectangle_counter_clockwise()
+    public void A_box_gives_a_counterclockwise_rectangle()
     {
         var section = MeshSections.At(MeshBytes.Box, [1.5], new SectionOptions { MergeCollinear = true }).Value!.Single();
         Assert.That(section.Z, Is.EqualTo(1.5));
@@ -23,7 +23,7 @@ public class MeshSectionTests
     }
 
     [Test]
-    public void Points_on_straight_lines_stay_unless_asked()
+    public void Points_on_straight_lines_stay_by_default()
     {
         Assert.That(MeshSections.At(MeshBytes.Box, [1.5]).Value![0].Loops.Single().Count, Is.EqualTo(8));
     }
@@ -48,7 +48,7 @@ public class MeshSectionTests
     }
 
     [Test]
-    public void Tips_edges_and_vertices_on_the_plane_leave_no_rubbish()
+    public void Tips_edges_and_vertices_on_the_plane_leave_no_artifacts()
     {
         var octahedron = TriMesh.Create(
             [new(1, 0), new(0, 1), new(-1, 0), new(0, -1), new(0, 0, 1), new(0, 0, -1)],
@@ -66,7 +66,7 @@ public class MeshSectionTests
     }
 
     [Test]
-    public void Spikes_go_wherever_the_contour_begins()
+    public void Spikes_are_removed_wherever_the_contour_starts()
     {
         Vec3 a = new(0, 0), b = new(4, 0), c = new(4, 4), x = new(6, 0), y = new(8, 0);
         Vec3[] spiky = [a, b, x, y, x, b, b, c, c];
@@ -140,7 +140,7 @@ public class MeshSectionTests
     }
 
     [Test]
-    public void Triangles_turned_inside_out_are_chained_all_the_same()
+    public void Triangles_that_are_inside_out_are_still_chained()
     {
         var sphere = MeshMaker.BumpySphere(24, 12);
         var indices = sphere.Indices.ToArray();

@@ -26,7 +26,7 @@ public class ThreeMfTests
     }
 
     [Test]
-    public void Components_are_composed_and_mirrored_ones_face_outwards()
+    public void Components_are_composed_and_mirrored_ones_face_outward()
     {
         var model = Start + "<resources>" + MeshBytes.ModelObject(1)
             + "<object id=\"2\"><components><component objectid=\"1\"/><component objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 -5 0 "
@@ -51,7 +51,7 @@ public class ThreeMfTests
     }
 
     [Test]
-    public void Support_and_unprintable_items_are_left_out()
+    public void Support_and_unprintable_items_are_ignored()
     {
         var model = Start + "<resources>" + MeshBytes.ModelObject(1) + MeshBytes.ModelObject(2, null, "type=\"support\"")
             + "</resources><build><item objectid=\"1\"/><item objectid=\"2\"/><item objectid=\"1\" printable=\"0\"/></build></model>";
@@ -60,8 +60,8 @@ public class ThreeMfTests
         Assert.That(read.Diagnostics.Select(d => (d.Code, d.Count)), Is.EqualTo(new[] { ("mesh.ignored", 2) }));
     }
 
-    [TestCase("<resources/><build><item objectid=\"1\"/></build>", "mesh.index", "The object 1 is not there.")]
-    [TestCase("<resources/><build><item objectid=\"x\"/></build>", "mesh.syntax", "<item> needs a whole number \"objectid\".")]
+    [TestCase("<resources/><build><item objectid=\"1\"/></build>", "mesh.index", "The object 1 does not exist.")]
+    [TestCase("<resources/><build><item objectid=\"x\"/></build>", "mesh.syntax", "<item> needs an integer \"objectid\".")]
     [TestCase("<resources/><build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 0 0 0 0\"/></build>", "mesh.syntax",
         "A transform must be twelve numbers that do not flatten space.")]
     [TestCase("<resources><object id=\"1\"><components><component objectid=\"1\"/></components></object></resources><build><item objectid=\"1\"/></build>",
@@ -69,9 +69,9 @@ public class ThreeMfTests
     [TestCase("<resources><object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"nan\" z=\"0\"/></vertices></mesh></object></resources>", "mesh.syntax",
         "<vertex> needs a number \"y\".")]
     [TestCase("<resources><object id=\"1\"><mesh><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\"/></triangles></mesh></object></resources>", "mesh.index",
-        "A triangle uses a vertex that is not there.")]
+        "A triangle uses a vertex that does not exist.")]
     [TestCase("<resources><object id=\"1\"><mesh>", "mesh.syntax", "The XML of the model is damaged.")]
-    public void Errors_say_what_is_wrong(string body, string code, string message)
+    public void Errors_state_what_is_wrong(string body, string code, string message)
     {
         var read = MeshReader.Read(MeshBytes.ThreeMf(Start + body + "</model>"), "x.3mf");
         Assert.That(read.Value, Is.Null);
@@ -92,11 +92,11 @@ public class ThreeMfTests
     }
 
     [Test]
-    public void Bombs_are_not_unpacked()
+    public void Bombs_are_not_decompressed()
     {
         var bytes = MeshBytes.Gzip(new byte[70 << 20]);
         var read = MeshReader.Read(bytes, "x.stl.gz");
         Assert.That(read.Diagnostics.Single().ToString(),
-            Is.EqualTo("x.stl.gz: error mesh.packed: The gzip file cannot be unpacked. It unpacks to more than 250 times its size."));
+            Is.EqualTo("x.stl.gz: error mesh.packed: The gzip file cannot be decompressed. It decompresses to more than 250 times its size."));
     }
 }

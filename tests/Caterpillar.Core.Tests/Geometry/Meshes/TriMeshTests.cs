@@ -21,7 +21,7 @@ public class TriMeshTests
     }
 
     [Test]
-    public void Equal_points_become_one_vertex_and_unused_ones_go()
+    public void Equal_points_become_one_vertex_and_unused_ones_are_dropped()
     {
         var mesh = TriMesh.Create(
             [new(9, 9, 9), new(0.0, 0, 0), new(1, -0.0, 0), new(0, 1, 0), new(-0.0, 0, -0.0), new(1, 0, 0), new(1, 1, 0)],
@@ -51,7 +51,7 @@ public class TriMeshTests
     }
 
     [Test]
-    public void Misuse_is_refused()
+    public void Misuse_is_rejected()
     {
         Assert.That(() => TriMesh.Create([Vec3.Zero], [0, 0]), Throws.ArgumentException);
         Assert.That(() => TriMesh.Create([Vec3.Zero], [0, 0, 1]), Throws.ArgumentException);
@@ -72,7 +72,7 @@ public class TriMeshTests
         Assert.That(box.Scaled(2).Volume, Is.EqualTo(48).Within(1e-12));
         Assert.That(box.Rotated(Vec3.UnitZ, 90).Bounds, Is.EqualTo(new Bounds(new Vec3(-2, 0, 0), new Vec3(0, 1, 3))));
         var mirrored = box.Transformed(Affine.Scale(-1, 1, 1));
-        Assert.That(mirrored.Volume, Is.EqualTo(6).Within(1e-12), "still faces outwards");
+        Assert.That(mirrored.Volume, Is.EqualTo(6).Within(1e-12), "still faces outward");
         var turned = box.Rotated(new Vec3(1, 2, 3), 77.7);
         Assert.That(turned.Volume, Is.EqualTo(6).Within(1e-12));
         Assert.That(turned.Area, Is.EqualTo(22).Within(1e-12));

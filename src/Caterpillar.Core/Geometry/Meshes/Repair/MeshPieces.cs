@@ -56,7 +56,7 @@ internal sealed class MeshPieces
     /// <summary>Area of the surface of each piece, mm².</summary>
     public IReadOnlyList<double> Area => _area;
 
-    /// <summary>Signed volume of each piece, mm³; negative where its triangles face inwards.</summary>
+    /// <summary>Signed volume of each piece, mm³; negative where its triangles face inward.</summary>
     public IReadOnlyList<double> Volume => _volume;
 
     /// <summary>True where every edge of a piece has a partner.</summary>

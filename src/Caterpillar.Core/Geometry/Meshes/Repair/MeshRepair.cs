@@ -8,7 +8,7 @@ namespace Caterpillar.Geometry;
 /// <summary>
 /// Makes a solid of a broken mesh, as far as that can be done without guessing. In this order: doubled triangles are taken once, triangles that are
 /// turned against their neighbors are turned back, holes are filled, pieces that have come off where a hole was filled are left out, bodies that are
-/// inside out are turned. A closed mesh that faces outwards is returned as it is. What is still open afterwards is left to <see cref="MeshSections"/>,
+/// inside out are turned. A closed mesh that faces outward is returned as it is. What is still open afterwards is left to <see cref="MeshSections"/>,
 /// which close contours over gaps.
 /// </summary>
 public static class MeshRepair

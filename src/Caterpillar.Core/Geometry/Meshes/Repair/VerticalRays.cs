@@ -38,7 +38,7 @@ internal sealed class VerticalRays
         }
     }
 
-    /// <summary>How often the triangles go around a point; positive inside bodies that face outwards.</summary>
+    /// <summary>How often the triangles go around a point; positive inside bodies that face outward.</summary>
     public int Winding(Vec3 point)
     {
         var bin = Bin(point.X);

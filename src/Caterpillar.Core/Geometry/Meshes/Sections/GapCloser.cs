@@ -47,7 +47,7 @@ internal sealed class GapCloser
         }
     }
 
-    /// <summary>Joins what can be joined: closed contours are added to the loops, the rest stays in <paramref name="open"/>.</summary>
+    /// <summary>Joins lines where possible: closed contours are added to the loops, the rest stays in <paramref name="open"/>.</summary>
     public static ClosedGaps Close(List<Polyline> open, List<Polyline> loops, double gap)
     {
         if (open.Count == 0 || !(gap >= 0)) return default;

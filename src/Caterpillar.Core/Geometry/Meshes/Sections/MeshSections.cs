@@ -13,11 +13,11 @@ namespace Caterpillar.Geometry;
 /// </summary>
 public static class MeshSections
 {
-    // Cut triangles that are held at a time; more heights than that are done in turns.
+    // Cut triangles that are held at a time; more heights are processed in several passes.
     private const long MaxHeld = 1 << 26;
 
     /// <summary>Sections at any heights in mm, in the order in which they are given.</summary>
-    /// <returns>One section for each height, and what was noticed: <c>mesh.gap_closed</c>, <c>mesh.open_edges</c> (contours that stay
+    /// <returns>One section for each height, and the diagnostics <c>mesh.gap_closed</c>, <c>mesh.open_edges</c> (contours that stay
     /// open).</returns>
     /// <exception cref="ArgumentException">A height is not finite.</exception>
     /// <exception cref="OperationCanceledException">The call was canceled.</exception>

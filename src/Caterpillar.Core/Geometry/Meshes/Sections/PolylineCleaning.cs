@@ -3,7 +3,7 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Takes points out of contours that a plane through vertices leaves: repeated ones, there-and-back spikes, and on request exactly collinear ones.
+/// Removes points that a plane through vertices leaves in contours: repeated ones, spikes that go back on themselves, and on request exactly collinear ones.
 /// </summary>
 internal static class PolylineCleaning
 {
@@ -19,7 +19,7 @@ internal static class PolylineCleaning
     }
 
     /// <summary>
-    /// For a closed contour: also takes out what goes to a point and straight back over the same points. Returns the index of the first point that
+    /// For a closed contour: also removes spikes that go to a point and back over the same points. Returns the index of the first point that
     /// is kept.
     /// </summary>
     public static int DropSpikes(Vec3[] points, ref int count)
@@ -62,7 +62,7 @@ internal static class PolylineCleaning
             if (inside && IsBetween(before, points[start + i], after)) continue;
             copy[kept++] = points[start + i];
         }
-        // The last one that was kept lies behind the first: look at it once more now that its follower is known.
+        // The last one that was kept comes after the first: check it again now that its successor is known.
         while (closed && kept > 3 && IsBetween(copy[kept - 2], copy[kept - 1], copy[0])) kept--;
         if (closed && kept < 3)
         {
@@ -73,7 +73,7 @@ internal static class PolylineCleaning
         return Polyline.Own(copy, closed);
     }
 
-    // Exactly on the line and going on.
+    // Exactly on the line and in the same direction.
     private static bool IsBetween(Vec3 a, Vec3 b, Vec3 c)
     {
         double ux = b.X - a.X, uy = b.Y - a.Y, vx = c.X - b.X, vy = c.Y - b.Y;

@@ -17,12 +17,12 @@ public sealed class Section
     public double Z { get; }
 
     /// <summary>
-    /// Closed contours with the solid on their left: outer ones counter-clockwise seen from above, holes clockwise. They may cross where bodies run
-    /// through each other. Every contour has at least three points.
+    /// Closed contours with the solid on their left: outer ones counterclockwise seen from above, holes clockwise. They may cross where bodies
+    /// intersect. Every contour has at least three points.
     /// </summary>
     public IReadOnlyList<Polyline> Loops { get; }
 
-    /// <summary>What does not close: sections of open surfaces, with the outside of the surface on their right.</summary>
+    /// <summary>Contours that do not close: sections of open surfaces, with the outside of the surface on their right.</summary>
     public IReadOnlyList<Polyline> OpenLines { get; }
 
     /// <summary>What was added to close contours of a broken mesh.</summary>

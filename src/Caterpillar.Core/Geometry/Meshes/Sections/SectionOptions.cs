@@ -2,7 +2,7 @@ using System;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>How plane sections are made.</summary>
+/// <summary>Options of plane sections.</summary>
 public sealed record SectionOptions
 {
     /// <summary>
@@ -11,10 +11,10 @@ public sealed record SectionOptions
     /// </summary>
     public double GapMm { get; init; } = 0.1;
 
-    /// <summary>Leaves out points exactly on the straight line between their neighbors.</summary>
+    /// <summary>Drops points exactly on the straight line between their neighbors.</summary>
     public bool MergeCollinear { get; init; }
 
-    /// <summary>Largest number of threads; 0 for all cores. Never changes the result.</summary>
+    /// <summary>Maximum number of threads; 0 for all cores. Never changes the result.</summary>
     public int Threads { get; init; }
 
     internal int Degree => Threads > 0 ? Threads : Environment.ProcessorCount;

@@ -9,7 +9,7 @@ using Newtonsoft.Json;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Measures of one plane section: the solid by non-zero winding, so that bodies that run through each other count once.</summary>
+/// <summary>Measures of one plane section: the solid by non-zero winding, so that bodies that intersect count once.</summary>
 /// <param name="Z">Height of the plane, mm.</param>
 /// <param name="Length">Length of the boundary of the area, mm, with open lines added.</param>
 /// <param name="Area">Area in mm².</param>
@@ -30,11 +30,11 @@ public sealed class SectionReport
     /// <summary>Name of the model, for example its file.</summary>
     public string Model { get; }
 
-    /// <summary>One entry for each height, in the order in which they were asked.</summary>
+    /// <summary>One entry for each height, in the requested order.</summary>
     public IReadOnlyList<SectionMeasure> Sections { get; }
 
     /// <summary>Cuts a mesh at heights in mm and measures the sections.</summary>
-    /// <returns>The report, and what <see cref="MeshSections.At"/> noticed.</returns>
+    /// <returns>The report, and the diagnostics of <see cref="MeshSections.At"/>.</returns>
     /// <exception cref="ArgumentException">A height is not finite.</exception>
     /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<SectionReport> Of(
@@ -62,8 +62,8 @@ public sealed class SectionReport
     }
 
     /// <summary>
-    /// A JSON array with an object for each report: <c>{"model", "sections": [{"z", "length", "area", "outer", "holes", "open"}]}</c>, mm and mm²
-    /// with at most nine decimals, a section a line.
+    /// A JSON array with one object per report: <c>{"model", "sections": [{"z", "length", "area", "outer", "holes", "open"}]}</c>, mm and mm²
+    /// with at most nine decimals, one section per line.
     /// </summary>
     public static string ToJson(IEnumerable<SectionReport> reports)
     {

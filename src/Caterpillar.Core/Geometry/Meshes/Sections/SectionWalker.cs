@@ -5,7 +5,7 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// Chains the cut triangles of one plane to contours by walking from neighbor to neighbor. The cut point of an edge is computed from its lower to
-/// its higher vertex number, so both triangles get the same bits and nothing is glued by distance. One for each thread.
+/// its higher vertex number, so both triangles get the same bits and nothing is joined by distance. One per thread.
 /// </summary>
 internal sealed class SectionWalker
 {
@@ -28,7 +28,7 @@ internal sealed class SectionWalker
     }
 
     /// <summary>
-    /// Adds the contours of the plane to the lists, in the order of their first triangle; open ones first walked from their beginning.
+    /// Adds the contours of the plane to the lists, in the order of their first triangle; open ones from their start.
     /// </summary>
     public void Cut(double z, int[] layer, int from, int to, bool mergeCollinear, List<Polyline> loops, List<Polyline> open)
     {

@@ -8,7 +8,7 @@ using Caterpillar.Planning;
 using Caterpillar.Slicing;
 using NUnit.Framework;
 
-namespace Caterpillar.Tests.WholeWay;
+namespace Caterpillar.Tests.EndToEnd;
 
 /// <summary>Every example model gives the same bytes on every runtime, in every culture and with any number of threads.</summary>
 public class ExampleTests
@@ -22,7 +22,7 @@ public class ExampleTests
     private static byte[] Slice(string model, int threads)
     {
         var file = Path.Combine(TestData.Repository, "examples", "models", model + ".stl");
-        // Coarser than one would print, for the time the test takes.
+        // Coarser than a real print, to keep the test fast.
         var setup = new ProfileLibrary().Setup("generic", values: ["layer_height_mm=0.3", "first_layer_height_mm=0.3", "skirt_loops=1"]).Value!;
         var models = ModelPlacement.OnBed(MeshReader.Read(file).Value!, setup.Printer.BuildBounds.Center);
         var sliced = PlanarSlicer.Slice(models, setup.Settings, threads);

@@ -6,7 +6,7 @@ using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
-namespace Caterpillar.Tests.WholeWay;
+namespace Caterpillar.Tests.EndToEnd;
 
 /// <summary>The three lines of G-code that the Caterpillar paper (Zheng 2019) prints.</summary>
 public class PaperSampleTests
@@ -21,17 +21,17 @@ public class PaperSampleTests
     [Test]
     public void By_the_balance_the_descent_after_a_retraction_only_restores()
     {
-        // 1.3947 mm are pulled back on the way to the first point, and pushed forward again on the way down.
+        // 1.3947 mm are retracted during the move to the first point, and restored during the descent.
         var moves = Decode("G92 E1.3947\n" + Sample, ExtrusionRule.Balance);
         Assert.That(moves.Select(m => m.Kind), Is.EqualTo(new[] { MoveKind.Wipe, MoveKind.MovingRestore, MoveKind.Print }));
         Assert.That(moves.Sum(m => m.Deposited), Is.EqualTo(1.5861 - 1.3947).Within(1e-9));
-        // 0.1353 mm of filament for each mm of the third line.
+        // 0.1353 mm of filament per mm of the third line.
         Assert.That(moves[2].Deposited / moves[2].Length, Is.EqualTo(0.1353).Within(5e-5));
         Assert.That(moves.Select(m => m.Speed), Is.EqualTo(new double[] { 36, 36, 24 }));
     }
 
     [Test]
-    public void Without_a_retraction_before_both_rules_agree()
+    public void Without_an_earlier_retraction_both_rules_agree()
         => Assert.That(Kinds("G92 E0\n" + Sample, ExtrusionRule.Balance), Is.EqualTo(Kinds("G92 E0\n" + Sample, ExtrusionRule.Rising)));
 
     private static MoveKind[] Kinds(string text, ExtrusionRule rule) => Decode(text, rule).Select(m => m.Kind).ToArray();

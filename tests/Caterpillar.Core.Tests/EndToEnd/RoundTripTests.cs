@@ -11,9 +11,9 @@ using Caterpillar.Slicing;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
-namespace Caterpillar.Tests.WholeWay;
+namespace Caterpillar.Tests.EndToEnd;
 
-/// <summary>Mesh → steps → toolpath → G-code → toolpath: what comes back is what was planned.</summary>
+/// <summary>Mesh → steps → toolpath → G-code → toolpath: the result is what was planned.</summary>
 public class RoundTripTests
 {
     private static readonly string[] Closed =
@@ -49,7 +49,7 @@ public class RoundTripTests
         var after = Sums.Of(decoded, onlyLayers: true);
         var step = NumberFormatter.FromUnits(1, decimals);
         Assert.That(after.Moves, Is.InRange(before.Moves * 99 / 100, before.Moves), "moves shorter than the printed decimals may vanish");
-        Assert.That(after.Length, Is.EqualTo(before.Length).Within(step * before.Moves / 2), "each end is off by half a step at most");
+        Assert.That(after.Length, Is.EqualTo(before.Length).Within(step * before.Moves / 2), "each end is off by at most half a step");
         Assert.That(after.Length, Is.EqualTo(Sums.Of(planned, decimals: decimals).Length).Within(1e-6), "and by nothing else");
         Assert.That(after.Deposited, Is.EqualTo(before.Deposited).Within(1e-4));
         Assert.That(after.Box.Min.DistanceTo(before.Box.Min), Is.LessThan(step));
@@ -57,7 +57,7 @@ public class RoundTripTests
         Assert.That(after.WorstDrift(before), Is.LessThan(1e-4), "E does not drift along the file");
     }
 
-    /// <summary>Every closed mesh with every profile that extrudes, in both modes: a minute on .NET, so only where it is asked for.</summary>
+    /// <summary>Every closed mesh with every profile that extrudes, in both modes: a minute on .NET, so only on request.</summary>
     [Test, Explicit]
     public void What_is_written_is_what_was_planned_for_all_meshes_and_profiles()
     {
@@ -102,7 +102,7 @@ public class RoundTripTests
     private static PrintSetup Setup(string profile, ExtrusionMode mode)
     {
         var setup = new ProfileLibrary().Setup(profile).Value!;
-        // Coarse layers keep the test quick; they are as high as the nozzle lets them.
+        // Coarse layers keep the test fast; they are as high as the nozzle allows.
         var height = Math.Min(setup.Settings.LineWidth, setup.Printer.NozzleDiameter) * 0.9;
         return setup with
         {
@@ -136,7 +136,7 @@ public class RoundTripTests
             foreach (var move in toolpath.Moves())
             {
                 if (onlyLayers && move.Layer < 0) continue;
-                // A printing move too short to be seen in the decimals is written, and read, as material in place.
+                // A printing move too short for the decimals is written, and read, as material in place.
                 deposited += move.Deposited;
                 if (move.Kind != MoveKind.Print) continue;
                 moves++;

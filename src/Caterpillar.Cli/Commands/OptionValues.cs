@@ -4,14 +4,14 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>Values of options.</summary>
-internal static class Words
+/// <summary>Reads numbers and percentages in the values of options.</summary>
+internal static class OptionValues
 {
-    /// <exception cref="CliException">It is no number, or too small (wrong usage).</exception>
+    /// <exception cref="CliException">It is not a number, or is too small (wrong usage).</exception>
     public static double Number(string text, string option, double least)
     {
         if (NumberReader.TryParse(text.Trim(), out var value) && value >= least) return value;
-        throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is not a number{(least >= 0 ? " from 0 on" : "")}.");
+        throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is not a number{(least >= 0 ? " of at least 0" : "")}.");
     }
 
     public static double? OptionalNumber(string? text, string option, double least) => text is null ? null : Number(text, option, least);
@@ -25,7 +25,7 @@ internal static class Words
     }
 }
 
-/// <summary>The words of <c>--map</c>.</summary>
+/// <summary>Reads the values of <c>--map</c>.</summary>
 internal static class AxisMappings
 {
     public static AxisMapping Parse(string text)
@@ -36,7 +36,7 @@ internal static class AxisMappings
         {
             if (to < OutputAxis.X || to - OutputAxis.X == (int)from) return new AxisMapping(from, to, scale);
         }
-        throw new CliException(ExitCode.Usage, $"--map {text}: write for example X=A*2.86 (degrees for a mm) or Y=Y*0.5.");
+        throw new CliException(ExitCode.Usage, $"--map {text}: expected for example X=A*2.86 (degrees per mm) or Y=Y*0.5.");
     }
 
     private static PathAxis? Axis(char c) => c switch { 'X' or 'x' => PathAxis.X, 'Y' or 'y' => PathAxis.Y, 'Z' or 'z' => PathAxis.Z, _ => null };
