@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Ends the program with a message (none where everything was said already) and an exit code.</summary>
+/// <summary>Ends the program with a message (none if everything has been reported already) and an exit code.</summary>
 internal sealed class CliException(int code, string? message = null) : Exception(LongWords.Shorten(message ?? ""))
 {
     public int Code { get; } = code;

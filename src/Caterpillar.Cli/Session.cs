@@ -116,7 +116,7 @@ internal sealed class Session
     private static void NoFolder(string file)
     {
         if (string.IsNullOrWhiteSpace(file)) throw new CliException(ExitCode.Usage, "The name of a file is empty.");
-        if (Directory.Exists(file)) throw new CliException(ExitCode.BadInput, $"{file}: is a folder, not a file.");
+        if (Directory.Exists(file)) throw new CliException(ExitCode.BadInput, $"{file} is a folder, not a file.");
     }
 
     private sealed class Bar(ProgressTask task) : IProgress<double>

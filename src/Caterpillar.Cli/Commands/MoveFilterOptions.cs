@@ -45,7 +45,7 @@ internal sealed class MoveFilterOptions
         }
         if (arguments.GetValue(_first) > arguments.GetValue(_last))
             throw new CliException(ExitCode.Usage, "--first-layer is above --last-layer.");
-        if (arguments.GetValue(_tool) < 0) throw new CliException(ExitCode.Usage, "--tool needs a number from 0 on.");
+        if (arguments.GetValue(_tool) < 0) throw new CliException(ExitCode.Usage, "--tool needs a number of 0 or more.");
         var filter = new MoveFilter
         {
             FirstLayer = arguments.GetValue(_first),

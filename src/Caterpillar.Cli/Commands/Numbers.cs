@@ -17,7 +17,7 @@ internal static class Numbers
     {
         var numbers = List(text, option);
         if (numbers.Length is not (2 or 3)) throw new CliException(ExitCode.Usage, option + " needs X,Y or X,Y,Z in mm.");
-        if (numbers.Any(n => System.Math.Abs(n) > Farthest)) throw new CliException(ExitCode.Usage, option + " goes more than a kilometer away.");
+        if (numbers.Any(n => System.Math.Abs(n) > Farthest)) throw new CliException(ExitCode.Usage, option + " is limited to 1 km.");
         return new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
     }
 

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.IO;
+using System.Linq;
 using Caterpillar.Display;
 using Caterpillar.Files;
 using Caterpillar.GCode;

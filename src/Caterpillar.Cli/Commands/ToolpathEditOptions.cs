@@ -16,8 +16,8 @@ internal sealed class ToolpathEditOptions
     private readonly MoveFilterOptions _filter = new();
     private readonly Option<string?> _speed = new("--speed") { Description = "Multiply the speed of the chosen strands.", HelpName = "FACTOR|%" };
     private readonly Option<string?> _flow = new("--flow") { Description = "Multiply the material of the chosen strands.", HelpName = "FACTOR|%" };
-    private readonly Option<string?> _scale = new("--scale") { Description = "Scale what is chosen about the middle of its foot.", HelpName = "FACTOR|X,Y,Z" };
-    private readonly Option<double?> _turn = new("--turn") { Description = "Turn what is chosen about its middle, counter-clockwise from above.",
+    private readonly Option<string?> _scale = new("--scale") { Description = "Scale the selection about the middle of its base.", HelpName = "FACTOR|X,Y,Z" };
+    private readonly Option<double?> _turn = new("--turn") { Description = "Turn the selection about its middle, counterclockwise seen from above.",
         HelpName = "DEGREES" };
     private readonly Option<string?> _move = new("--move") { Description = "Move the selection.", HelpName = "X,Y,Z" };
     private readonly Option<string?> _deform = new("--deform") { Description = "Deform the selection: the new x, y, z in mm as formulas of the old.",
@@ -49,7 +49,7 @@ internal sealed class ToolpathEditOptions
         var filter = _filter.Of(toolpath, arguments);
         var strands = filter with { Kinds = [MoveKind.Print] };
         if (_filter.IsGiven(arguments) && !toolpath.Moves().Any(strands.MatchesIn(toolpath)))
-            session.Print([new Diagnostic(Severity.Warning, "edit.nothing_selected", "What is selected prints nothing in this file, so nothing is edited.")]);
+            session.Print([new Diagnostic(Severity.Warning, "edit.nothing_selected", "The selection prints nothing in this file, so nothing is edited.")]);
         if (arguments.GetValue(_speed) is { } speed) toolpath = toolpath.ScaleSpeed(strands, Numbers.Factor(speed, "--speed", 1e-6));
         if (arguments.GetValue(_flow) is { } flow) toolpath = toolpath.ScaleFlow(strands, Numbers.Factor(flow, "--flow", 0));
         if (Map(toolpath, strands, arguments) is { } map) toolpath = toolpath.Transform(filter, map, tolerance);
@@ -83,7 +83,7 @@ internal sealed class ToolpathEditOptions
         return toolpath.Remove(_filter.NamesStrands(arguments) ? strands : filter);
     }
 
-    /// <summary>Other start and end code.</summary>
+    /// <summary>New start and end code.</summary>
     public EditOptions Code(ParseResult arguments)
         => new() { Start = Lines(arguments.GetValue(_start), "--start-code"), End = Lines(arguments.GetValue(_end), "--end-code") };
 

@@ -39,7 +39,7 @@ public sealed class SafeWriterEditTests
     public void An_edit_off_the_bed_is_refused_and_only_a_reason_overrides_it()
     {
         var decoding = Decoded();
-        var edited = decoding.Toolpath.Transformed(Caterpillar.Geometry.Affine.Move(new(500, 0)));
+        var edited = decoding.Toolpath.Transform(Caterpillar.Geometry.Affine.Move(new(500, 0)));
         var refused = SafeWriter.ToDocument(decoding, edited, new PrintSetup());
         Assert.That(refused.Value, Is.Null);
         Assert.That(refused.Diagnostics.Select(d => d.Code), Has.Member("bed.outside").And.Member(SafeWriter.Refused));

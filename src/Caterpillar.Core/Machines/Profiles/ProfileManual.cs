@@ -16,10 +16,10 @@ public static class ProfileManual
 
             <!-- Made from the table of keys: CATERPILLAR_RENEW=1 ./test.sh rewrites it. -->
 
-            A print needs three profiles: a **printer** (its build volume, its limits, the style of its G-code), a **material** (what is extruded) and **settings**
-            (how it is printed). They are JSON files with
-            one key per line; keys include their unit. They live in `printers/`, `printers/materials/` and `printers/settings/`, come with the library, and
-            profiles in a folder of your own override them
+            A print needs three profiles: a **printer** (its build volume, its limits, the style of its G-code), a **material**
+            (what is extruded) and **settings** (how it is printed). They are JSON files with one key per line; keys include
+            their unit. They live in `printers/`, `printers/materials/` and `printers/settings/`, come with the library,
+            and profiles in a folder of your own override them
             (`~/.config/Caterpillar/printers` in the terminal; `%APPDATA%\Caterpillar\printers` on Windows).
 
             ```
@@ -33,9 +33,9 @@ public static class ProfileManual
             the printer names. `--set key=value` changes any
             key of the three; lists are written with commas (`build_volume_mm=300,300,400`), lists of lists also with semicolons.
 
-            A profile may begin with `"inherits": "name"` and states only what differs; your profile may inherit the built-in one of the same name. Keys that do not
-            exist, keys with another unit
-            (`layer_height_cm`) and values outside their range are errors that name file, line and key.
+            A profile may begin with `"inherits": "name"` and states only what differs; your profile may inherit the
+            built-in one of the same name. Keys that do not exist, keys with another unit (`layer_height_cm`) and values
+            outside their range are errors that name file, line and key.
 
 
             """);
@@ -49,7 +49,7 @@ public static class ProfileManual
             `start_template` and `end_template` are the lines before and after the print, `layer_template` those before each layer except the first,
             `tool_change_template` those for a tool change. Braces contain any key of
             the three profiles, any name from the list below, or a formula of these (`{min(print_max_z_mm + 10, bed_max_z_mm)}`); `{{` and `}}` are literal
-braces. Numbers are written with up to five decimals.
+            braces. Numbers are written with up to five decimals.
 
             ```
             {if bed_temperature_c > 0}
@@ -61,9 +61,9 @@ braces. Numbers are written with up to five decimals.
             {endif}
             ```
 
-            A line with nothing but such a directive gives no line. A wrong name is an error with the line and column of the template. After the start code
+            A line with only a directive gives no line. A wrong name is an error with the line and column of the template. After the start code
             Caterpillar states its own modes (`G90`, then
-            `M82` or `M83`, and `G92 E0` where E is a sum), so a template cannot leave the print in the wrong ones.
+            `M82` or `M83`, and `G92 E0` if E is absolute), so a template cannot leave the print in the wrong ones.
 
 
             """);

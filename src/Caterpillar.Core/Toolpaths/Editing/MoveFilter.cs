@@ -57,9 +57,9 @@ public sealed record MoveFilter
         return move => Matches(toolpath, move);
     }
 
-    /// <summary>True when a layer is chosen whole.</summary>
-    internal bool MatchesWhole(Layer layer)
-        => Roles is null && Kinds is null && Tool is null && Region is null && Matches(default, layer);
+    /// <summary>True if a layer is chosen completely.</summary>
+    internal bool MatchesLayer(Layer layer)
+        => Roles is null && Kinds is null && Tool is null && Box is null && Matches(default, layer);
 
     /// <summary>True if the move of a toolpath is chosen.</summary>
     internal bool Matches(Toolpath toolpath, Move move) => Matches(move, move.Layer >= 0 ? toolpath.Layers[move.Layer] : null);
