@@ -19,7 +19,7 @@ public class PrinterImportTests : CliFixture
         var print = Run("curves", "line.csv", "--printer", "mine.json", "--material", "material.json");
         Assert.That(print.Code, Is.Zero, print.Messages);
         var lines = File.ReadAllLines("line.gcode");
-        Assert.That(lines, Does.Contain("M109 S205").And.Contain("; invalid: F300 E3").And.Contain("G91 ; as the header leaves it")
+        Assert.That(lines, Does.Contain("M109 S205").And.Contain("; invalid: F300 E3").And.Contain("G91 ; as set by the header")
             .And.Contain("G1 Z100 F5000"));
     }
 

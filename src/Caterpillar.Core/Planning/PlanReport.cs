@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>Counts how often each rule of planning had an effect. Filled while planning runs and not changed afterwards.</summary>
-public sealed class PlanReport
+public sealed record PlanReport
 {
     /// <summary>Paths printed.</summary>
     public int Paths { get; internal set; }

@@ -120,7 +120,7 @@ public class HeaderImportTests
     {
         var found = Import(Ender, Footer, out var problems);
         Assert.That(Render(found, p => p.EndTemplate).Take(3),
-            Is.EqualTo(new[] { "G91 ; as the header leaves it", "M83 ; as the header leaves it", "G1 E-3" }));
+            Is.EqualTo(new[] { "G91 ; as set by the header", "M83 ; as set by the header", "G1 E-3" }));
         Assert.That(Render(found, p => p.EndTemplate, 20), Does.Contain("G1 Z100 F5000"));
         Assert.That(Render(found, p => p.EndTemplate, 200), Does.Contain("G1 Z45 F5000"));
         Assert.That(problems.Select(p => p.Code), Does.Contain("header.lift"));

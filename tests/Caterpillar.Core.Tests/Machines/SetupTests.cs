@@ -47,7 +47,7 @@ public class SetupTests
     [TestCase("layer_height_mm=-1", "profile.out_of_range", "0.001")]
     [TestCase("layer_height_mm=NaN", "profile.wrong_kind", "NaN")]
     [TestCase("title=x", "profile.unknown_key", "title")]
-    [TestCase("wall_count=1e99", "profile.wrong_kind", "whole")]
+    [TestCase("wall_count=1e99", "profile.wrong_kind", "integer")]
     public void Bad_values_are_named(string value, string code, string word)
     {
         var result = new PrintSetup().With("wall_count=3", value);

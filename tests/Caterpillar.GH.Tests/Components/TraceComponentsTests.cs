@@ -78,7 +78,7 @@ public sealed class TraceComponentsTests
         Assert.That(plain.End.Z, Is.EqualTo(4).Within(1e-12));
         Assert.That(plain.IsUniform, Is.True);
         var ramp = Path(new Canvas<HelixTraceComponent>().Feed("Radius", 10.0).Feed("Height", 4.0).Feed("Pitch", 0.4).Feed("Bead", Strand)
-            .Feed("Strings Per Turn", 36).Feed("Ramp", "Start").Feed("Least Flow", 0.5));
+            .Feed("Strings Per Turn", 36).Feed("Ramp", "Start").Feed("Minimum Flow", 0.5));
         // The middle of the first string is 1/72 of a turn on.
         Assert.That(ramp.BeadOf(0).Area / 0.196, Is.EqualTo(0.5 + 0.5 / 72).Within(1e-12));
         Assert.That(ramp.BeadOf(359).Area, Is.EqualTo(0.196));
@@ -108,7 +108,7 @@ public sealed class TraceComponentsTests
         Assert.That(Error(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Strings Per Turn", 2)), Does.Contain("three strings"));
         Assert.That(Error(new Canvas<ConeTraceComponent>().Feed("Bottom Radius", -1.0).Feed("Top Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4)),
             Does.Contain("0 or more"));
-        Assert.That(Error(new Canvas<HelixTraceComponent>().Feed("Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4).Feed("Ramp", 1).Feed("Least Flow", 2.0)),
+        Assert.That(Error(new Canvas<HelixTraceComponent>().Feed("Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4).Feed("Ramp", 1).Feed("Minimum Flow", 2.0)),
             Does.Contain("between 0 and 1"));
         Assert.That(Error(new Canvas<SpiralTraceComponent>().Feed("Radius", double.PositiveInfinity).Feed("Pitch", 0.5)), Does.Contain("finite"));
         Assert.That(Error(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Bead", 0.2)), Does.Contain("conversion"), "a number is no bead");
