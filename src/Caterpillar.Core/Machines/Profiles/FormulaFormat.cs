@@ -8,9 +8,9 @@ internal sealed class FormulaFormat(string[] variables) : KeyFormat<string>
 {
     public override KeyKind Kind => KeyKind.Text;
 
-    public override string Wanted => "a formula";
+    public override string Expected => "a formula";
 
-    public override string Room => "a formula in " + string.Join(", ", variables) + ", or empty";
+    public override string Range => "a formula in " + string.Join(", ", variables) + ", or empty";
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "string")];
 
