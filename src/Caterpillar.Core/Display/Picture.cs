@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Threading;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
@@ -78,6 +79,19 @@ public static class Picture
             for (var i = 1; i < chords.Count; i++) canvas.Strand(chords[i - 1], chords[i], print ? width : 0, color);
         }
         return canvas.Finish();
+    }
+
+    /// <summary>Draws the toolpath and writes the picture as a PNG file, whole or not at all.</summary>
+    /// <exception cref="IOException">The disk failed.</exception>
+    /// <exception cref="OperationCanceledException">Canceled; no part of the file is left.</exception>
+    public static void WriteFile(
+        Toolpath toolpath, string path, PictureOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (path is null) throw new ArgumentNullException(nameof(path));
+        var png = PngWriter.ToBytes(Draw(toolpath, options, progress, cancel));
+        using var file = new AtomicFile(path);
+        file.Stream.Write(png, 0, png.Length);
+        file.Commit();
     }
 
     private static bool IsShown(Toolpath toolpath, Move move, PictureOptions options)

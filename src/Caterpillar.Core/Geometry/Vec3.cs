@@ -6,11 +6,11 @@ namespace Caterpillar.Geometry;
 /// <summary>A point or a vector in space; lengths in mm.</summary>
 public readonly struct Vec3 : IEquatable<Vec3>
 {
-    public double X { get; }
+    public double X { get; init; }
 
-    public double Y { get; }
+    public double Y { get; init; }
 
-    public double Z { get; }
+    public double Z { get; init; }
 
     public Vec3(double x, double y, double z = 0)
     {
@@ -18,6 +18,8 @@ public readonly struct Vec3 : IEquatable<Vec3>
         Y = y;
         Z = z;
     }
+
+    public void Deconstruct(out double x, out double y, out double z) => (x, y, z) = (X, Y, Z);
 
     public static Vec3 Zero => default;
 

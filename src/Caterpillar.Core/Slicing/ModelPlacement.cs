@@ -2,14 +2,19 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
 /// <summary>Puts models on the bed.</summary>
 public static class ModelPlacement
 {
+    /// <summary>All models moved together, so that they stand on the bed of a printer, in its middle.</summary>
+    public static IReadOnlyList<NamedMesh> OnBed(this IReadOnlyList<NamedMesh> models, Printer printer)
+        => OnBed(models, (printer ?? throw new ArgumentNullException(nameof(printer))).BuildBounds.Center);
+
     /// <summary>All models moved together, so that the lowest point stands on Z = 0 and the middle of their box is at a point of the bed.</summary>
-    public static IReadOnlyList<NamedMesh> OnBed(IReadOnlyList<NamedMesh> models, Vec3 center)
+    public static IReadOnlyList<NamedMesh> OnBed(this IReadOnlyList<NamedMesh> models, Vec3 center)
     {
         if (models is null) throw new ArgumentNullException(nameof(models));
         var box = Bounds.Empty;

@@ -200,6 +200,24 @@ public sealed partial class Turtle
         return this;
     }
 
+    /// <summary>Does the same several times: <c>turtle.Repeat(5, t => t.Forward(40).Left(144))</c>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The count is negative.</exception>
+    public Turtle Repeat(int count, Action<Turtle> body)
+    {
+        if (body is null) throw new ArgumentNullException(nameof(body));
+        return Repeat(count, (turtle, _) => body(turtle));
+    }
+
+    /// <summary>Does something several times with its number, from 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The count is negative.</exception>
+    public Turtle Repeat(int count, Action<Turtle, int> body)
+    {
+        if (body is null) throw new ArgumentNullException(nameof(body));
+        if (count < 0) throw new ArgumentOutOfRangeException(nameof(count), count, "A count is 0 or more.");
+        for (var i = 0; i < count; i++) body(this, i);
+        return this;
+    }
+
     /// <summary>A copy of this turtle in the same state, without its steps.</summary>
     public Turtle Copy() => new(_options) { _state = _state, AngleUnit = AngleUnit };
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -107,8 +108,8 @@ public class PlannerTests
     [Test]
     public void Misuse_throws()
     {
-        Assert.That(() => Planner.Plan(null!, new PrintSetup()), Throws.ArgumentNullException);
-        Assert.That(() => Planner.Plan([], null!), Throws.ArgumentNullException);
+        Assert.That(() => Planner.Plan((IReadOnlyList<Step>)null!, new PrintSetup()), Throws.ArgumentNullException);
+        Assert.That(() => Planner.Plan(Array.Empty<Step>(), null!), Throws.ArgumentNullException);
         Assert.That(() => Planner.Plan([null!], new PrintSetup()), Throws.ArgumentException);
     }
 

@@ -57,6 +57,18 @@ public sealed record MoveFilter
         return move => Matches(toolpath, move);
     }
 
+    /// <summary>Box around the chosen moves of a toolpath, mm; empty where there are none.</summary>
+    public Bounds BoundsIn(Toolpath toolpath)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        var box = Bounds.Empty;
+        foreach (var move in toolpath.Moves())
+        {
+            if (Matches(toolpath, move)) box = box.Include(move.Bounds);
+        }
+        return box;
+    }
+
     /// <summary>True if a layer is chosen completely.</summary>
     internal bool MatchesLayer(Layer layer)
         => Roles is null && Kinds is null && Tool is null && Box is null && Matches(default, layer);

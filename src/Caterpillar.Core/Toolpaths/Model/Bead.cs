@@ -23,20 +23,20 @@ public enum BeadShape : byte
 public readonly record struct Bead
 {
     /// <summary>Cross-section in mm², 0 or more.</summary>
-    public double Area { get; }
+    public double Area { get; init => field = Check(value, nameof(Area)); }
 
     /// <summary>Height of the layer in mm, or 0 if unknown.</summary>
-    public double Height { get; }
+    public double Height { get; init => field = Check(value, nameof(Height)); }
 
     /// <summary>Speed of the head in mm/s, or 0 for the speed of the print settings.</summary>
-    public double Speed { get; }
+    public double Speed { get; init => field = Check(value, nameof(Speed)); }
 
     /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite.</exception>
     public Bead(double area, double height = 0, double speed = 0)
     {
-        Area = Check(area, nameof(area));
-        Height = Check(height, nameof(height));
-        Speed = Check(speed, nameof(speed));
+        Area = area;
+        Height = height;
+        Speed = speed;
     }
 
     /// <summary>A bead from its width and height in mm; <paramref name="multiplier"/> scales the area.</summary>
