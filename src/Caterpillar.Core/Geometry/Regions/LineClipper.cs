@@ -13,6 +13,8 @@ internal sealed class LineClipper
     private readonly List<double> _cuts = new();
     private readonly List<Vec3> _current = new();
     private readonly List<Polyline> _pieces = new();
+    private double _near;
+    private bool _touched;
 
     public LineClipper(RegionIndex index, bool outside)
     {
@@ -26,7 +28,8 @@ internal sealed class LineClipper
     {
         var first = _pieces.Count;
         var whole = true;
-        for (var i = 0; i < line.SegmentCount; i++) Segment(line[i], line[i + 1 == line.Count ? 0 : i + 1], ref whole);
+        bool? inside = null;
+        for (var i = 0; i < line.SegmentCount; i++) Segment(line[i], line[i + 1 == line.Count ? 0 : i + 1], ref whole, ref inside);
         var open = _current.Count > 0;
         if (line.IsClosed && whole && open)
         {
@@ -77,7 +80,8 @@ internal sealed class LineClipper
         }
     }
 
-    private void Segment(Vec3 a, Vec3 b, ref bool whole)
+    // Whether the last piece was kept holds for the next segment too, as long as that comes near no edge.
+    private void Segment(Vec3 a, Vec3 b, ref bool whole, ref bool? last)
     {
         if (a.X == b.X && a.Y == b.Y)
         {
@@ -85,7 +89,15 @@ internal sealed class LineClipper
             return;
         }
         _cuts.Clear();
+        _touched = false;
+        double dx = (b.X - a.X) * Grid.PerMm, dy = (b.Y - a.Y) * Grid.PerMm;
+        _near = 2 / Math.Sqrt(dx * dx + dy * dy);
         Cuts(a.X * Grid.PerMm, a.Y * Grid.PerMm, b.X * Grid.PerMm, b.Y * Grid.PerMm);
+        if (!_touched && last is { } same)
+        {
+            if (same) Extend(a, b);
+            return;
+        }
         _cuts.Sort();
         _cuts.Add(1);
         var from = 0.0;
@@ -107,6 +119,7 @@ internal sealed class LineClipper
             from = to;
         }
         if (kept) Extend(Vec3.Lerp(a, b, start), b);
+        last = kept;
     }
 
     private void Extend(Vec3 from, Vec3 to)
@@ -178,5 +191,6 @@ internal sealed class LineClipper
     private void Add(double t)
     {
         if (t > 0 && t < 1) _cuts.Add(t);
+        if (t > -_near && t < 1 + _near) _touched = true;
     }
 }

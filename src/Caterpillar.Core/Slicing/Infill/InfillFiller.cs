@@ -8,6 +8,13 @@ namespace Caterpillar.Slicing;
 /// <summary>Fills areas with strands. One thread at a time; keeps its arrays for the next area.</summary>
 internal sealed class InfillFiller(RegionEngine engine)
 {
+    // Longest way along the boundary from line to line, in distances of lines.
+    private const double LongestLink = 2;
+
+    private readonly BoundaryLinks _links = new();
+    private readonly LevelSet _levels = new();
+    private readonly SolidRows _rows = new();
+
     /// <summary>
     /// How many families of lines share the length: lines of one family are spacing × families apart. A spacing measured between the lines of the pattern
     /// itself (the "density" of Caterpillar 2019) is divided by it to get <see cref="InfillRequest.Spacing"/>.
@@ -20,17 +27,72 @@ internal sealed class InfillFiller(RegionEngine engine)
     };
 
     /// <summary>The strands in the order in which they are to be printed; only <see cref="InfillPattern.Monotonic"/> depends on that order.</summary>
-    /// <exception cref="ArgumentException">Spacing or width are not positive numbers, or what the pattern needs is missing.</exception>
+    /// <exception cref="ArgumentException">Spacing, width or tolerance are not positive numbers, or what the pattern needs is missing.</exception>
     public IReadOnlyList<InfillLine> Fill(InfillRequest request)
     {
-        if (!(request.Spacing > 0) || double.IsInfinity(request.Spacing)) throw new ArgumentException("The spacing must be a positive number.",
-            nameof(request));
-        if (!(request.Width > 0) || double.IsInfinity(request.Width)) throw new ArgumentException("The width must be a positive number.", nameof(request));
+        Check(request.Spacing, nameof(request.Spacing));
+        Check(request.Width, nameof(request.Width));
+        Check(request.Tolerance, nameof(request.Tolerance));
         var lines = new List<InfillLine>();
         if (request.Area.IsEmpty) return lines;
-        _ = engine;
-        foreach (var line in request.Area.HatchLines(request.Angle, request.Spacing))
-            lines.Add(new InfillLine([line.From.WithZ(request.Z), line.To.WithZ(request.Z)], false));
+        var distance = request.Spacing * Families(request.Pattern);
+        switch (request.Pattern)
+        {
+            case InfillPattern.Gyroid:
+                Clip(request, GyroidPattern.Waves(request), lines);
+                distance *= GyroidPattern.MeanLength / 2;
+                break;
+            case InfillPattern.Honeycomb:
+                if (HoneycombPattern.Rows(request) is { } rows) Clip(request, rows, lines);
+                else StraightPatterns.Add(request, lines);
+                distance *= 4.0 / 3;
+                break;
+            case InfillPattern.Concentric:
+                ConcentricPattern.Add(request, engine, lines);
+                break;
+            case InfillPattern.Hilbert:
+                Clip(request, HilbertPattern.Curve(request), lines);
+                break;
+            case InfillPattern.Formula:
+                Clip(request, _levels.Trace(request), lines);
+                break;
+            case InfillPattern.Curves or InfillPattern.Lightning:
+                Clip(request, request.Curves ?? throw new ArgumentException("The curves are missing.", nameof(request)), lines);
+                break;
+            case InfillPattern.Lines or InfillPattern.Monotonic when request.Solid || request.Pattern == InfillPattern.Monotonic:
+                return _rows.Fill(request, LongestLink);
+            default:
+                StraightPatterns.Add(request, lines);
+                break;
+        }
+        if (request.Linked) lines = _links.Join(request.Area, lines, LongestLink * distance);
+        if (!request.Solid) lines.RemoveAll(line => IsShort(line, request.Width));
         return lines;
+    }
+
+    private static void Check(double value, string name)
+    {
+        if (!(value > 0) || double.IsInfinity(value)) throw new ArgumentException("It must be a positive number.", name);
+    }
+
+    private static void Clip(InfillRequest request, IReadOnlyList<Polyline> curves, List<InfillLine> lines)
+    {
+        foreach (var piece in request.Area.ClipLines(curves))
+        {
+            var points = Array.ConvertAll(piece.Raw, p => p.WithZ(request.Z));
+            lines.Add(new InfillLine(points, piece.IsClosed));
+        }
+    }
+
+    // Shorter than wide, a strand is a blob.
+    private static bool IsShort(InfillLine line, double width)
+    {
+        var length = 0.0;
+        for (var i = 1; i < line.Points.Length; i++)
+        {
+            length += line.Points[i].DistanceTo(line.Points[i - 1]);
+            if (length >= width) return false;
+        }
+        return !line.Closed || length < width;
     }
 }

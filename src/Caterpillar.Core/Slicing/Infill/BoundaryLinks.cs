@@ -1,0 +1,149 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Joins lines whose ends are neighbors on the boundary, along the boundary. Each end and each stretch is used once at most, and no loop is closed, so walking
+/// around a contour turns parallel lines into zigzags.
+/// </summary>
+internal sealed partial class BoundaryLinks
+{
+    private readonly List<Vec3> _points = [];
+    private readonly List<double> _flow = [];
+    private End[] _ends = [];
+    private Link[] _links = [];
+    private int[] _root = [];
+
+    /// <summary>The same lines, joined where the way along the boundary is at most <paramref name="limit"/> mm.</summary>
+    public List<InfillLine> Join(Region area, IReadOnlyList<InfillLine> lines, double limit)
+    {
+        var result = new List<InfillLine>(lines.Count);
+        if (lines.Count == 0) return result;
+        var boundary = new BoundaryIndex(area);
+        var count = Locate(boundary, lines);
+        Match(boundary, count, limit);
+        var done = new bool[lines.Count];
+        for (var i = 0; i < lines.Count; i++)
+        {
+            if (done[i]) continue;
+            if (lines[i].Closed || (_links[2 * i].To < 0 && _links[2 * i + 1].To < 0)) result.Add(lines[i]);
+            // A chain is written from its end that comes first.
+            else if (_links[2 * i].To < 0) result.Add(Chain(boundary, lines, 2 * i, done));
+            else if (_links[2 * i + 1].To < 0) result.Add(Chain(boundary, lines, 2 * i + 1, done));
+        }
+        return result;
+    }
+
+    private int Locate(BoundaryIndex boundary, IReadOnlyList<InfillLine> lines)
+    {
+        if (_ends.Length < 2 * lines.Count)
+        {
+            _ends = new End[2 * lines.Count];
+            _links = new Link[2 * lines.Count];
+            _root = new int[lines.Count];
+        }
+        var count = 0;
+        for (var i = 0; i < lines.Count; i++)
+        {
+            _root[i] = i;
+            _links[2 * i] = _links[2 * i + 1] = new Link(-1, 0, 0, 0, true);
+            if (lines[i].Closed) continue;
+            var points = lines[i].Points;
+            if (boundary.Find(points[0], out var contour, out var at)) _ends[count++] = new End(contour, at, 2 * i);
+            if (boundary.Find(points[points.Length - 1], out contour, out at)) _ends[count++] = new End(contour, at, 2 * i + 1);
+        }
+        Array.Sort(_ends, 0, count);
+        return count;
+    }
+
+    private void Match(BoundaryIndex boundary, int count, double limit)
+    {
+        for (var start = 0; start < count;)
+        {
+            var contour = _ends[start].Contour;
+            var stop = start;
+            while (stop < count && _ends[stop].Contour == contour) stop++;
+            for (var i = start; i < stop && stop > start + 1; i++)
+            {
+                var next = i + 1 < stop ? i + 1 : start;
+                ref readonly var a = ref _ends[i];
+                ref readonly var b = ref _ends[next];
+                var way = b.At - a.At + (next == start ? boundary.Lengths[contour] : 0);
+                if (way > limit || _links[a.Id].To >= 0 || _links[b.Id].To >= 0) continue;
+                int p = Root(a.Id >> 1), q = Root(b.Id >> 1);
+                if (p == q) continue;
+                _root[Math.Max(p, q)] = Math.Min(p, q);
+                Tie(a, b);
+            }
+            start = stop;
+        }
+    }
+
+    // The contour leads from a to b.
+    private void Tie(End a, End b)
+    {
+        _links[a.Id] = new Link(b.Id, a.Contour, a.At, b.At, true);
+        _links[b.Id] = new Link(a.Id, a.Contour, a.At, b.At, false);
+    }
+
+    private int Root(int i)
+    {
+        while (_root[i] != i) i = _root[i] = _root[_root[i]];
+        return i;
+    }
+
+    private InfillLine Chain(BoundaryIndex boundary, IReadOnlyList<InfillLine> lines, int end, bool[] done)
+    {
+        _points.Clear();
+        _flow.Clear();
+        var varies = false;
+        while (true)
+        {
+            var line = lines[end >> 1];
+            done[end >> 1] = true;
+            varies |= line.Flow is not null;
+            var forward = (end & 1) == 0;
+            var n = line.Points.Length;
+            for (var i = 0; i < n; i++)
+            {
+                // Into a point leads the segment before it; into the first one the link.
+                var flow = i == 0 || line.Flow is null ? 1 : line.Flow[forward ? i - 1 : n - 1 - i];
+                Add(line.Points[forward ? i : n - 1 - i], flow);
+            }
+            var link = _links[end ^ 1];
+            if (link.To < 0) break;
+            var from = _points.Count;
+            boundary.Corners(link.Contour, link.From, link.Upto, _points);
+            if (!link.Forward) _points.Reverse(from, _points.Count - from);
+            while (_flow.Count < _points.Count) _flow.Add(1);
+            end = link.To;
+        }
+        var z = lines[end >> 1].Points[0].Z;
+        var points = new Vec3[_points.Count];
+        for (var i = 0; i < points.Length; i++) points[i] = _points[i].WithZ(z);
+        _flow.RemoveAt(0);
+        return new InfillLine(points, false, varies ? _flow.ToArray() : null);
+    }
+
+    private void Add(Vec3 point, double flow)
+    {
+        var last = _points.Count - 1;
+        if (last >= 0 && Math.Abs(_points[last].X - point.X) < 1e-6 && Math.Abs(_points[last].Y - point.Y) < 1e-6) return;
+        _points.Add(point);
+        _flow.Add(flow);
+    }
+
+    // To is the end on the other side, or −1; Forward tells whether the contour is followed in its direction.
+    private readonly record struct Link(int To, int Contour, double From, double Upto, bool Forward);
+
+    private readonly record struct End(int Contour, double At, int Id) : IComparable<End>
+    {
+        public int CompareTo(End other)
+        {
+            if (Contour != other.Contour) return Contour.CompareTo(other.Contour);
+            return At != other.At ? At.CompareTo(other.At) : Id.CompareTo(other.Id);
+        }
+    }
+}

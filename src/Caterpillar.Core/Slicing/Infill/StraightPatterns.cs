@@ -1,0 +1,40 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Patterns of straight lines. Their rows keep their places in the world, so that what lies in one layer rests on the layer below.</summary>
+internal static class StraightPatterns
+{
+    private static readonly double Sqrt2 = Math.Sqrt(2);
+
+    public static void Add(InfillRequest request, List<InfillLine> lines)
+    {
+        var spacing = request.Spacing * InfillFiller.Families(request.Pattern);
+        switch (request.Pattern)
+        {
+            case InfillPattern.Grid:
+                Family(request, 0, spacing, 0, lines);
+                Family(request, 90, spacing, 0, lines);
+                break;
+            case InfillPattern.Triangles:
+                for (var i = 0; i < 3; i++) Family(request, 60 * i, spacing, 0, lines);
+                break;
+            case InfillPattern.Cubic:
+                // The planes of cubes on a corner have normals (√2 cos, √2 sin, 1) / √3, so their sections move by z / √2.
+                for (var i = 0; i < 3; i++) Family(request, 120 * i, spacing, -request.Z / Sqrt2, lines);
+                break;
+            default:
+                Family(request, 0, spacing, 0, lines);
+                break;
+        }
+    }
+
+    private static void Family(InfillRequest request, double turn, double spacing, double phase, List<InfillLine> lines)
+    {
+        foreach (var line in request.Area.HatchLines(request.Angle + turn, spacing, phase))
+            lines.Add(new InfillLine([line.From.WithZ(request.Z), line.To.WithZ(request.Z)], false));
+    }
+}
