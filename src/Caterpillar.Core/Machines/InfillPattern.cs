@@ -1,6 +1,8 @@
 namespace Caterpillar.Machines;
 
-/// <summary>Patterns of infill. With any pattern, the same percentage lays down the same length of strand.</summary>
+/// <summary>
+/// What the lines that fill an area look like. A percentage lays down the same length of strand with all of them but lightning, formulas and the user's curves.
+/// </summary>
 public enum InfillPattern : byte
 {
     /// <summary>Parallel lines; the direction turns from layer to layer.</summary>

@@ -51,14 +51,18 @@ internal sealed class BoundaryIndex
     {
         contour = -1;
         at = 0;
-        if (_index.Tree.Levels == 0) return false;
-        _best = Reach * Reach;
-        _segment = -1;
-        Descend(point.X * Grid.PerMm, point.Y * Grid.PerMm, _index.Tree.Levels - 1, 0);
-        if (_segment < 0) return false;
+        if (!Search(point, Reach)) return false;
         contour = _contour[_segment];
         at = _at[_segment] + _share * Length(_index.Segments[_segment]);
         return true;
+    }
+
+    /// <summary>The place of the boundary that is nearest to a point, mm.</summary>
+    public Vec3 Nearest(Vec3 point)
+    {
+        if (!Search(point, 4.0 * Grid.Limit)) return point;
+        ref readonly var s = ref _index.Segments[_segment];
+        return new Vec3(s.Ax + _share * ((double)s.Bx - s.Ax), s.Ay + _share * ((double)s.By - s.Ay)) / Grid.PerMm;
     }
 
     /// <summary>Adds the corners of a contour between two arc lengths, in its direction; an end below the start lies after a full turn.</summary>
@@ -90,15 +94,26 @@ internal sealed class BoundaryIndex
 
     private Vec3 Corner(int i) => Grid.ToMm(_index.Segments[i].A);
 
+    // The nearest segment within a reach.
+    private bool Search(Vec3 point, double reach)
+    {
+        _best = reach * reach;
+        _segment = -1;
+        if (_index.Tree.Levels > 0) Descend(point.X * Grid.PerMm, point.Y * Grid.PerMm, _index.Tree.Levels - 1, 0);
+        return _segment >= 0;
+    }
+
     private void Descend(double x, double y, int level, int node)
     {
         var tree = _index.Tree;
-        ref readonly var box = ref tree.Boxes[tree.LevelStart[level] + node];
-        if (x < box.MinX - Reach || x > box.MaxX + Reach || y < box.MinY - Reach || y > box.MaxY + Reach) return;
+        if (Distance(x, y, level, node) >= _best) return;
         if (level > 0)
         {
-            Descend(x, y, level - 1, 2 * node);
-            if (2 * node + 1 < tree.LevelCount[level - 1]) Descend(x, y, level - 1, 2 * node + 1);
+            int near = 2 * node, far = near + 1;
+            if (far >= tree.LevelCount[level - 1]) far = -1;
+            else if (Distance(x, y, level - 1, far) < Distance(x, y, level - 1, near)) (near, far) = (far, near);
+            Descend(x, y, level - 1, near);
+            if (far >= 0) Descend(x, y, level - 1, far);
             return;
         }
         for (var i = tree.LeafStart[node]; i < tree.LeafStart[node + 1]; i++)
@@ -112,5 +127,14 @@ internal sealed class BoundaryIndex
             _segment = i;
             _share = t;
         }
+    }
+
+    // Square of the distance from a box, in grid units.
+    private double Distance(double x, double y, int level, int node)
+    {
+        ref readonly var box = ref _index.Tree.Boxes[_index.Tree.LevelStart[level] + node];
+        var dx = Math.Max(Math.Max(box.MinX - x, x - box.MaxX), 0);
+        var dy = Math.Max(Math.Max(box.MinY - y, y - box.MaxY), 0);
+        return dx * dx + dy * dy;
     }
 }

@@ -1,10 +1,14 @@
+using System;
 using System.Collections.Generic;
 using System.Threading;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Trees that hold up what lies over an area.</summary>
+/// <summary>
+/// Trees that hold up what lies over an area (after Tricard, Claux and Lefebvre, "Ribbed support vaults for 3D printing of hollowed objects", 2020). They grow under the
+/// skins and are followed downwards: in each layer tips get shorter and bends straighter by what may overhang, so that the trees withdraw into the walls.
+/// </summary>
 internal static class Lightning
 {
     /// <summary>The lines of each layer; they go to <see cref="InfillRequest.Curves"/>.</summary>
@@ -13,15 +17,21 @@ internal static class Lightning
     /// <param name="spacing">Largest distance, in mm, between lines under a skin.</param>
     /// <param name="heights">Height Z of each layer, mm, ascending: branches lean by at most 45°.</param>
     /// <param name="cancel">Cancels.</param>
+    /// <exception cref="ArgumentException">The lists differ in length, or the spacing is not a positive number.</exception>
     public static IReadOnlyList<Polyline>[] Grow(
         IReadOnlyList<Region> areas, IReadOnlyList<Region> tops, double spacing, IReadOnlyList<double> heights, CancellationToken cancel = default)
     {
-        _ = (tops, spacing, heights);
+        if (tops.Count != areas.Count || heights.Count != areas.Count) throw new ArgumentException("Each layer needs an area, a top and a height.", nameof(tops));
+        if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentException("It must be a positive number.", nameof(spacing));
         var layers = new IReadOnlyList<Polyline>[areas.Count];
-        for (var i = 0; i < layers.Length; i++)
+        var forest = new LightningForest(spacing / 2);
+        for (var i = areas.Count - 1; i >= 0; i--)
         {
             cancel.ThrowIfCancellationRequested();
-            layers[i] = [];
+            var lean = i + 1 < areas.Count ? Math.Max(heights[i + 1] - heights[i], 0) : 0;
+            forest.Descend(areas[i], lean);
+            forest.Support(tops[i], cancel);
+            layers[i] = forest.Lines();
         }
         return layers;
     }

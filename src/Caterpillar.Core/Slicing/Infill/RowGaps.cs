@@ -138,35 +138,29 @@ internal sealed class RowGaps
                 var flow = (high - low + (highEnd - lowEnd - high + low) * (s + t) / 2) / request.Spacing;
                 if (flow < Thinnest)
                 {
-                    Flush(request, lines);
+                    Flush(request, frame, lines);
                     continue;
                 }
-                if (_points.Count == 0) _points.Add(Middle(s));
-                _points.Add(Middle(t));
+                Vec3 start = new(u, (low + high) / 2), end = new(next, (lowEnd + highEnd) / 2);
+                if (_points.Count == 0) _points.Add(Vec3.Lerp(start, end, s));
+                _points.Add(Vec3.Lerp(start, end, t));
                 _flow.Add(flow);
             }
-            var start = u;
             u = next;
-
-            // The frame is a parameter by reference, which lambdas cannot hold.
-            Vec3 Middle(double share) => new(start + (next - start) * share, (low + high) / 2 + ((lowEnd + highEnd) / 2 - (low + high) / 2) * share);
         }
-        for (var i = 0; i < _points.Count; i++) _points[i] = _points[i];
-        Flush(request, lines);
+        Flush(request, frame, lines);
 
         double Low(double at) => bottom is null ? row : bottom.At(at) - half;
 
         double High(double at) => top is null ? row : top.At(at) + half;
     }
 
-    private void Flush(InfillRequest request, List<InfillLine> lines)
+    private void Flush(InfillRequest request, in PatternFrame frame, List<InfillLine> lines)
     {
         if (_points.Count > 1)
         {
-            var (sin, cos) = Basics.Angle.SinCos(request.Angle);
             var points = new Vec3[_points.Count];
-            for (var i = 0; i < points.Length; i++)
-                points[i] = new Vec3(_points[i].X * cos - _points[i].Y * sin, _points[i].X * sin + _points[i].Y * cos, request.Z);
+            for (var i = 0; i < points.Length; i++) points[i] = frame.At(_points[i].X, _points[i].Y).WithZ(request.Z);
             lines.Add(new InfillLine(points, false, _flow.ToArray()));
         }
         _points.Clear();
