@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
@@ -11,9 +10,8 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     /// <summary>The walls along all contours of a region, and what they leave for infill.</summary>
     public WallResult Build(Region island)
     {
-        var paths = new List<WallPath>();
-        var thin = new List<ThinPlace>();
-        return new WallResult(paths, Classic(island, paths), thin);
+        var output = new WallOutput(rules);
+        return output.Result(rules.Count == 0 ? island : rules.VariableWidth && !IsThick(island) ? Varying(island, output) : Classic(island, output));
     }
 
     /// <summary>
@@ -22,20 +20,42 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     /// </summary>
     public WallResult Fill(Region area)
     {
-        var paths = new List<WallPath>();
+        var output = new WallOutput(rules);
+        if (rules.VariableWidth)
+        {
+            var level = new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine);
+            for (var round = 0; !area.IsEmpty; round++) area = level.Walls(area, round, output);
+            return output.Result(area);
+        }
         var line = area.Offset(-rules.InnerSpacing / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
         for (var round = 0; !line.IsEmpty; round++)
         {
-            Add(line, round, rules.InnerWidth, paths);
+            output.Loops(line, round, rules.InnerWidth, engine);
             line = line.Offset(-rules.InnerSpacing, JoinStyle.Miter, 2, ArcTolerance, engine);
         }
-        return new WallResult(paths, Region.Empty, []);
+        return output.Result(line);
+    }
+
+    // Where no place is so thin that its thickness matters, the walls are plain offsets.
+    private bool IsThick(Region island)
+    {
+        var depth = rules.Edge + rules.OuterSpacing + (rules.Count - 1 + 0.75) * rules.InnerSpacing;
+        var opened = island.Offset(-depth, JoinStyle.Miter, 4, ArcTolerance, engine).Offset(depth + 1e-3, JoinStyle.Miter, 4, ArcTolerance, engine);
+        return island.Subtract(opened, engine).WithoutSpecks(0.05 * rules.InnerSpacing * rules.InnerSpacing).IsEmpty;
+    }
+
+    private Region Varying(Region island, WallOutput output)
+    {
+        var area = island.Offset(-rules.Edge, JoinStyle.Miter, 4, ArcTolerance, engine);
+        for (var wall = 0; wall < rules.Count && !area.IsEmpty; wall++)
+            area = new WallLevel(rules, wall == 0 ? rules.OuterWidth : rules.InnerWidth, rules.InnerWidth, engine).Walls(area, wall, output);
+        // A gap between the innermost walls that is too narrow for infill.
+        return area.IsEmpty ? area : new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine).Strands(area, rules.Count, output);
     }
 
     // Walls of one width. The first keeps half a width from the outline, each next one a spacing from the last.
-    private Region Classic(Region island, List<WallPath> paths)
+    private Region Classic(Region island, WallOutput output)
     {
-        if (rules.Count == 0) return island;
         var line = island;
         for (var wall = 0; wall < rules.Count; wall++)
         {
@@ -47,19 +67,8 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
             };
             line = line.Offset(-step, JoinStyle.Miter, 2, ArcTolerance, engine);
             if (line.IsEmpty) return line;
-            Add(line, wall, wall == 0 ? rules.OuterWidth : rules.InnerWidth, paths);
+            output.Loops(line, wall, wall == 0 ? rules.OuterWidth : rules.InnerWidth, engine);
         }
         return line.Offset(-(rules.Count == 1 ? rules.OuterSpacing : rules.InnerSpacing) / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
-    }
-
-    private void Add(Region line, int wall, double width, List<WallPath> paths)
-    {
-        // Offsetting leaves corners of rounding size, which a printer need not see.
-        foreach (var contour in line.Simplified(rules.Tolerance, engine).Contours)
-        {
-            var widths = new double[contour.Count];
-            for (var i = 0; i < widths.Length; i++) widths[i] = width;
-            paths.Add(new WallPath(contour.Raw, widths, Closed: true, wall, IsStrand: false));
-        }
     }
 }

@@ -1,0 +1,125 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// One round of walls of variable width. By its thickness a place gets, in beads of nominal spacing s: below 1.5 s a single strand; up to 2.5 s two beads that share it;
+/// above that beads of s, which leave at least half a bead for the next round. So every place is full, and the outline has beads of nominal width wherever it can.
+/// </summary>
+internal sealed class WallLevel
+{
+    private const double ArcTolerance = 0.005;
+
+    // Corners that are sharper than 29° are thin places; others belong to the thick part.
+    private const double MiterLimit = 4;
+
+    // Grown back by a little more than it was shrunk, so that rounding leaves no film.
+    private const double Film = 1e-3;
+
+    private readonly WallRules _rules;
+    private readonly RegionEngine _engine;
+    private readonly double _spacing;
+    private readonly double _least;
+    private readonly double _single;
+    private readonly double _double;
+
+    /// <param name="rules">Limits of the widths.</param>
+    /// <param name="width">Nominal width of this round's beads, mm.</param>
+    /// <param name="next">Nominal width of the next round's.</param>
+    /// <param name="engine">Clips.</param>
+    public WallLevel(WallRules rules, double width, double next, RegionEngine engine)
+    {
+        _rules = rules;
+        _engine = engine;
+        _spacing = rules.Spacing(width);
+        _least = rules.Spacing(rules.MinWidth);
+        var most = Math.Max(rules.Spacing(rules.MaxWidth), _spacing);
+        _single = Math.Min(1.5 * _spacing, most);
+        _double = Math.Min(2 * _spacing + Math.Max(rules.Spacing(next) / 2, _least), 2 * most);
+    }
+
+    /// <summary>Thickness up to which a place gets a single strand, mm.</summary>
+    public double Single => _single;
+
+    /// <summary>Thickness up to which two beads share a place, mm.</summary>
+    public double Double => _double;
+
+    /// <summary>Lays the loops and strands of this round.</summary>
+    /// <param name="area">What is still to be filled, by spacings.</param>
+    /// <param name="index">Number of the round.</param>
+    /// <param name="output">Takes the paths and what is too thin.</param>
+    /// <returns>What is left.</returns>
+    public Region Walls(Region area, int index, WallOutput output)
+    {
+        var thick = Opened(area, _double);
+        var thin = Specks(area.Subtract(thick, _engine));
+        if (thin.IsEmpty) return Even(area, index, output);
+        var wide = Strands(area, index, output);
+        if (wide.IsEmpty) return wide;
+        var strips = Specks(wide.Subtract(thick, _engine));
+        return strips.IsEmpty ? Even(wide, index, output) : Varying(wide, strips, index, output);
+    }
+
+    /// <summary>Lays only the single strands. Returns what is wide enough for loops.</summary>
+    public Region Strands(Region area, int index, WallOutput output)
+    {
+        var core = area.Offset(-_single / 2, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine);
+        core = LongOnes(core);
+        // Growing back makes corners that were cut off whole again.
+        var wide = core.Offset(_single / 2, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine).Intersect(area, _engine);
+        if (wide.IsEmpty)
+        {
+            foreach (var piece in area.Islands) Trace(piece, index, output);
+            return wide;
+        }
+        var grown = wide.Offset(Film, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine);
+        var stubs = new List<GridPoint[]>();
+        foreach (var piece in Specks(area.Subtract(grown, _engine)).Islands)
+        {
+            // A short stub is better left to the loops.
+            if (piece.Area < 0.5 * _spacing * _spacing) stubs.AddRange(piece.Paths);
+            else Trace(piece, index, output);
+        }
+        return stubs.Count == 0 ? wide : grown.Union(Region.Own(stubs.ToArray()), _engine).Intersect(area, _engine);
+    }
+
+    private Region Even(Region area, int index, WallOutput output)
+    {
+        var line = area.Offset(-_spacing / 2, JoinStyle.Miter, 2, ArcTolerance, _engine);
+        output.Loops(line, index, _rules.Width(_spacing), _engine);
+        return line.Offset(-_spacing / 2, JoinStyle.Miter, 2, ArcTolerance, _engine);
+    }
+
+    private Region Varying(Region area, Region strips, int index, WallOutput output)
+    {
+        var offset = new VaryingOffset(area, strips, _spacing / 2, _double / 2, _least / 2, _engine);
+        foreach (var (ring, distances) in offset.Rings()) output.Loop(ring, distances, index);
+        return Specks(offset.Inner(0.002));
+    }
+
+    private void Trace(Region piece, int index, WallOutput output)
+    {
+        var strands = new StrandTracer(Math.Min(0.15, _single / 4), 0.75 * _single, _least / 2).Trace(piece);
+        new StrandFinisher(piece).Finish(strands);
+        output.Strands(strands, index, _least, piece);
+    }
+
+    private Region Opened(Region area, double thickness)
+        => area.Offset(-thickness / 2, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine).Offset(thickness / 2 + Film, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine);
+
+    private Region Specks(Region region) => region.WithoutSpecks(0.05 * _spacing * _spacing);
+
+    // A short thick place, such as a junction of strips, is not worth a loop.
+    private Region LongOnes(Region core)
+    {
+        if (core.IsEmpty) return core;
+        var kept = new List<GridPoint[]>();
+        foreach (var piece in core.Islands)
+        {
+            if (piece.Perimeter >= 3 * _spacing) kept.AddRange(piece.Paths);
+        }
+        return Region.Own(kept.ToArray());
+    }
+}
