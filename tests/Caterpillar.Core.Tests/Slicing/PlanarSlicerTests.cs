@@ -119,15 +119,19 @@ public class PlanarSlicerTests
         var slices = PlanarSlicer.Slice(models, Plain with { LayerHeight = 1.7, FirstLayerHeight = 0.3, SimplifyTolerance = 0.0125 }).Value!;
         foreach (var layer in slices.Layers)
         {
-            // A strand of 0.4 mm keeps 0.2 mm from the outline, less the tolerance of simplified corners.
+            // A strand of 0.4 mm keeps 0.2 mm from the outline, less the tolerance of simplified corners; where the layer is thin, beads share it and single
+            // strands reach its ends.
             var inside = layer.Region.Offset(-0.186);
+            var atEnds = layer.Region.Offset(0.001);
+            var thin = layer.Region.NarrowerThan(2.5).Offset(0.05);
             foreach (var step in layer.Steps)
             {
                 var path = step.Path;
                 for (var i = 0; i < path.SegmentCount; i++)
                 {
                     var middle = (path.Points[i] + path.EndOf(i)) * 0.5;
-                    Assert.That(inside.Contains(middle.X, middle.Y), Is.True, $"{mesh} Z {layer.Layer.Z} {path.Role} {middle}");
+                    var allowed = thin.Contains(middle.X, middle.Y) ? atEnds : inside;
+                    Assert.That(allowed.Contains(middle.X, middle.Y), Is.True, $"{mesh} Z {layer.Layer.Z} {path.Role} {middle}");
                 }
             }
         }
@@ -136,7 +140,7 @@ public class PlanarSlicerTests
     [Test]
     public void Models_that_give_nothing_are_an_error()
     {
-        var thin = PlanarSlicer.Slice([new NamedMesh("thin", Block(0, 0, 0, 10, 0.1, 1))], Plain with { InfillPercent = 0 });
+        var thin = PlanarSlicer.Slice([new NamedMesh("thin", Block(0, 0, 0, 10, 0.05, 1))], Plain with { InfillPercent = 0 });
         Assert.That((thin.Value, thin.Diagnostics.Single().Code), Is.EqualTo(((SliceResult?)null, "slice.nothing")));
         Assert.That(PlanarSlicer.Slice([], Plain).Diagnostics.Single().Code, Is.EqualTo("slice.nothing"));
         var sunk = PlanarSlicer.Slice([new NamedMesh("sunk", Block(0, 0, -1, 10, 10, 1))], Plain);

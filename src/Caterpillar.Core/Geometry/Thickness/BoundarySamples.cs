@@ -15,10 +15,20 @@ internal readonly record struct BoundarySample(Vec3 Point, Vec3 Normal, int Edge
     public Vec3 Center => Point + Normal * Disc.Radius;
 }
 
-/// <summary>Points along contours, close enough that the thickness between them is nearly straight; corners that point inwards have a fan of normals.</summary>
+/// <summary>
+/// Points along contours, so close that the thickness between them is nearly straight; corners that point inwards have a fan of normals.
+/// </summary>
 internal static class BoundarySamples
 {
     private const double FanDegrees = 15;
+
+    // mm: the longest stretch that may be even, how far from an even one its middle may be, and how near samples come to the ends of an edge.
+    private const double Longest = 1;
+    private const double Straightness = 0.004;
+    private const double Ends = 0.005;
+
+    // Cosine of the angle between contacts on sides that open by less than 15°.
+    private const double Parallel = -0.966;
 
     // Below this turn (cosine) a vertex is a point of a smooth curve.
     private const double SmoothDot = 0.996;
@@ -26,7 +36,7 @@ internal static class BoundarySamples
     /// <summary>Samples a contour once around.</summary>
     /// <param name="grid">The edges.</param>
     /// <param name="contour">Number of the contour.</param>
-    /// <param name="step">Longest distance of neighbors, mm.</param>
+    /// <param name="step">Distance of neighbors where the thickness is not even, mm.</param>
     /// <param name="limit">Discs of this radius and above are infinite, mm.</param>
     /// <param name="wanted">Edges that need discs; the ends of the others have infinite ones. Null for all.</param>
     /// <param name="samples">Filled with the samples.</param>
@@ -41,15 +51,42 @@ internal static class BoundarySamples
             var before = grid.Previous[edge];
             Corner(grid, probe, before, edge, limit, probed || wanted![before], samples);
             if (!probed) continue;
-            var parts = Math.Max(2, (int)Math.Ceiling(grid.Length[edge] / step));
-            // An edge shorter than a quarter of a step has enough with its ends.
-            for (var k = 1; k < parts && grid.Length[edge] > 0.25 * step; k++)
+            if (grid.Length[edge] <= 0.25 * step) continue;
+            // Where the thickness is straight from third to third of a stretch, the stretch has no more samples.
+            var stretches = Math.Max(1, (int)Math.Ceiling(grid.Length[edge] / Longest));
+            for (var k = 0; k < stretches; k++)
             {
-                var along = (double)k / parts;
-                var p = a + d * along;
-                samples.Add(new BoundarySample(p, n, edge, along, probe.At(p, n, edge, edge, limit)));
+                var from = Sample(grid, probe, edge, Math.Max((double)k / stretches, Ends / grid.Length[edge]), limit);
+                var to = Sample(grid, probe, edge, Math.Min((k + 1.0) / stretches, 1 - Ends / grid.Length[edge]), limit);
+                samples.Add(from);
+                Between(grid, probe, from, to, step, limit, samples);
+                samples.Add(to);
             }
         }
+    }
+
+    private static BoundarySample Sample(SegmentGrid grid, ThicknessProbe probe, int edge, double along, double limit)
+    {
+        var p = grid.Points[edge] + (grid.Points[grid.Next[edge]] - grid.Points[edge]) * along;
+        return new BoundarySample(p, grid.Normal[edge], edge, along, probe.At(p, grid.Normal[edge], edge, edge, limit));
+    }
+
+    private static void Between(
+        SegmentGrid grid, ThicknessProbe probe, in BoundarySample from, in BoundarySample to, double step, double limit, List<BoundarySample> samples)
+    {
+        if ((to.Along - from.Along) * grid.Length[from.Edge] <= step) return;
+        var middle = Sample(grid, probe, from.Edge, (from.Along + to.Along) / 2, limit);
+        var straight = Even(from.Disc, middle.Disc, to.Disc);
+        if (!straight) Between(grid, probe, from, middle, step, limit, samples);
+        samples.Add(middle);
+        if (!straight) Between(grid, probe, middle, to, step, limit, samples);
+    }
+
+    private static bool Even(in InnerDisc a, in InnerDisc b, in InnerDisc c)
+    {
+        if (double.IsInfinity(a.Radius) || double.IsInfinity(b.Radius) || double.IsInfinity(c.Radius))
+            return double.IsInfinity(a.Radius) && double.IsInfinity(b.Radius) && double.IsInfinity(c.Radius);
+        return Math.Max(a.Opposite, Math.Max(b.Opposite, c.Opposite)) < Parallel && Math.Abs(a.Radius + c.Radius - 2 * b.Radius) < Straightness;
     }
 
     private static void Corner(SegmentGrid grid, ThicknessProbe probe, int before, int edge, double limit, bool probed, List<BoundarySample> samples)

@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>The edges of a region's contours in the cells of an even grid, for questions about what is near. Inside is left of every edge. Coordinates in mm.</summary>
+/// <summary>
+/// The edges of a region's contours in the cells of an even grid, for questions about what is near. Inside is left of every edge. Coordinates in mm.
+/// </summary>
 internal sealed class SegmentGrid
 {
     private readonly double _cell;

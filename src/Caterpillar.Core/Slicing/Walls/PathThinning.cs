@@ -8,7 +8,8 @@ namespace Caterpillar.Slicing;
 internal static class PathThinning
 {
     /// <summary>The points to keep.</summary>
-    public static (Vec3[] Points, double[] Widths) Thin(IReadOnlyList<Vec3> points, IReadOnlyList<double> widths, bool closed, double tolerance, double widthTolerance)
+    public static (Vec3[] Points, double[] Widths) Thin(
+        IReadOnlyList<Vec3> points, IReadOnlyList<double> widths, bool closed, double tolerance, double widthTolerance)
     {
         var n = points.Count;
         // A closed path is cut open where it begins and ends at the same point.

@@ -5,7 +5,10 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Makes strands print their piece exactly: strands that go on straight are joined, branches begin at the edge of what they branch from, ends reach the outline.</summary>
+/// <summary>
+/// Makes strands print their piece exactly: strands that go on straight are joined, branches begin at the edge of what they branch from, ends reach the
+/// outline.
+/// </summary>
 internal sealed class StrandFinisher(Region piece)
 {
     private const int Slices = 16;
@@ -29,8 +32,11 @@ internal sealed class StrandFinisher(Region piece)
             for (var side = 0; side < 2; side++)
             {
                 strand.Reverse();
+                var end = strand.Points[strand.Count - 1];
                 if (strand.End == StrandEnd.Junction) Trim(strand, strands);
-                else if (strand.End == StrandEnd.Outline) Extend(strand);
+                // A junction without a strand that passes is an end like others.
+                var free = strand.End == StrandEnd.Junction && strand.Points[strand.Count - 1] == end && Ahead(strand) < 3;
+                if (strand.End == StrandEnd.Outline || free) Extend(strand);
             }
         }
     }

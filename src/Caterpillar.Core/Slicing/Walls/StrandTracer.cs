@@ -85,14 +85,15 @@ internal sealed class StrandTracer(double step, double limit, double thinnest)
                 }
                 if (open is null)
                 {
-                    open = new Strand { Start = gap || k == 0 ? StrandEnd.Outline : last == State.Thin ? StrandEnd.Thin : StrandEnd.Junction };
+                    var ran = last == State.Thin && radius < thinnest ? StrandEnd.Thin : StrandEnd.Junction;
+                    open = new Strand { Start = gap || k == 0 ? StrandEnd.Outline : ran };
                     strands.Add(open);
                 }
                 if (open.Count == 0 || (center - open.Points[open.Count - 1]).LengthXY > 1e-4) open.Add(center, radius);
             }
             else
             {
-                if (open is not null) open.End = state == State.Thin ? StrandEnd.Thin : gap ? StrandEnd.Outline : StrandEnd.Junction;
+                if (open is not null) open.End = gap ? StrandEnd.Outline : state == State.Thin && Ends(open) ? StrandEnd.Thin : StrandEnd.Junction;
                 open = null;
             }
             gap = false;
@@ -113,6 +114,9 @@ internal sealed class StrandTracer(double step, double limit, double thinnest)
         strands.RemoveAt(before);
     }
 
+    // It ran out in thinness, rather than at a step.
+    private bool Ends(Strand strand) => strand.Radii[strand.Count - 1] < thinnest;
+
     private Vec3 Center(in BoundarySample sample) => sample.Point + sample.Normal * Math.Min(sample.Disc.Radius, limit);
 
     private State StateOf(SegmentGrid grid, in BoundarySample sample, double[] first)
@@ -122,7 +126,9 @@ internal sealed class StrandTracer(double step, double limit, double thinnest)
         if (2 * sample.Disc.Radius < thinnest) return State.Thin;
         int own = grid.Contour[sample.Edge], other = grid.Contour[sample.Disc.Edge];
         if (own != other) return own < other ? State.Owned : State.Elsewhere;
-        return Order(grid, own, sample.Edge + sample.Along, first) < Order(grid, own, sample.Disc.Edge + sample.Disc.Along, first) ? State.Owned : State.Elsewhere;
+        var here = Order(grid, own, sample.Edge + sample.Along, first);
+        var there = Order(grid, own, sample.Disc.Edge + sample.Disc.Along, first);
+        return here < there ? State.Owned : State.Elsewhere;
     }
 
     private static double Order(SegmentGrid grid, int contour, double place, double[] first)

@@ -54,7 +54,8 @@ internal sealed class VaryingOffset
             {
                 var known = double.IsInfinity(s.Disc.Radius) || s.Disc.Opposite <= ParallelEnough;
                 var strip = known && !double.IsInfinity(s.Disc.Radius);
-                items.Add(new Item { Point = s.Point, Normal = s.Normal, Distance = !known ? double.NaN : strip ? Math.Max(s.Disc.Radius / 2, least) : nominal, Strip = strip });
+                var distance = !known ? double.NaN : strip ? Math.Max(s.Disc.Radius / 2, least) : nominal;
+                items.Add(new Item { Point = s.Point, Normal = s.Normal, Distance = distance, Strip = strip });
             }
             Bridge(items, nominal, 2 * limit);
             Ease(items);
@@ -76,7 +77,8 @@ internal sealed class VaryingOffset
 
     /// <summary>What lies beyond twice the distance.</summary>
     /// <param name="more">Added in strips, so that both sides take all, mm.</param>
-    public Region Inner(double more) => Region.Own(Run(2, more)).Intersect(_region.Offset(-1.8 * _least, JoinStyle.Miter, 2, 0.005, _engine), _engine);
+    public Region Inner(double more)
+        => Region.Own(Run(2, more)).Intersect(_region.Offset(-1.8 * _least, JoinStyle.Miter, 2, 0.005, _engine), _engine);
 
     private static bool[] Near(SegmentGrid grid, Region strips)
     {

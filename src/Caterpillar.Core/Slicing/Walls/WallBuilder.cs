@@ -7,6 +7,9 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
 {
     private const double ArcTolerance = 0.005;
 
+    // mm²; the tip of a sharp corner is no thin place.
+    private const double SmallestReported = 0.02;
+
     /// <summary>The walls along all contours of a region, and what they leave for infill.</summary>
     public WallResult Build(Region island)
     {
@@ -41,16 +44,26 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     {
         var depth = rules.Edge + rules.OuterSpacing + (rules.Count - 1 + 0.75) * rules.InnerSpacing;
         var opened = island.Offset(-depth, JoinStyle.Miter, 4, ArcTolerance, engine).Offset(depth + 1e-3, JoinStyle.Miter, 4, ArcTolerance, engine);
-        return island.Subtract(opened, engine).WithoutSpecks(0.05 * rules.InnerSpacing * rules.InnerSpacing).IsEmpty;
+        return island.Subtract(opened, engine).WithoutSmallContours(0.05 * rules.InnerSpacing * rules.InnerSpacing).IsEmpty;
     }
 
     private Region Varying(Region island, WallOutput output)
     {
+        Report(island, output);
         var area = island.Offset(-rules.Edge, JoinStyle.Miter, 4, ArcTolerance, engine);
         for (var wall = 0; wall < rules.Count && !area.IsEmpty; wall++)
             area = new WallLevel(rules, wall == 0 ? rules.OuterWidth : rules.InnerWidth, rules.InnerWidth, engine).Walls(area, wall, output);
         // A gap between the innermost walls that is too narrow for infill.
         return area.IsEmpty ? area : new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine).Strands(area, rules.Count, output);
+    }
+
+    // Half the narrowest bead is the thinnest that gets one, which is then wider than its place.
+    private void Report(Region island, WallOutput output)
+    {
+        var radius = rules.Edge + rules.Spacing(rules.MinWidth) / 4;
+        var printed = island.Offset(-radius, JoinStyle.Miter, 4, ArcTolerance, engine).Offset(radius + 1e-3, JoinStyle.Miter, 4, ArcTolerance, engine);
+        foreach (var place in island.Subtract(printed, engine).WithoutSmallContours(SmallestReported).Islands)
+            output.TooThin.Add(new ThinPlace(place.Bounds.Center, place.Area));
     }
 
     // Walls of one width. The first keeps half a width from the outline, each next one a spacing from the last.

@@ -5,8 +5,10 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// One round of walls of variable width. By its thickness a place gets, in beads of nominal spacing s: below 1.5 s a single strand; up to 2.5 s two beads that share it;
-/// above that beads of s, which leave at least half a bead for the next round. So every place is full, and the outline has beads of nominal width wherever it can.
+/// One round of walls of variable width. By its thickness a place gets, in beads of nominal spacing s: below 1.5 s a single strand; up to 2.5 s two beads
+/// that share it;
+/// above that beads of s, which leave at least half a bead for the next round. So every place is full, and the outline has beads of nominal width wherever it
+/// can.
 /// </summary>
 internal sealed class WallLevel
 {
@@ -49,37 +51,36 @@ internal sealed class WallLevel
     /// <summary>Lays the loops and strands of this round.</summary>
     /// <param name="area">What is still to be filled, by spacings.</param>
     /// <param name="index">Number of the round.</param>
-    /// <param name="output">Takes the paths and what is too thin.</param>
+    /// <param name="output">Takes the paths.</param>
     /// <returns>What is left.</returns>
     public Region Walls(Region area, int index, WallOutput output)
     {
         var thick = Opened(area, _double);
-        var thin = Specks(area.Subtract(thick, _engine));
+        var thin = WithoutSpecks(area.Subtract(thick, _engine));
         if (thin.IsEmpty) return Even(area, index, output);
         var wide = Strands(area, index, output);
         if (wide.IsEmpty) return wide;
-        var strips = Specks(wide.Subtract(thick, _engine));
+        var strips = WithoutSpecks(wide.Subtract(thick, _engine));
         return strips.IsEmpty ? Even(wide, index, output) : Varying(wide, strips, index, output);
     }
 
     /// <summary>Lays only the single strands. Returns what is wide enough for loops.</summary>
     public Region Strands(Region area, int index, WallOutput output)
     {
-        var core = area.Offset(-_single / 2, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine);
-        core = LongOnes(core);
+        var core = WithoutShort(Mitered(area, -_single / 2));
         // Growing back makes corners that were cut off whole again.
-        var wide = core.Offset(_single / 2, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine).Intersect(area, _engine);
+        var wide = Mitered(core, _single / 2).Intersect(area, _engine);
         if (wide.IsEmpty)
         {
             foreach (var piece in area.Islands) Trace(piece, index, output);
             return wide;
         }
-        var grown = wide.Offset(Film, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine);
+        var grown = Mitered(wide, Film);
         var stubs = new List<GridPoint[]>();
-        foreach (var piece in Specks(area.Subtract(grown, _engine)).Islands)
+        foreach (var piece in WithoutSpecks(area.Subtract(grown, _engine)).Islands)
         {
             // A short stub is better left to the loops.
-            if (piece.Area < 0.5 * _spacing * _spacing) stubs.AddRange(piece.Paths);
+            if (piece.Area < 0.5 * _spacing * _spacing && Touches(piece, wide)) stubs.AddRange(piece.Paths);
             else Trace(piece, index, output);
         }
         return stubs.Count == 0 ? wide : grown.Union(Region.Own(stubs.ToArray()), _engine).Intersect(area, _engine);
@@ -96,23 +97,27 @@ internal sealed class WallLevel
     {
         var offset = new VaryingOffset(area, strips, _spacing / 2, _double / 2, _least / 2, _engine);
         foreach (var (ring, distances) in offset.Rings()) output.Loop(ring, distances, index);
-        return Specks(offset.Inner(0.002));
+        return WithoutSpecks(offset.Inner(0.002));
     }
 
     private void Trace(Region piece, int index, WallOutput output)
     {
         var strands = new StrandTracer(Math.Min(0.15, _single / 4), 0.75 * _single, _least / 2).Trace(piece);
         new StrandFinisher(piece).Finish(strands);
-        output.Strands(strands, index, _least, piece);
+        output.Strands(strands, index, _least);
     }
 
-    private Region Opened(Region area, double thickness)
-        => area.Offset(-thickness / 2, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine).Offset(thickness / 2 + Film, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine);
+    private bool Touches(Region piece, Region other)
+        => !piece.Offset(3 * Film, JoinStyle.Miter, 2, ArcTolerance, _engine).Intersect(other, _engine).IsEmpty;
 
-    private Region Specks(Region region) => region.WithoutSpecks(0.05 * _spacing * _spacing);
+    private Region Opened(Region area, double thickness) => Mitered(Mitered(area, -thickness / 2), thickness / 2 + Film);
+
+    private Region Mitered(Region area, double distance) => area.Offset(distance, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine);
+
+    private Region WithoutSpecks(Region region) => region.WithoutSmallContours(0.05 * _spacing * _spacing);
 
     // A short thick place, such as a junction of strips, is not worth a loop.
-    private Region LongOnes(Region core)
+    private Region WithoutShort(Region core)
     {
         if (core.IsEmpty) return core;
         var kept = new List<GridPoint[]>();

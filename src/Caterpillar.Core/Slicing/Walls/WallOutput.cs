@@ -7,7 +7,10 @@ namespace Caterpillar.Slicing;
 /// <summary>Collects walls: spacings become widths, and points that change nothing are left away.</summary>
 internal sealed class WallOutput(WallRules rules)
 {
-    private const double WidthTolerance = 0.005;
+    private const double WidthTolerance = 0.01;
+
+    // Of what lies inside, where a hundredth of a millimeter is not seen.
+    private const double InnerTolerance = 0.01;
 
     public List<WallPath> Paths { get; } = [];
 
@@ -31,8 +34,8 @@ internal sealed class WallOutput(WallRules rules)
     public void Loop(GridPoint[] ring, double[] distances, int index)
         => Add(Array.ConvertAll(ring, Grid.ToMm), Array.ConvertAll(distances, d => rules.Width(2 * d)), closed: true, index, isStrand: false);
 
-    /// <summary>The strands of a piece, and what of the piece is too thin for them.</summary>
-    public void Strands(List<Strand> strands, int index, double least, Region piece)
+    /// <summary>Single strands, at least as wide as a spacing.</summary>
+    public void Strands(List<Strand> strands, int index, double least)
     {
         var most = Math.Max(rules.Spacing(rules.MaxWidth), rules.Spacing(rules.OuterWidth));
         foreach (var strand in strands)
@@ -42,12 +45,12 @@ internal sealed class WallOutput(WallRules rules)
             for (var i = 0; i < widths.Length; i++) widths[i] = rules.Width(Math.Min(Math.Max(2 * strand.Radii[i], least), most));
             Add(strand.Points, widths, strand.Closed, index, isStrand: true);
         }
-        if (strands.Count == 0 && !piece.IsEmpty) TooThin.Add(new ThinPlace(piece.Bounds.Center, piece.Area));
     }
 
     private void Add(IReadOnlyList<Vec3> points, IReadOnlyList<double> widths, bool closed, int index, bool isStrand)
     {
-        var (kept, keptWidths) = PathThinning.Thin(points, widths, closed, rules.Tolerance, WidthTolerance);
+        var (kept, keptWidths) = PathThinning.Thin(
+            points, widths, closed, index == 0 && !isStrand ? rules.Tolerance : Math.Max(rules.Tolerance, InnerTolerance), WidthTolerance);
         if (kept.Length < 2 || (closed && kept.Length < 3)) return;
         Paths.Add(new WallPath(kept, keptWidths, closed, index, isStrand));
     }

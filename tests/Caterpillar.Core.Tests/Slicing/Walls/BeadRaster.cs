@@ -5,7 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Tests.Slicing;
 
 /// <summary>
-/// Counts on a grid of pixels how often beads cover a place. A bead is as wide as its area over the thickness of the layer, with round joints and ends. Where a path goes
+/// Counts on a grid of pixels how often beads cover a place. A bead is as wide as its area over the thickness of the layer, with round joints and ends. Where
+/// a path goes
 /// on around a corner it does not cover itself twice; where it comes back later it does.
 /// </summary>
 internal sealed class BeadRaster
