@@ -54,16 +54,20 @@ internal static class BoundarySamples
             if (grid.Length[edge] <= 0.25 * step) continue;
             // Where the thickness is straight from third to third of a stretch, the stretch has no more samples.
             var stretches = Math.Max(1, (int)Math.Ceiling(grid.Length[edge] / Longest));
+            // A smooth vertex has its sample already; one on the edge as near would turn over when it is moved.
+            var from = Sample(grid, probe, edge, Ends / grid.Length[edge], limit);
+            if (!Smooth(grid, before, edge)) samples.Add(from);
             for (var k = 0; k < stretches; k++)
             {
-                var from = Sample(grid, probe, edge, Math.Max((double)k / stretches, Ends / grid.Length[edge]), limit);
                 var to = Sample(grid, probe, edge, Math.Min((k + 1.0) / stretches, 1 - Ends / grid.Length[edge]), limit);
-                samples.Add(from);
                 Between(grid, probe, from, to, step, limit, samples);
-                samples.Add(to);
+                if (k + 1 < stretches || !Smooth(grid, edge, grid.Next[edge])) samples.Add(to);
+                from = to;
             }
         }
     }
+
+    private static bool Smooth(SegmentGrid grid, int before, int edge) => Vec3.Dot(grid.Normal[before], grid.Normal[edge]) > SmoothDot;
 
     private static BoundarySample Sample(SegmentGrid grid, ThicknessProbe probe, int edge, double along, double limit)
     {

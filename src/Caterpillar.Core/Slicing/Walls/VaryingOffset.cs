@@ -59,7 +59,7 @@ internal sealed class VaryingOffset
             }
             Bridge(items, nominal, 2 * limit);
             Ease(items);
-            _contours.Add(items);
+            _contours.Add(Thinned(items));
         }
     }
 
@@ -155,6 +155,25 @@ internal sealed class VaryingOffset
             Straight(items, i, next, length);
             i = next;
         }
+    }
+
+    // Without the samples between which the distance is straight.
+    private static List<Item> Thinned(List<Item> items)
+    {
+        var kept = new List<Item>(items.Count);
+        for (var i = 0; i < items.Count; i++)
+        {
+            var item = items[i];
+            if (kept.Count > 0 && i + 1 < items.Count)
+            {
+                Item a = kept[kept.Count - 1], b = items[i + 1];
+                double before = (item.Point - a.Point).LengthXY, after = (b.Point - item.Point).LengthXY;
+                var onEdge = a.Normal == item.Normal && item.Normal == b.Normal && before > 0 && after > 0 && a.Strip == item.Strip && b.Strip == item.Strip;
+                if (onEdge && Math.Abs(a.Distance + (b.Distance - a.Distance) * before / (before + after) - item.Distance) < 0.0005) continue;
+            }
+            kept.Add(item);
+        }
+        return kept;
     }
 
     private static void Set(List<Item> items, int i, double distance)

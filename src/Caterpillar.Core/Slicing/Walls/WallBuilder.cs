@@ -43,8 +43,10 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     private bool IsThick(Region island)
     {
         var depth = rules.Edge + rules.OuterSpacing + (rules.Count - 1 + 0.75) * rules.InnerSpacing;
-        var opened = island.Offset(-depth, JoinStyle.Miter, 4, ArcTolerance, engine).Offset(depth + 1e-3, JoinStyle.Miter, 4, ArcTolerance, engine);
-        return island.Subtract(opened, engine).WithoutSmallContours(0.05 * rules.InnerSpacing * rules.InnerSpacing).IsEmpty;
+        var core = island.Offset(-depth, JoinStyle.Miter, 4, ArcTolerance, engine);
+        if (core.IsEmpty) return false;
+        var opened = core.Offset(depth + 1e-3, JoinStyle.Miter, 4, ArcTolerance, engine);
+        return island.Subtract(opened, engine).WithoutSmallContours(0.25 * rules.InnerSpacing * rules.InnerSpacing).IsEmpty;
     }
 
     private Region Varying(Region island, WallOutput output)

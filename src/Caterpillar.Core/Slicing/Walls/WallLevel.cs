@@ -20,6 +20,9 @@ internal sealed class WallLevel
     // Grown back by a little more than it was shrunk, so that rounding leaves no film.
     private const double Film = 1e-3;
 
+    // How far the two sides of a strip run past each other, so that nothing is left between them, mm.
+    private const double TakeAll = 0.03;
+
     private readonly WallRules _rules;
     private readonly RegionEngine _engine;
     private readonly double _spacing;
@@ -56,34 +59,31 @@ internal sealed class WallLevel
     public Region Walls(Region area, int index, WallOutput output)
     {
         var thick = Opened(area, _double);
-        var thin = WithoutSpecks(area.Subtract(thick, _engine));
+        var thin = thick.IsEmpty ? area : WithoutSpecks(area.Subtract(thick, _engine));
         if (thin.IsEmpty) return Even(area, index, output);
         var wide = Strands(area, index, output);
         if (wide.IsEmpty) return wide;
-        var strips = WithoutSpecks(wide.Subtract(thick, _engine));
-        return strips.IsEmpty ? Even(wide, index, output) : Varying(wide, strips, index, output);
+        var strips = ReferenceEquals(wide, area) ? thin : thick.IsEmpty ? wide : WithoutSpecks(wide.Subtract(thick, _engine));
+        return strips.IsEmpty ? Even(wide, index, output) : Varying(wide, strips, thick.IsEmpty, index, output);
     }
 
     /// <summary>Lays only the single strands. Returns what is wide enough for loops.</summary>
     public Region Strands(Region area, int index, WallOutput output)
     {
         var core = WithoutShort(Mitered(area, -_single / 2));
+        var grown = Mitered(core, _single / 2 + Film);
+        var narrow = grown.IsEmpty ? area : WithoutSpecks(area.Subtract(grown, _engine));
+        if (narrow.IsEmpty) return area;
         // Growing back makes corners that were cut off whole again.
-        var wide = Mitered(core, _single / 2).Intersect(area, _engine);
-        if (wide.IsEmpty)
-        {
-            foreach (var piece in area.Islands) Trace(piece, index, output);
-            return wide;
-        }
-        var grown = Mitered(wide, Film);
+        var wide = grown.Intersect(area, _engine);
         var stubs = new List<GridPoint[]>();
-        foreach (var piece in WithoutSpecks(area.Subtract(grown, _engine)).Islands)
+        foreach (var piece in narrow.Islands)
         {
             // A short stub is better left to the loops.
             if (piece.Area < 0.5 * _spacing * _spacing && Touches(piece, wide)) stubs.AddRange(piece.Paths);
             else Trace(piece, index, output);
         }
-        return stubs.Count == 0 ? wide : grown.Union(Region.Own(stubs.ToArray()), _engine).Intersect(area, _engine);
+        return stubs.Count == 0 ? wide : Mitered(wide, Film).Union(Region.Own(stubs.ToArray()), _engine).Intersect(area, _engine);
     }
 
     private Region Even(Region area, int index, WallOutput output)
@@ -93,11 +93,11 @@ internal sealed class WallLevel
         return line.Offset(-_spacing / 2, JoinStyle.Miter, 2, ArcTolerance, _engine);
     }
 
-    private Region Varying(Region area, Region strips, int index, WallOutput output)
+    private Region Varying(Region area, Region strips, bool all, int index, WallOutput output)
     {
         var offset = new VaryingOffset(area, strips, _spacing / 2, _double / 2, _least / 2, _engine);
         foreach (var (ring, distances) in offset.Rings()) output.Loop(ring, distances, index);
-        return WithoutSpecks(offset.Inner(0.002));
+        return all ? Region.Empty : WithoutSpecks(offset.Inner(TakeAll));
     }
 
     private void Trace(Region piece, int index, WallOutput output)
