@@ -37,7 +37,7 @@ internal sealed class GCodeInterpreter
 
     public CommentInterpreter Comments { get; }
 
-    /// <summary>The state of the machine; it changes with the next line. <see cref="Save"/> copies it.</summary>
+    /// <summary>The state of the machine; it changes with the next line. <see cref="Save()"/> copies it.</summary>
     public MachineState State => _machine.State;
 
     /// <summary>Moves of the last line that was read by <see cref="ReadLine(ParsedLine, byte[], int, out int)"/>.</summary>

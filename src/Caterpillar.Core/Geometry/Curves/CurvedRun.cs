@@ -13,7 +13,7 @@ internal sealed class CurvedRun
     // Shares of the request for which the density is computed and which samples may reach: between samples the chord error can be 2 % larger.
     private const double Planned = 0.93;
     private const double Measured = 0.97;
-    private const double LargestDensity = 1e4;
+    private const double MaxDensity = 1e4;
 
     private readonly SubdivisionOptions _options;
     private readonly ArcLength _length;
