@@ -3,8 +3,8 @@ using System;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Packs lines with MeatPack (Scott Mudge), the spaces of G lines left out, so that every reader gives back the same line: what would not come back as it was is
-/// not packed.
+/// Packs lines with MeatPack (Scott Mudge), the spaces of G lines left out, so that every reader gives back the same line: what would not come back as it was
+/// is not packed.
 /// </summary>
 internal sealed class MeatPackWriter
 {

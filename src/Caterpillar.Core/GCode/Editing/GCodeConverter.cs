@@ -36,7 +36,9 @@ public sealed record ConvertOptions
 
     public double RetractionSpeed { get; init; } = 35;
 
-    /// <summary>The most decimals of X, Y and Z, of E and of F; null keeps those of the file. What rounding leaves of E is carried over to the next line.</summary>
+    /// <summary>
+    /// The most decimals of X, Y and Z, of E and of F; null keeps those of the file. What rounding leaves of E is carried over to the next line.
+    /// </summary>
     public int? DecimalsXyz { get; init; }
 
     public int? DecimalsE { get; init; }

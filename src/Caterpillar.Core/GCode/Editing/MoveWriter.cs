@@ -160,7 +160,8 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
     private int Command(TargetMove move)
         => !_written.Strokes ? -1 : move.Kind == MoveKind.Print ? 1 : context.Axis == ExtrusionAxis.Switched ? -1 : 0;
 
-    private bool MustRewrite(FileLine line) => conversion.MustRewrite() || (context.Target is { LimitsDecimals: true } && _rewriter.IsTooFine(_line, line.Text));
+    private bool MustRewrite(FileLine line)
+        => conversion.MustRewrite() || (context.Target is { LimitsDecimals: true } && _rewriter.IsTooFine(_line, line.Text));
 
     // Lines of state that let the rest of the file stay as it is: G92 E where E is absolute, F where it is inherited.
     private bool StateMissing(TargetMove move, MachineState before)

@@ -65,7 +65,8 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
     {
         machine.Features.ModalLines++;
         if (_rules.ModalMotion == ModalMotionRule.Never)
-            machine.Diagnostics.Warn("gcode.dialect_modal", "A line moves without a G command: " + _rules.Title + " ignores it, others repeat the last motion.");
+            machine.Diagnostics.Warn("gcode.dialect_modal", "A line moves without a G command: " + _rules.Title
+                + " ignores it, others repeat the last motion.");
         else
             motion.Move(line);
     }
