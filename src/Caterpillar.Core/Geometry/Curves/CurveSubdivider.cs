@@ -11,7 +11,7 @@ namespace Caterpillar.Geometry;
 public static class CurveSubdivider
 {
     /// <summary>Divides a curve.</summary>
-    /// <exception cref="ArgumentException">The options are out of range, or ask for nothing.</exception>
+    /// <exception cref="ArgumentException">The options are out of range, or request nothing.</exception>
     /// <exception cref="SubdivisionLimitException">They ask for millions of points.</exception>
     /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Subdivision Subdivide(Curve curve, SubdivisionOptions options, CancellationToken cancel = default)

@@ -66,7 +66,7 @@ internal sealed class CurvedRun
         if (!_options.EqualDivision)
         {
             var whole = Count(total / step) - 1;
-            // A stub below the minimum is left to the segment before it.
+            // A remainder below the minimum is added to the previous segment.
             if (whole > 0 && total - whole * step < _options.MinLength * (1 - 1e-9)) whole--;
             return Stations(Math.Max(whole, 0), k => k * step);
         }
