@@ -108,7 +108,8 @@ public sealed class TraceComponentsTests
         Assert.That(Error(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Strings Per Turn", 2)), Does.Contain("three strings"));
         Assert.That(Error(new Canvas<ConeTraceComponent>().Feed("Bottom Radius", -1.0).Feed("Top Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4)),
             Does.Contain("0 or more"));
-        Assert.That(Error(new Canvas<HelixTraceComponent>().Feed("Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4).Feed("Ramp", 1).Feed("Minimum Flow", 2.0)),
+        Assert.That(Error(new Canvas<HelixTraceComponent>().Feed("Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4).Feed("Ramp", 1)
+            .Feed("Minimum Flow", 2.0)),
             Does.Contain("between 0 and 1"));
         Assert.That(Error(new Canvas<SpiralTraceComponent>().Feed("Radius", double.PositiveInfinity).Feed("Pitch", 0.5)), Does.Contain("finite"));
         Assert.That(Error(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Bead", 0.2)), Does.Contain("conversion"), "a number is no bead");
