@@ -63,7 +63,7 @@ internal sealed class WriteOptions
         session.Write(file, stream => BinaryGCode.WriteAs(file, stream, text =>
         {
             var reason = arguments.GetValue(_reason);
-            // A bar and the G-code would mix on a terminal.
+            // A progress bar and the G-code would mix on a terminal.
             var result = file == "-"
                 ? SafeWriter.Write(toolpath, setup, text, reason, null, session.Cancel)
                 : session.WithProgress("Writing", progress => SafeWriter.Write(toolpath, setup, text, reason, progress, session.Cancel));
@@ -71,7 +71,7 @@ internal sealed class WriteOptions
             written = result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
             if (written.Bytes > maxBytes)
                 throw new CliException(ExitCode.Refused,
-                    $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than allowed; nothing was written.");
+                    $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than --max-size allows; nothing was written.");
         }, session.Cancel));
         if (file != "-") session.Messages.WriteLine($"{file}: {Count(written!.Lines)} lines, {Count(written.Bytes)} bytes");
         return written!;

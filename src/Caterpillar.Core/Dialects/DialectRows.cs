@@ -30,7 +30,7 @@ internal static class DialectRows
         {
             ModalMotionRule.Never => "nothing",
             ModalMotionRule.WithoutG => "the last motion again",
-            _ => "the last motion again, also behind modal words",
+            _ => "the last motion again, also after modal words",
         }),
         ("homing", d => List(d.HomingCommands)
             + (d.Homing == HomingRule.HomesToZero ? ": named axes, or all" : ": over the point named to the stored position (`G28.1`, `G30.1`)")

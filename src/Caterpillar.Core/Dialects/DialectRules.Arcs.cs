@@ -60,7 +60,7 @@ public sealed partial record DialectRules
     /// <summary>2 or 3: the command for an arc that turns clockwise or counter-clockwise in its plane, seen as the standard does.</summary>
     public int ArcCode(ArcPlane plane, bool clockwise) => clockwise != (MirroredZx && plane == ArcPlane.ZX) ? 2 : 3;
 
-    /// <summary>The number behind P for an arc of so many turns (the last may be a part), or 0 where P cannot say it.</summary>
+    /// <summary>The number after P for an arc of this many turns (the last may be a part), or 0 if P cannot express it.</summary>
     public int TurnsWord(int turns) => turns <= 1 ? 0 : ArcTurns switch { ArcTurnsRule.Count => turns, ArcTurnsRule.Added => turns - 1, _ => 0 };
 }
 

@@ -23,7 +23,7 @@ public sealed partial record DialectRules
     /// <summary>Homing chooses the plane XY (G17).</summary>
     public bool HomingSelectsXy { get; init; }
 
-    /// <summary>A number behind an axis of G28, unless it is 0, is where that axis stands afterwards.</summary>
+    /// <summary>A number after an axis of G28, unless it is 0, is the position of that axis afterwards.</summary>
     public bool HomesToNumber { get; init; }
 
     /// <summary>G53 (for one line), G54 to G59.3, and G10 L2 and L20, which set where their zeros are.</summary>

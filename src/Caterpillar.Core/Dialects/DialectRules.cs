@@ -86,6 +86,6 @@ public enum ModalMotionRule
     /// <summary>In lines without any G word.</summary>
     WithoutG,
 
-    /// <summary>Also behind modal words (<c>G90 X10</c>), as in the NIST standard.</summary>
+    /// <summary>Also after modal words (<c>G90 X10</c>), as in the NIST standard.</summary>
     Standard,
 }

@@ -13,7 +13,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
     // Maximum number of segments of one ramp.
     private const int MaxRampParts = 256;
 
-    /// <summary>The path, or null where there is none; the reason is a diagnostic.</summary>
+    /// <summary>The path, or null if there is none; the reason is a diagnostic.</summary>
     public PrintPath? Make(UserCurve curve, SourceLocation source)
     {
         try

@@ -32,7 +32,7 @@ public static class ToolpathDeformation
         return map.Problem is { } problem ? new Result<Toolpath>(null, [problem]) : new Result<Toolpath>(mapped, []);
     }
 
-    /// <summary>Deforms the part: what lies in layers, or all where there are none. The strands of start and end code stay.</summary>
+    /// <summary>Deforms the part: what lies in layers, or all if there are none. The strands of start and end code stay.</summary>
     /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double)" path="/returns"/>
     /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double)" path="/exception"/>
     public static Result<Toolpath> Deform(this Toolpath toolpath, Deformation deformation, double tolerance = 0.01)

@@ -43,20 +43,14 @@ public class SourceTests
         string[] banned =
         [
             @"\b[Bb]ehind\w*", @"\b[Aa]new\b", @"out_of_room", @"\b(its|their) room\b", @"\bstands? where", @"\bfor people\b", @"\blaw of\b", @"\bstuff\b",
-            @"\b(var|out|string|double|int|bool) how\b", @"\bblanks\b", @"\b\w*Blanks?(Before|After)?\b", @"increments or (as )?sums",
-                @"mistake of the program",
-            @"lie over them", @"\.Perspective\b", @"\.(Need|Long)\(", @"\b\w*Ways?\b", @"(?<!\b(this|either|any|other|same|some|a|no) )\bways?\b",
+            @"\b(var|out|string|double|int|bool) how\b", @"\bblanks\b", @"\bBlank(Before|After)\b", @"increments or (as )?sums",
+            @"mistake of the program", @"lie over them", @"\.Perspective\b", @"\.(Need|Long)\(", @"\b\w*Ways?\b",
+                @"(?<!\b(this|either|any|other|same|some|a|no|by) )\bways?\b",
             @"\b(Homers|DrivenWord|LayerBook|Tally|Retooler|GapGauge|WholeFile|WholeFormat|FlagFormat|WithoutSpecks|PlanCounts)\b",
-        ];
-        // Not looked at: the rooms of G-code, whose words are not those of plain English, and this list.
-        string[] apart =
-        [
-            "src/Caterpillar.Core/GCode/", "src/Caterpillar.Core/Checks/", "src/Caterpillar.Core/Dialects/", "Core.Tests/GCode/", "docs/gcode.md",
-                "SourceTests.cs",
         ];
         var words = new Regex(string.Join("|", banned), RegexOptions.CultureInvariant);
         var found = Sources().Concat(Texts())
-            .Where(file => !apart.Any(a => file.Replace(Path.DirectorySeparatorChar, '/').Contains(a)))
+            .Where(file => !file.EndsWith("SourceTests.cs", StringComparison.Ordinal))
             .SelectMany(file => File.ReadLines(file).Select((line, i) => (Text: line, Place: $"{file}:{i + 1}")))
             .Where(l => words.IsMatch(l.Text))
             .Select(l => $"{l.Place}: \"{words.Match(l.Text).Value}\" in: {l.Text.Trim()}");

@@ -16,7 +16,7 @@ namespace Caterpillar.Tests.Library;
 /// <summary>The calls that make programs against the library short.</summary>
 public class DoorTests
 {
-    private static readonly Diagnostic Broken = new(Severity.Error, "mesh.empty", "There is no triangle in the file.", new SourceLocation("a.stl"));
+    private static readonly Diagnostic Broken = new(Severity.Error, "mesh.empty", "There are no triangles in the file.", new SourceLocation("a.stl"));
     private static readonly Diagnostic Open = new(Severity.Warning, "mesh.open_edges", "3 open edges.");
 
     [Test]
@@ -28,7 +28,7 @@ public class DoorTests
     {
         var thrown = Assert.Throws<DiagnosticException>(() => new Result<string>(null, [Open, Broken, Broken with { Code = "mesh.format" }]).OrThrow())!;
         Assert.That(thrown.Message, Is.EqualTo(
-            "a.stl: error mesh.empty: There is no triangle in the file.\na.stl: error mesh.format: There is no triangle in the file."));
+            "a.stl: error mesh.empty: There are no triangles in the file.\na.stl: error mesh.format: There are no triangles in the file."));
         Assert.That(thrown.Diagnostics, Has.Count.EqualTo(3));
     }
 

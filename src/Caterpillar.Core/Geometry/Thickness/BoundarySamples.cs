@@ -16,7 +16,7 @@ internal readonly record struct BoundarySample(Vec3 Point, Vec3 Normal, int Edge
 }
 
 /// <summary>
-/// Points along contours, so close that the thickness between them is nearly straight; corners that point inwards have a fan of normals.
+/// Points along contours, so close that the thickness between them is nearly straight; corners that point inward have a fan of normals.
 /// </summary>
 internal static class BoundarySamples
 {

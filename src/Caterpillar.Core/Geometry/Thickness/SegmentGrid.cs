@@ -109,7 +109,7 @@ internal sealed class SegmentGrid
         }
     }
 
-    // First pass: counts. Second pass: fills backwards from the starts of the next cells.
+    // First pass: counts. Second pass: fills backward from the starts of the next cells.
     private void EachCell(int i, int pass)
     {
         Vec3 a = Points[i], b = Points[Next[i]];

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>The largest disc inside a region that touches its boundary at a given point: half the local thickness there.</summary>
-/// <param name="Radius">mm; infinite where it is as large as was asked for, or larger.</param>
+/// <param name="Radius">mm; infinite if it is as large as was asked for, or larger.</param>
 /// <param name="Contact">Where else it touches, mm.</param>
 /// <param name="Edge">The edge of the contact, or the one that begins at it.</param>
 /// <param name="Along">How far along the edge the contact is, 0 to 1.</param>

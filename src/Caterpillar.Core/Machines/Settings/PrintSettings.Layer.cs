@@ -24,12 +24,12 @@ public sealed partial record PrintSettings
     /// <summary>Adaptive layers: largest distance between the steps of the layers and the surface, measured across the surface, mm.</summary>
     public double AdaptiveCusp { get; init => field = LayerKeys.AdaptiveCusp.Check(value); } = 0.1;
 
-    /// <summary>Outlines of the part are moved outwards by this much, or inwards where it is negative, mm.</summary>
+    /// <summary>Outlines of the part are moved outward by this much, or inward where it is negative, mm.</summary>
     public double XyCompensation { get; init => field = LayerKeys.XyCompensation.Check(value); }
 
     /// <summary>Holes are made larger by this much on every side, or smaller where it is negative, mm.</summary>
     public double HoleCompensation { get; init => field = LayerKeys.HoleCompensation.Check(value); }
 
-    /// <summary>The outline of the first layer is moved outwards by this much, or inwards where it is negative (an elephant's foot), mm.</summary>
+    /// <summary>The outline of the first layer is moved outward by this much, or inward where it is negative (an elephant's foot), mm.</summary>
     public double FirstLayerCompensation { get; init => field = LayerKeys.FirstLayerCompensation.Check(value); }
 }

@@ -6,8 +6,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Plane sections of sin x cos y + sin y cos z + sin z cos x = 0 (Schoen 1970). At each height the section is two families of waves, along y = φ ± acos(c) where
-/// |sin z| ≤ |cos z| and along x otherwise, so one period is computed and repeated.
+/// Plane sections of sin x cos y + sin y cos z + sin z cos x = 0 (Schoen 1970). At each height the section is two families of waves, along y = φ ± acos(c)
+/// where |sin z| ≤ |cos z| and along x otherwise, so one period is computed and repeated.
 /// </summary>
 internal static class GyroidPattern
 {

@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Hilbert's curve (1891) through cells of the spacing. It is one curve over the whole bed, of which only the squares near the area are entered, so it does not change
-/// from layer to layer.
+/// Hilbert's curve (1891) through cells of the spacing. It is one curve over the whole bed, of which only the squares near the area are entered, so it does not
+/// change from layer to layer.
 /// </summary>
 internal static class HilbertPattern
 {

@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Hexagons of lines that never cross: each line follows the upper and lower sides of a row of hexagons in turn, and where two lines would share a side they run next to
-/// each other, one strand apart.
+/// Hexagons of lines that never cross: each line follows the upper and lower sides of a row of hexagons in turn, and where two lines would share a side they
+/// run next to each other, one strand apart.
 /// </summary>
 internal static class HoneycombPattern
 {
@@ -15,7 +15,8 @@ internal static class HoneycombPattern
     /// <summary>Null where the hexagons would be smaller than their strands are wide.</summary>
     public static List<Polyline>? Rows(InfillRequest request)
     {
-        // Per side of length a a line goes a straight and a sloped piece, 2 a on 1.5 a, so lines must be 4/3 spacings apart. That is their height and the distance of the pairs.
+        // Per side of length a a line goes a straight and a sloped piece, 2 a on 1.5 a, so lines must be 4/3 spacings apart. That is their height and the
+        // distance of the pairs.
         var pitch = request.Spacing * 4 / 3;
         var height = pitch - request.Width;
         var side = 2 * height / Sqrt3;

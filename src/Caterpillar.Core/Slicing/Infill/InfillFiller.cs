@@ -8,7 +8,7 @@ namespace Caterpillar.Slicing;
 /// <summary>Fills areas with strands. One thread at a time; keeps its arrays for the next area.</summary>
 internal sealed class InfillFiller(RegionEngine engine)
 {
-    // Longest way along the boundary from line to line, in distances of lines.
+    // Longest distance along the boundary from line to line, in distances of lines.
     private const double LongestLink = 2;
 
     private readonly BoundaryLinks _links = new();

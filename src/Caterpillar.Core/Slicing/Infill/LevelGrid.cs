@@ -4,7 +4,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Values of a field on a square grid whose step is halved until no curve reaches over an edge and back by more than the tolerance without being seen at a node.
+/// Values of a field on a square grid whose step is halved until no curve reaches over an edge and back by more than the tolerance without being seen at a
+/// node.
 /// </summary>
 internal sealed class LevelGrid
 {
@@ -50,7 +51,8 @@ internal sealed class LevelGrid
         }
     }
 
-    // On the grid of twice the step, is there an edge with equal signs at its ends and another sign, clearly, in its middle? On this grid it would be a quarter as deep.
+    // On the grid of twice the step, is there an edge with equal signs at its ends and another sign, clearly, in its middle? On this grid it would be a quarter
+    // as deep.
     private bool Hides(LevelField field)
     {
         for (var j = 1; j + 1 < Rows; j++)

@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Lines where a formula is zero, by marching squares: crossings of the grid are found exactly, chords are halved until the curve lies within the tolerance of them, and
-/// points that straight lines do not need are left away. Keeps its arrays for the next layer.
+/// Lines where a formula is zero, by marching squares: crossings of the grid are found exactly, chords are halved until the curve lies within the tolerance of
+/// them, and points that straight lines do not need are left away. Keeps its arrays for the next layer.
 /// </summary>
 internal sealed class LevelSet
 {

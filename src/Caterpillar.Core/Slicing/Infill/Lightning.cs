@@ -6,8 +6,9 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Trees that hold up what lies over an area (after Tricard, Claux and Lefebvre, "Ribbed support vaults for 3D printing of hollowed objects", 2020). They grow under the
-/// skins and are followed downwards: in each layer tips get shorter and bends straighter by what may overhang, so that the trees withdraw into the walls.
+/// Trees that hold up what lies over an area (after Tricard, Claux and Lefebvre, "Ribbed support vaults for 3D printing of hollowed objects", 2020). They grow
+/// under the skins and are followed downwards: in each layer tips get shorter and bends straighter by what may overhang, so that the trees withdraw into the
+/// walls.
 /// </summary>
 internal static class Lightning
 {
@@ -21,7 +22,8 @@ internal static class Lightning
     public static IReadOnlyList<Polyline>[] Grow(
         IReadOnlyList<Region> areas, IReadOnlyList<Region> tops, double spacing, IReadOnlyList<double> heights, CancellationToken cancel = default)
     {
-        if (tops.Count != areas.Count || heights.Count != areas.Count) throw new ArgumentException("Each layer needs an area, a top and a height.", nameof(tops));
+        if (tops.Count != areas.Count
+            || heights.Count != areas.Count) throw new ArgumentException("Each layer needs an area, a top and a height.", nameof(tops));
         if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentException("It must be a positive number.", nameof(spacing));
         var layers = new IReadOnlyList<Polyline>[areas.Count];
         var forest = new LightningForest(spacing / 2);

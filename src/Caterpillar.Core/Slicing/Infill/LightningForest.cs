@@ -118,9 +118,9 @@ internal sealed class LightningForest(double reach)
         var mean = sum / children;
         // Roots slide towards the foot of what they carry, the rest towards the straight line.
         var goal = parent < 0 ? _boundary.Nearest(mean) : (_oldPlaces[parent] + mean) / 2;
-        var way = goal - place;
-        var distance = way.LengthXY;
-        place = distance <= lean ? goal : place + way * (lean / distance);
+        var step = goal - place;
+        var distance = step.LengthXY;
+        place = distance <= lean ? goal : place + step * (lean / distance);
         return true;
     }
 

@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Strands for what rows leave between themselves and edges that run nearly along them, and for arms of an area that lie between two rows. Each is as wide as the gap,
-/// and where that changes, its flow follows.
+/// Strands for what rows leave between themselves and edges that run nearly along them, and for arms of an area that lie between two rows. Each is as wide as
+/// the gap, and where that changes, its flow follows.
 /// </summary>
 internal sealed class RowGaps
 {

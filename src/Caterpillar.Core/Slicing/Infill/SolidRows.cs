@@ -6,8 +6,8 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Parallel lines that close an area. Rows are spread evenly between the sides of each island, the first and the last on its edge; what they miss at steps and along
-/// holes gets strands of its own. Also the rows of <see cref="InfillPattern.Monotonic"/>, swept from one side.
+/// Parallel lines that close an area. Rows are spread evenly between the sides of each island, the first and the last on its edge; what they miss at steps and
+/// along holes gets strands of its own. Also the rows of <see cref="InfillPattern.Monotonic"/>, swept from one side.
 /// </summary>
 internal sealed class SolidRows
 {
@@ -44,7 +44,8 @@ internal sealed class SolidRows
             if (request.Solid)
             {
                 // Half of what lies between it and its neighbors, and half a strand up to the edge.
-                var share = (rows == 0 ? request.Spacing + frame.MaxV - frame.MinV : hatch.Row == 0 || hatch.Row == rows ? (request.Spacing + spacing) / 2 : spacing)
+                var share = (rows == 0 ? request.Spacing + frame.MaxV - frame.MinV : hatch.Row == 0
+                    || hatch.Row == rows ? (request.Spacing + spacing) / 2 : spacing)
                     / request.Spacing;
                 if (Math.Abs(share - 1) > 1e-9) flow = [share];
             }

@@ -17,7 +17,7 @@ internal enum StrandEnd : byte
     Thin,
 }
 
-/// <summary>A single strand on its way: points on the medial axis and the radii of their discs, mm.</summary>
+/// <summary>A single strand in progress: points on the medial axis and the radii of their discs, mm.</summary>
 internal sealed class Strand
 {
     public List<Vec3> Points { get; } = [];

@@ -65,7 +65,7 @@ internal sealed class StrandFinisher(Region piece)
     {
         while (true)
         {
-            int bestA = -1, bestB = -1, way = 0;
+            int bestA = -1, bestB = -1, pairing = 0;
             var straightest = 0.3;
             for (var a = 0; a < strands.Count; a++)
             {
@@ -79,7 +79,7 @@ internal sealed class StrandFinisher(Region piece)
                         if (p.Kind != StrandEnd.Junction || q.Kind != StrandEnd.Junction || (p.At - q.At).LengthXY > 0.75 * (r + t)) continue;
                         if (a == b && strands[a].Length < 4 * r) continue;
                         var dot = headingA.X * headingB.X + headingA.Y * headingB.Y;
-                        if (dot < straightest && !Passed(strands, a, b, p.At)) (straightest, bestA, bestB, way) = (dot, a, b, k);
+                        if (dot < straightest && !Passed(strands, a, b, p.At)) (straightest, bestA, bestB, pairing) = (dot, a, b, k);
                     }
                 }
             }
@@ -91,8 +91,8 @@ internal sealed class StrandFinisher(Region piece)
                 continue;
             }
             var second = strands[bestB];
-            if (way < 2) first.Reverse();
-            if ((way & 1) == 1) second.Reverse();
+            if (pairing < 2) first.Reverse();
+            if ((pairing & 1) == 1) second.Reverse();
             for (var i = 0; i < second.Count; i++) first.Add(second.Points[i], second.Radii[i]);
             first.End = second.End;
             strands.RemoveAt(bestB);

@@ -59,11 +59,11 @@ internal sealed class WallLevel
     public Region Walls(Region area, int index, WallOutput output)
     {
         var thick = Opened(area, _double);
-        var thin = thick.IsEmpty ? area : WithoutSpecks(area.Subtract(thick, _engine));
+        var thin = thick.IsEmpty ? area : WithoutSmallContours(area.Subtract(thick, _engine));
         if (thin.IsEmpty) return Even(area, index, output);
         var wide = Strands(area, index, output);
         if (wide.IsEmpty) return wide;
-        var strips = ReferenceEquals(wide, area) ? thin : thick.IsEmpty ? wide : WithoutSpecks(wide.Subtract(thick, _engine));
+        var strips = ReferenceEquals(wide, area) ? thin : thick.IsEmpty ? wide : WithoutSmallContours(wide.Subtract(thick, _engine));
         return strips.IsEmpty ? Even(wide, index, output) : Varying(wide, strips, thick.IsEmpty, index, output);
     }
 
@@ -72,7 +72,7 @@ internal sealed class WallLevel
     {
         var core = WithoutShort(Mitered(area, -_single / 2));
         var grown = Mitered(core, _single / 2 + Film);
-        var narrow = grown.IsEmpty ? area : WithoutSpecks(area.Subtract(grown, _engine));
+        var narrow = grown.IsEmpty ? area : WithoutSmallContours(area.Subtract(grown, _engine));
         if (narrow.IsEmpty) return area;
         // Growing back makes corners that were cut off whole again.
         var wide = grown.Intersect(area, _engine);
@@ -97,7 +97,7 @@ internal sealed class WallLevel
     {
         var offset = new VaryingOffset(area, strips, _spacing / 2, _double / 2, _least / 2, _engine);
         foreach (var (ring, distances) in offset.Rings()) output.Loop(ring, distances, index);
-        return all ? Region.Empty : WithoutSpecks(offset.Inner(TakeAll));
+        return all ? Region.Empty : WithoutSmallContours(offset.Inner(TakeAll));
     }
 
     private void Trace(Region piece, int index, WallOutput output)
@@ -114,7 +114,7 @@ internal sealed class WallLevel
 
     private Region Mitered(Region area, double distance) => area.Offset(distance, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine);
 
-    private Region WithoutSpecks(Region region) => region.WithoutSmallContours(0.05 * _spacing * _spacing);
+    private Region WithoutSmallContours(Region region) => region.WithoutSmallContours(0.05 * _spacing * _spacing);
 
     // A short thick place, such as a junction of strips, is not worth a loop.
     private Region WithoutShort(Region core)

@@ -57,7 +57,7 @@ public sealed record MoveFilter
         return move => Matches(toolpath, move);
     }
 
-    /// <summary>Box around the chosen moves of a toolpath, mm; empty where there are none.</summary>
+    /// <summary>Box around the chosen moves of a toolpath, mm; empty if there are none.</summary>
     public Bounds BoundsIn(Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));

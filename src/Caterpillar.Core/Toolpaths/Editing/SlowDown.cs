@@ -43,7 +43,7 @@ internal static class SlowDown
         return slowed;
     }
 
-    // Speeds at the minimum cannot give way, so the others have to give more: repeated until nothing new hits the minimum.
+    // Speeds at the minimum cannot drop further, so the others have to drop more: repeated until no other hits the minimum.
     private static double Factor(PrintPath[] paths, Func<PrintPath, int, double> speedOf, double factor, double wanted, double least)
     {
         for (var round = 0; round < 60; round++)

@@ -70,7 +70,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         if (string.IsNullOrEmpty(name)) throw new InputProblem("File or G-code is missing.") { IsMissing = true };
         var file = new FileInfo(run.PathTo(name!));
         if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
-        // A changed file has another time or size: then it is read again.
+        // A changed file has another time or size and is read again.
         var read = run.Cached([file.FullName, file.LastWriteTimeUtc, file.Length],
             () => run.Work("Reading", (_, cancel) => GCodeDocument.ReadFile(file.FullName, cancel)));
         return read.Value ?? throw new InputProblem($"{file.FullName}: {read.Diagnostics[0].Message}");

@@ -15,7 +15,7 @@ public sealed record MendedMesh(
     TriMesh Mesh, int MovedVertices, double FarthestMove, int DoubledFacets, int TurnedFacets, IReadOnlyList<FilledHole> Holes,
     int LooseFacets, int TurnedBodies)
 {
-    /// <summary>True when something was changed.</summary>
+    /// <summary>True if something was changed.</summary>
     public bool IsChanged => MovedVertices > 0 || DoubledFacets > 0 || TurnedFacets > 0 || Holes.Count > 0 || LooseFacets > 0 || TurnedBodies > 0;
 
     /// <summary>A mesh to which nothing was done.</summary>
