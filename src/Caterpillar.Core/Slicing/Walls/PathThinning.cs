@@ -4,7 +4,10 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Leaves points away whose place and width are within tolerances of the straight line between their neighbors (Douglas and Peucker 1973).</summary>
+/// <summary>
+/// Leaves points away whose place and width are within tolerances of the straight line between their neighbors, in one pass: from a kept point the chord grows as
+/// long as it stays in the wedge of the points it passes (Zhao and Saalfeld 1997), and its slope of width in the slopes that they allow.
+/// </summary>
 internal static class PathThinning
 {
     /// <summary>The points to keep.</summary>
@@ -13,39 +16,51 @@ internal static class PathThinning
     {
         var n = points.Count;
         // A closed path is cut open where it begins and ends at the same point.
-        var count = closed ? n + 1 : n;
-        var keep = new bool[count];
-        keep[0] = keep[count - 1] = true;
-        var work = new Stack<(int From, int To)>();
-        work.Push((0, count - 1));
-        while (work.Count > 0)
-        {
-            var (from, to) = work.Pop();
-            Vec3 a = points[from], b = points[to % n], d = b - a;
-            double wa = widths[from], wb = widths[to % n];
-            var square = d.X * d.X + d.Y * d.Y;
-            var worst = 1.0;
-            var at = -1;
-            for (var i = from + 1; i < to; i++)
-            {
-                var v = points[i] - a;
-                var t = square > 0 ? Math.Min(Math.Max((v.X * d.X + v.Y * d.Y) / square, 0), 1) : 0;
-                var off = Math.Max((v - d * t).LengthXY / tolerance, Math.Abs(widths[i] - (wa + (wb - wa) * t)) / widthTolerance);
-                if (off > worst) (worst, at) = (off, i);
-            }
-            if (at < 0) continue;
-            keep[at] = true;
-            work.Push((from, at));
-            work.Push((at, to));
-        }
+        var last = closed ? n : n - 1;
         var kept = new List<Vec3>();
         var keptWidths = new List<double>();
-        for (var i = 0; i < n; i++)
+        for (var from = 0; from <= last;)
         {
-            if (!keep[i]) continue;
-            kept.Add(points[i]);
-            keptWidths.Add(widths[i]);
+            if (from < n)
+            {
+                kept.Add(points[from]);
+                keptWidths.Add(widths[from]);
+            }
+            from = from == last ? last + 1 : Reach(points, widths, from, last, tolerance, widthTolerance);
         }
         return (kept.ToArray(), keptWidths.ToArray());
+    }
+
+    private static int Reach(IReadOnlyList<Vec3> points, IReadOnlyList<double> widths, int from, int last, double tolerance, double widthTolerance)
+    {
+        var a = points[from];
+        double lowX = 0, lowY = 0, highX = 0, highY = 0, farthest = 0;
+        double leastSlope = double.NegativeInfinity, mostSlope = double.PositiveInfinity;
+        var to = from + 1;
+        for (; to <= last; to++)
+        {
+            var b = points[to % points.Count] - a;
+            var distance = b.LengthXY;
+            var rise = widths[to % points.Count] - widths[from];
+            // Out of the wedge, on the way back, or out of the slopes: the chord ends one point before.
+            if (farthest > 0)
+            {
+                if (distance < farthest || lowX * b.Y - lowY * b.X < 0 || highX * b.Y - highY * b.X > 0) break;
+                if (rise < leastSlope * distance || rise > mostSlope * distance) break;
+            }
+            if (distance <= tolerance)
+            {
+                if (Math.Abs(rise) > widthTolerance) break;
+                continue;
+            }
+            var w = tolerance / distance;
+            double lx = b.X + b.Y * w, ly = b.Y - b.X * w, hx = b.X - b.Y * w, hy = b.Y + b.X * w;
+            if (farthest == 0 || lowX * ly - lowY * lx > 0) (lowX, lowY) = (lx, ly);
+            if (farthest == 0 || highX * hy - highY * hx < 0) (highX, highY) = (hx, hy);
+            leastSlope = Math.Max(leastSlope, (rise - widthTolerance) / distance);
+            mostSlope = Math.Min(mostSlope, (rise + widthTolerance) / distance);
+            farthest = distance;
+        }
+        return Math.Max(to - 1, from + 1);
     }
 }

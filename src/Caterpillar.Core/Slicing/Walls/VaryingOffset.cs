@@ -17,12 +17,16 @@ internal sealed class VaryingOffset
     private const double Slope = 0.1;
 
     private readonly RegionEngine _engine;
-    private readonly Region _region;
-    private readonly double _least;
+    private readonly List<BoundarySample> _samples = [];
     private readonly List<List<Item>> _contours = [];
     private readonly Dictionary<GridPoint, double> _distances = [];
+    private Region _region = Region.Empty;
+    private double _least;
+    private int _used;
     private GridPoint[] _raw = new GridPoint[256];
     private int _count;
+
+    public VaryingOffset(RegionEngine engine) => _engine = engine;
 
     private struct Item
     {
@@ -32,25 +36,26 @@ internal sealed class VaryingOffset
         public bool Strip;
     }
 
+    /// <summary>Takes a region. The lists of the one before are used again.</summary>
     /// <param name="region">The region.</param>
     /// <param name="strips">Its parts that are thinner than two limits; elsewhere the distance is the nominal one.</param>
     /// <param name="nominal">Distance where the region is thick, mm. In strips it is half the radius of the local disc, a quarter of the thickness.</param>
     /// <param name="limit">Radius of discs that are thick, mm.</param>
     /// <param name="least">Least distance, mm.</param>
-    /// <param name="engine">Clips.</param>
-    public VaryingOffset(Region region, Region strips, double nominal, double limit, double least, RegionEngine engine)
+    public void Take(Region region, Region strips, double nominal, double limit, double least)
     {
-        _engine = engine;
         _region = region;
         _least = least;
         var grid = new SegmentGrid(region.Paths, strips.Bounds.Grow(2 * limit), limit);
         var wanted = Near(grid, strips);
-        var samples = new List<BoundarySample>();
+        _used = grid.ContourStart.Length - 1;
         for (var c = 0; c + 1 < grid.ContourStart.Length; c++)
         {
-            BoundarySamples.Take(grid, c, Math.Min(0.25, limit / 2), limit, wanted, samples);
-            var items = new List<Item>(samples.Count);
-            foreach (var s in samples)
+            BoundarySamples.Take(grid, c, Math.Min(0.25, limit / 2), limit, wanted, _samples);
+            if (_contours.Count == c) _contours.Add([]);
+            var items = _contours[c];
+            items.Clear();
+            foreach (var s in _samples)
             {
                 var known = double.IsInfinity(s.Disc.Radius) || s.Disc.Opposite <= ParallelEnough;
                 var strip = known && !double.IsInfinity(s.Disc.Radius);
@@ -59,7 +64,7 @@ internal sealed class VaryingOffset
             }
             Bridge(items, nominal, 2 * limit);
             Ease(items);
-            _contours.Add(Thinned(items));
+            Thin(items);
         }
     }
 
@@ -157,23 +162,23 @@ internal sealed class VaryingOffset
         }
     }
 
-    // Without the samples between which the distance is straight.
-    private static List<Item> Thinned(List<Item> items)
+    // Leaves the samples away between which the distance is straight.
+    private static void Thin(List<Item> items)
     {
-        var kept = new List<Item>(items.Count);
+        var kept = 0;
         for (var i = 0; i < items.Count; i++)
         {
             var item = items[i];
-            if (kept.Count > 0 && i + 1 < items.Count)
+            if (kept > 0 && i + 1 < items.Count)
             {
-                Item a = kept[kept.Count - 1], b = items[i + 1];
+                Item a = items[kept - 1], b = items[i + 1];
                 double before = (item.Point - a.Point).LengthXY, after = (b.Point - item.Point).LengthXY;
                 var onEdge = a.Normal == item.Normal && item.Normal == b.Normal && before > 0 && after > 0 && a.Strip == item.Strip && b.Strip == item.Strip;
                 if (onEdge && Math.Abs(a.Distance + (b.Distance - a.Distance) * before / (before + after) - item.Distance) < 0.0005) continue;
             }
-            kept.Add(item);
+            items[kept++] = item;
         }
-        return kept;
+        items.RemoveRange(kept, items.Count - kept);
     }
 
     private static void Set(List<Item> items, int i, double distance)
@@ -207,8 +212,9 @@ internal sealed class VaryingOffset
     private GridPoint[][] Run(double factor, double more)
     {
         _engine.Clear();
-        foreach (var items in _contours)
+        for (var c = 0; c < _used; c++)
         {
+            var items = _contours[c];
             _count = 0;
             for (int i = 0, next; i < items.Count; i = next)
             {

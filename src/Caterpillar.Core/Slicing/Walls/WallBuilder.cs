@@ -10,6 +10,8 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     // mm²; the tip of a sharp corner is no thin place.
     private const double SmallestReported = 0.02;
 
+    private readonly VaryingOffset _offset = new(engine);
+
     /// <summary>The walls along all contours of a region, and what they leave for infill.</summary>
     public WallResult Build(Region island)
     {
@@ -26,7 +28,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         var output = new WallOutput(rules);
         if (rules.VariableWidth)
         {
-            var level = new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine);
+            var level = new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine, _offset);
             for (var round = 0; !area.IsEmpty; round++) area = level.Walls(area, round, output);
             return output.Result(area);
         }
@@ -54,9 +56,12 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         Report(island, output);
         var area = island.Offset(-rules.Edge, JoinStyle.Miter, 4, ArcTolerance, engine);
         for (var wall = 0; wall < rules.Count && !area.IsEmpty; wall++)
-            area = new WallLevel(rules, wall == 0 ? rules.OuterWidth : rules.InnerWidth, rules.InnerWidth, engine).Walls(area, wall, output);
+        {
+            var width = wall == 0 ? rules.OuterWidth : rules.InnerWidth;
+            area = new WallLevel(rules, width, rules.InnerWidth, engine, _offset).Walls(area, wall, output);
+        }
         // A gap between the innermost walls that is too narrow for infill.
-        return area.IsEmpty ? area : new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine).Strands(area, rules.Count, output);
+        return area.IsEmpty ? area : new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine, _offset).Strands(area, rules.Count, output);
     }
 
     // Half the narrowest bead is the thinnest that gets one, which is then wider than its place.

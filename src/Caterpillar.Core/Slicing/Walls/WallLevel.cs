@@ -25,6 +25,7 @@ internal sealed class WallLevel
 
     private readonly WallRules _rules;
     private readonly RegionEngine _engine;
+    private readonly VaryingOffset _offset;
     private readonly double _spacing;
     private readonly double _least;
     private readonly double _single;
@@ -34,10 +35,12 @@ internal sealed class WallLevel
     /// <param name="width">Nominal width of this round's beads, mm.</param>
     /// <param name="next">Nominal width of the next round's.</param>
     /// <param name="engine">Clips.</param>
-    public WallLevel(WallRules rules, double width, double next, RegionEngine engine)
+    /// <param name="offset">Offsets strips.</param>
+    public WallLevel(WallRules rules, double width, double next, RegionEngine engine, VaryingOffset offset)
     {
         _rules = rules;
         _engine = engine;
+        _offset = offset;
         _spacing = rules.Spacing(width);
         _least = rules.Spacing(rules.MinWidth);
         var most = Math.Max(rules.Spacing(rules.MaxWidth), _spacing);
@@ -95,9 +98,16 @@ internal sealed class WallLevel
 
     private Region Varying(Region area, Region strips, bool all, int index, WallOutput output)
     {
+<<<<<<< Updated upstream
         var offset = new VaryingOffset(area, strips, _spacing / 2, _double / 2, _least / 2, _engine);
         foreach (var (ring, distances) in offset.Rings()) output.Loop(ring, distances, index);
         return all ? Region.Empty : WithoutSmallContours(offset.Inner(TakeAll));
+=======
+        _offset.Take(area, strips, _spacing / 2, _double / 2, _least / 2);
+        foreach (var (ring, distances) in _offset.Rings()) output.Loop(ring, distances, index);
+        // What is left at the corners of a strip is too small for a strand.
+        return all ? Region.Empty : _offset.Inner(TakeAll).WithoutSmallContours(0.3 * _spacing * _spacing);
+>>>>>>> Stashed changes
     }
 
     private void Trace(Region piece, int index, WallOutput output)
