@@ -110,7 +110,7 @@ public class PlannerTests
     {
         Assert.That(() => Planner.Plan((IReadOnlyList<Step>)null!, new PrintSetup()), Throws.ArgumentNullException);
         Assert.That(() => Planner.Plan(Array.Empty<Step>(), null!), Throws.ArgumentNullException);
-        Assert.That(() => Planner.Plan([null!], new PrintSetup()), Throws.ArgumentException);
+        Assert.That(() => Planner.Plan(new Step[] { null! }, new PrintSetup()), Throws.ArgumentException);
     }
 
     private static string E(double e) => NumberFormatter.Format(e, 5);

@@ -191,7 +191,7 @@ public sealed class GCodeTests
             File.WriteAllBytes(file, [0x1F, 0x8B, 8, 0, 1, 2]);
             files.Component.ExpireSolution(false);
             files.Solve();
-            Assert.That(files.Errors, Has.One.EndsWith("small.gcode cannot be read. It is cut off."));
+            Assert.That(files.Errors, Has.One.EndsWith("small.gcode: The file cannot be read. It is cut off."));
         }
         finally
         {
