@@ -5,7 +5,6 @@ using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
@@ -44,10 +43,8 @@ internal sealed class CheckVerb : Verb
         foreach (var file in arguments.GetValue(_files)!)
         {
             var name = Session.NameOf(file);
-            var toolpath = Decoded(file, name, options, session);
-            var findings = session.WithProgress("Checking " + name,
-                progress => LimitCheck.Run(toolpath, LimitCheck.SetupForFile(setup, toolpath), progress, session.Cancel));
-            all.AddRange(findings.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }));
+            var decoded = Decoded(file, name, options, session);
+            all.AddRange(session.WithProgress("Checking " + name, progress => LimitCheck.Run(decoded, setup, progress, session.Cancel)));
         }
         session.WriteText("-", text =>
         {
@@ -56,10 +53,10 @@ internal sealed class CheckVerb : Verb
         return all.Any(d => d.Severity == Severity.Error) ? ExitCode.Refused : ExitCode.Done;
     }
 
-    private static Toolpath Decoded(string file, string name, DecodeOptions options, Session session)
+    private static DecodedGCode Decoded(string file, string name, DecodeOptions options, Session session)
     {
         using var stream = session.OpenRead(file);
         return session.ValueOrFail(session.WithProgress("Reading " + name,
-            progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel))).Toolpath;
+            progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel)));
     }
 }

@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
+using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -54,6 +56,29 @@ public static class LimitCheck
         TemperatureCheck.Run(toolpath, setup, findings);
         progress?.Report(1);
         return findings.ToList();
+    }
+
+    /// <summary>
+    /// Checks a decoded file, which may heat by itself or leave that to a macro of the firmware. Where it does not state the diameter of its filament, that of
+    /// the material holds.
+    /// </summary>
+    /// <inheritdoc cref="Run(Toolpath, PrintSetup, IProgress{double}?, CancellationToken)" path="/returns"/>
+    public static IReadOnlyList<Diagnostic> Run(
+        DecodedGCode file, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (file is null) throw new ArgumentNullException(nameof(file));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        var findings = Run(WithVolumes(file.Toolpath, setup), SetupForFile(setup, file.Toolpath), progress, cancel);
+        if (file.Report.File is not { Length: > 0 } name) return findings;
+        return findings.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }).ToArray();
+    }
+
+    /// <summary>The toolpath of a file with the filament of the material for the tools whose filament it does not state.</summary>
+    internal static Toolpath WithVolumes(Toolpath toolpath, PrintSetup setup)
+    {
+        if (toolpath.Tools.All(t => t.VolumePerE is not null) || setup.Printer.ExtrusionUnit == ExtrusionUnit.None) return toolpath;
+        var known = new ToolpathTool(ExtrusionModel.FilamentAreaOf(setup.Material.FilamentDiameter));
+        return toolpath.WithTools(toolpath.Tools.Select(t => t.VolumePerE is null ? known : t));
     }
 
     /// <summary>

@@ -104,7 +104,7 @@ public static class SafeWriter
             decoding = GCodeDecoder.Decode(replaced.Value, options, null, cancel).Value!;
             edited = decoding.Toolpath;
         }
-        var guard = WriteGuard.Check(edited, LimitCheck.SetupForFile(setup, edited), reason, progress.Part(0, 0.2), cancel);
+        var guard = WriteGuard.Check(LimitCheck.WithVolumes(edited, setup), LimitCheck.SetupForFile(setup, edited), reason, progress.Part(0, 0.2), cancel);
         if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), 0);
         foreach (var comment in guard.Comments().Reverse()) edited = edited.Insert(0, new CommentEvent(comment));
         var written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0.2, 1), cancel);

@@ -39,6 +39,17 @@ public static class GCodeDecoder
         }
     }
 
+    /// <summary>Reads and decodes a file (plain, gzip, or binary G-code) and keeps its text, so that it can be edited or converted and written again.</summary>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
+    public static Result<DecodedGCode> DecodeFile(string path, DecodeOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        if (path is null) throw new ArgumentNullException(nameof(path));
+        var read = GCodeDocument.ReadFile(path, cancel);
+        return read.Value is { } document ? Decode(document, options, progress, cancel) : new Result<DecodedGCode>(null, read.Diagnostics);
+    }
+
     /// <summary>Decodes bytes: plain, gzip, or binary G-code.</summary>
     /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
     public static Result<DecodedGCode> Decode(byte[] bytes, DecodeOptions? options = null, IProgress<double>? progress = null,

@@ -1,0 +1,18 @@
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Checks;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Examples.CSharp;
+
+/// <summary>What in a file a printer cannot or must not do, as text.</summary>
+public static class CheckFile
+{
+    public static IEnumerable<string> Run(string input)
+    {
+        var setup = new ProfileLibrary().Setup("ender3").OrThrow();
+        var file = GCodeDecoder.DecodeFile(input).OrThrow();
+        return LimitCheck.Run(file, setup).Select(finding => finding.ToString());
+    }
+}

@@ -1,0 +1,19 @@
+using Caterpillar.Checks;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Turtles;
+
+namespace Caterpillar.Examples.CSharp;
+
+/// <summary>A turtle draws a star, ten layers high.</summary>
+public static class TurtleStar
+{
+    public static void Run(string output)
+    {
+        var setup = new PrintSetup();
+        var turtle = new Turtle().StartAt(90, 120, 0.2).SetBead(width: 0.6, height: 0.2).SetSpeed(20)
+            .Repeat(10, layer => layer.Repeat(5, side => side.Forward(40).Right(144)).LiftWorld(0.2));
+        var toolpath = Planner.Plan(turtle.ToSteps(), setup).OrThrow();
+        SafeWriter.WriteFile(toolpath, setup, output).OrThrow();
+    }
+}
