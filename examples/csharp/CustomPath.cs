@@ -13,7 +13,7 @@ public static class CustomPath
 {
     public static void Run(string output)
     {
-        var setup = new PrintSetup();
+        var setup = new ProfileLibrary().Setup("generic").OrThrow();
         var points = Enumerable.Range(0, 101).Select(i => new Vec3(60 + i, 110 + 15 * Math.Sin(i * 0.2), 0.3 + 0.1 * Math.Sin(i * 0.4)));
         var wave = new PrintPath(points, Bead.FromWidth(width: 0.8, height: 0.3, speed: 15));
         var toolpath = Planner.Plan([wave], setup).OrThrow();

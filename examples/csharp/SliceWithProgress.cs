@@ -13,7 +13,7 @@ public static class SliceWithProgress
 {
     public static bool Run(string model, string output, IProgress<double> progress, CancellationToken cancel)
     {
-        var setup = new PrintSetup();
+        var setup = new ProfileLibrary().Setup("generic").OrThrow();
         var read = MeshReader.Read(model, progress, cancel);
         foreach (var diagnostic in read.Diagnostics) Console.WriteLine(diagnostic);
         if (read.Value is not { } meshes) return false;

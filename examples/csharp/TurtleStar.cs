@@ -10,7 +10,7 @@ public static class TurtleStar
 {
     public static void Run(string output)
     {
-        var setup = new PrintSetup();
+        var setup = new ProfileLibrary().Setup("generic").OrThrow();
         var turtle = new Turtle().StartAt(90, 120, 0.2).SetBead(width: 0.6, height: 0.2).SetSpeed(20)
             .Repeat(10, layer => layer.Repeat(5, side => side.Forward(40).Right(144)).LiftWorld(0.2));
         var toolpath = Planner.Plan(turtle.ToSteps(), setup).OrThrow();
