@@ -16,7 +16,7 @@ public static class SafeEdit
         var setup = new ProfileLibrary().Setup("ender3").OrThrow();
         var file = GCodeDecoder.DecodeFile(input).OrThrow();
         var part = new MoveFilter().InLayersOf(file.Toolpath);
-        var moved = file.Toolpath.Transformed(part, Affine.Move(new Vec3(150, 0)));
+        var moved = file.Toolpath.Transform(part, Affine.Move(new Vec3(150, 0)));
         return SafeWriter.WriteFile(file, moved, setup, output).Diagnostics;
     }
 }

@@ -119,7 +119,7 @@ public class ProgramTests
         // The walls of the top layer are turned by as many degrees as they are mm high.
         var last = new MoveFilter { FirstLayer = before.Layers.Max(l => l.Index), Kinds = [MoveKind.Print] };
         var middle = MoveFilter.Prints.InLayersOf(before).BoundsIn(before).Center;
-        var turned = last.BoundsIn(before.Transformed(last, Turn(middle, last.BoundsIn(before).Max.Z)));
+        var turned = last.BoundsIn(before.Transform(last, Turn(middle, last.BoundsIn(before).Max.Z)));
         var box = last.BoundsIn(after);
         Assert.That((box.Min - turned.Min).Length + (box.Max - turned.Max).Length, Is.LessThan(0.05));
         Assert.That(ToolpathTotals.Of(after).DepositedE, Is.EqualTo(ToolpathTotals.Of(before).DepositedE).Within(2).Percent);
