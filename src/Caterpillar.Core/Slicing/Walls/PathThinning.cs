@@ -42,7 +42,7 @@ internal static class PathThinning
             var b = points[to % points.Count] - a;
             var distance = b.LengthXY;
             var rise = widths[to % points.Count] - widths[from];
-            // Out of the wedge, on the way back, or out of the slopes: the chord ends one point before.
+            // Outside the wedge, going back, or outside the slopes: the chord ends one point before.
             if (farthest > 0)
             {
                 if (distance < farthest || lowX * b.Y - lowY * b.X < 0 || highX * b.Y - highY * b.X > 0) break;
