@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Leaves points away whose place and width are within tolerances of the straight line between their neighbors, in one pass: from a kept point the chord grows as
-/// long as it stays in the wedge of the points it passes (Zhao and Saalfeld 1997), and its slope of width in the slopes that they allow.
+/// Leaves points away whose place and width are within tolerances of the straight line between their neighbors, in one pass: from a kept point the chord
+/// grows as long as it stays in the wedge of the points it passes (Zhao and Saalfeld 1997), and its slope of width in the slopes that they allow.
 /// </summary>
 internal static class PathThinning
 {

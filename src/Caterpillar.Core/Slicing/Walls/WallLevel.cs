@@ -98,16 +98,10 @@ internal sealed class WallLevel
 
     private Region Varying(Region area, Region strips, bool all, int index, WallOutput output)
     {
-<<<<<<< Updated upstream
-        var offset = new VaryingOffset(area, strips, _spacing / 2, _double / 2, _least / 2, _engine);
-        foreach (var (ring, distances) in offset.Rings()) output.Loop(ring, distances, index);
-        return all ? Region.Empty : WithoutSmallContours(offset.Inner(TakeAll));
-=======
         _offset.Take(area, strips, _spacing / 2, _double / 2, _least / 2);
         foreach (var (ring, distances) in _offset.Rings()) output.Loop(ring, distances, index);
         // What is left at the corners of a strip is too small for a strand.
         return all ? Region.Empty : _offset.Inner(TakeAll).WithoutSmallContours(0.3 * _spacing * _spacing);
->>>>>>> Stashed changes
     }
 
     private void Trace(Region piece, int index, WallOutput output)
