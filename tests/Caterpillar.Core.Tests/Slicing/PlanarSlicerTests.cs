@@ -32,12 +32,13 @@ public class PlanarSlicerTests
             // Half a width from the outline: 4 · (20 − 0.4); a pitch further in: 4 · (20 − 1.2).
             Assert.That(paths.Single(p => p.Role == Role.OuterWall).Length, Is.EqualTo(78.4).Within(1e-4));
             Assert.That(paths.Single(p => p.Role == Role.InnerWall).Length, Is.EqualTo(75.2).Within(1e-4));
-            // 20 %: every 2 mm. The inside is inset by 0.8 + 0.2 − 0.06 = 0.94, so rows −8 to 8 of 18.12 mm.
-            var lines = paths.Where(p => p.Role == Role.Infill).ToArray();
-            Assert.That(lines, Has.Length.EqualTo(9));
-            Assert.That(lines.Select(p => p.Length), Is.All.EqualTo(18.12).Within(1e-4));
-            var along = layer.Layer.Index % 2 == 0;
-            Assert.That(lines.Select(p => along ? p.End.Y - p.Start.Y : p.End.X - p.Start.X), Is.All.EqualTo(0).Within(1e-4));
+            // 20 %: every 2 mm. The inside is inset by 0.8 + 0.2 − 0.06 = 0.94, so rows −8 to 8 of 18.12 mm, linked by eight pieces of 2 mm.
+            var zigzag = paths.Single(p => p.Role == Role.Infill);
+            Assert.That(zigzag.Points, Has.Count.EqualTo(18));
+            Assert.That(zigzag.Length, Is.EqualTo(9 * 18.12 + 8 * 2).Within(1e-3));
+            var across = zigzag.Points.Select(p => layer.Layer.Index % 2 == 0 ? p.Y : p.X).Distinct(new Nearly()).ToArray();
+            Assert.That(across.Select(Math.Abs).Max(), Is.EqualTo(8).Within(1e-6));
+            Assert.That(across, Has.Length.EqualTo(9));
         }
     }
 
@@ -178,5 +179,12 @@ public class PlanarSlicerTests
             triangles.AddRange([q[0], q[1], q[2], q[0], q[2], q[3]]);
         }
         return TriMesh.Create(corners, triangles);
+    }
+
+    private sealed class Nearly : IEqualityComparer<double>
+    {
+        public bool Equals(double a, double b) => Math.Abs(a - b) < 1e-6;
+
+        public int GetHashCode(double value) => 0;
     }
 }

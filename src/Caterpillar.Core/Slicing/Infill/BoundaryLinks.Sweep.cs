@@ -9,12 +9,12 @@ internal sealed partial class BoundaryLinks
 {
     /// <summary>
     /// Pieces of rows in an order in which each comes after its neighbors in the row before; the next one is the nearest that is free. They are joined along
-    /// the boundary where the distance is at most <paramref name="limit"/> mm (negative for never).
+    /// the boundary where that is at most <paramref name="limit"/> mm (negative for never).
     /// </summary>
     /// <param name="area">The area whose boundary the pieces end on.</param>
     /// <param name="lines">The pieces, by row and along the row.</param>
     /// <param name="spans">Row of each piece, and from where to where it goes along the rows.</param>
-    /// <param name="limit">Longest distance along the boundary, mm.</param>
+    /// <param name="limit">Longest link along the boundary, mm.</param>
     public List<InfillLine> Sweep(Region area, IReadOnlyList<InfillLine> lines, IReadOnlyList<(int Row, double From, double To)> spans, double limit)
     {
         var result = new List<InfillLine>(lines.Count);
@@ -106,8 +106,8 @@ internal sealed partial class BoundaryLinks
                 while (other - step >= 0 && other - step < count && _ends[other - step].Contour == end.Contour) other -= step;
                 around = boundary.Lengths[end.Contour];
             }
-            var length = (_ends[other].At - end.At) * step + around;
-            if (other == at || length > limit || !free.Contains(_ends[other].Id >> 1)) continue;
+            var distance = (_ends[other].At - end.At) * step + around;
+            if (other == at || distance > limit || !free.Contains(_ends[other].Id >> 1)) continue;
             if (step > 0) Tie(end, _ends[other]);
             else Tie(_ends[other], end);
             return _ends[other].Id;

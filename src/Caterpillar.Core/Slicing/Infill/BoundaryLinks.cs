@@ -70,8 +70,8 @@ internal sealed partial class BoundaryLinks
                 var next = i + 1 < stop ? i + 1 : start;
                 ref readonly var a = ref _ends[i];
                 ref readonly var b = ref _ends[next];
-                var length = b.At - a.At + (next == start ? boundary.Lengths[contour] : 0);
-                if (length > limit || _links[a.Id].To >= 0 || _links[b.Id].To >= 0) continue;
+                var distance = b.At - a.At + (next == start ? boundary.Lengths[contour] : 0);
+                if (distance > limit || _links[a.Id].To >= 0 || _links[b.Id].To >= 0) continue;
                 int p = Root(a.Id >> 1), q = Root(b.Id >> 1);
                 if (p == q) continue;
                 _root[Math.Max(p, q)] = Math.Min(p, q);

@@ -15,8 +15,8 @@ internal static class HoneycombPattern
     /// <summary>Null where the hexagons would be smaller than their strands are wide.</summary>
     public static List<Polyline>? Rows(InfillRequest request)
     {
-        // Per side of length a a line goes a straight and a sloped piece, 2 a on 1.5 a, so lines must be 4/3 spacings apart. That is their height and the
-        // distance of the pairs.
+        // A line goes two sides, one straight and one sloped, on a side and a half, so lines are 4/3 spacings apart: their height and the distance of the
+        // pairs.
         var pitch = request.Spacing * 4 / 3;
         var height = pitch - request.Width;
         var side = 2 * height / Sqrt3;

@@ -8,8 +8,14 @@ namespace Caterpillar.Slicing;
 /// <summary>Fills areas with strands. One thread at a time; keeps its arrays for the next area.</summary>
 internal sealed class InfillFiller(RegionEngine engine)
 {
-    // Longest distance along the boundary from line to line, in distances of lines.
+    // Longest link along the boundary, in distances of lines.
     private const double LongestLink = 2;
+
+    // How far, in mm, lines may leave the area where they follow its boundary: fine corners there cost moves and show nowhere.
+    private const double Smoothing = 0.02;
+
+    // mm; what is shorter would be a move of nothing in print.
+    private const double ShortestSegment = 0.01;
 
     private readonly BoundaryLinks _links = new();
     private readonly LevelSet _levels = new();
@@ -33,8 +39,22 @@ internal sealed class InfillFiller(RegionEngine engine)
         Check(request.Spacing, nameof(request.Spacing));
         Check(request.Width, nameof(request.Width));
         Check(request.Tolerance, nameof(request.Tolerance));
+        request = request with { Area = request.Area.Simplified(Smoothing, engine) };
+        var result = new List<InfillLine>();
+        if (request.Area.IsEmpty) return result;
+        foreach (var line in request.Pattern == InfillPattern.Monotonic || (request.Pattern == InfillPattern.Lines && request.Solid)
+            ? _rows.Fill(request, LongestLink)
+            : Pattern(request))
+        {
+            if (!request.Solid && IsShort(line, request.Width)) continue;
+            if (line.WithoutShort(ShortestSegment) is { } kept) result.Add(kept);
+        }
+        return result;
+    }
+
+    private List<InfillLine> Pattern(InfillRequest request)
+    {
         var lines = new List<InfillLine>();
-        if (request.Area.IsEmpty) return lines;
         var distance = request.Spacing * Families(request.Pattern);
         switch (request.Pattern)
         {
@@ -59,15 +79,11 @@ internal sealed class InfillFiller(RegionEngine engine)
             case InfillPattern.Curves or InfillPattern.Lightning:
                 Clip(request, request.Curves ?? throw new ArgumentException("The curves are missing.", nameof(request)), lines);
                 break;
-            case InfillPattern.Lines or InfillPattern.Monotonic when request.Solid || request.Pattern == InfillPattern.Monotonic:
-                return _rows.Fill(request, LongestLink);
             default:
                 StraightPatterns.Add(request, lines);
                 break;
         }
-        if (request.Linked) lines = _links.Join(request.Area, lines, LongestLink * distance);
-        if (!request.Solid) lines.RemoveAll(line => IsShort(line, request.Width));
-        return lines;
+        return request.Linked ? _links.Join(request.Area, lines, LongestLink * distance) : lines;
     }
 
     private static void Check(double value, string name)
@@ -93,6 +109,6 @@ internal sealed class InfillFiller(RegionEngine engine)
             length += line.Points[i].DistanceTo(line.Points[i - 1]);
             if (length >= width) return false;
         }
-        return !line.Closed || length < width;
+        return true;
     }
 }

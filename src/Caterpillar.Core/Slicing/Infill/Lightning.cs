@@ -22,8 +22,8 @@ internal static class Lightning
     public static IReadOnlyList<Polyline>[] Grow(
         IReadOnlyList<Region> areas, IReadOnlyList<Region> tops, double spacing, IReadOnlyList<double> heights, CancellationToken cancel = default)
     {
-        if (tops.Count != areas.Count
-            || heights.Count != areas.Count) throw new ArgumentException("Each layer needs an area, a top and a height.", nameof(tops));
+        if (tops.Count != areas.Count || heights.Count != areas.Count)
+            throw new ArgumentException("Each layer needs an area, a top and a height.", nameof(tops));
         if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentException("It must be a positive number.", nameof(spacing));
         var layers = new IReadOnlyList<Polyline>[areas.Count];
         var forest = new LightningForest(spacing / 2);

@@ -40,12 +40,19 @@ internal sealed class LightningForest(double reach)
             children[parent]++;
             sum[parent] += _oldPlaces[i];
         }
+        // A tip that ends is held by its parent, which then must not move away.
+        var holds = new bool[count];
+        for (var i = 0; i < count; i++)
+        {
+            if (children[i] == 0 && _oldParents[i] >= 0 && _oldPlaces[i].DistanceTo(_oldPlaces[_oldParents[i]]) <= lean) holds[_oldParents[i]] = true;
+        }
         var now = new int[count];
         for (var i = 0; i < count; i++)
         {
             now[i] = -1;
             var parent = _oldParents[i];
-            if (!Moved(i, children[i], sum[i], lean, out var place) || !area.Contains(place.X, place.Y)) continue;
+            var place = _oldPlaces[i];
+            if (!(holds[i] || Moved(i, children[i], sum[i], lean, out place)) || !area.Contains(place.X, place.Y)) continue;
             if (parent >= 0 && now[parent] >= 0)
             {
                 now[i] = Add(place, now[parent]);
@@ -53,7 +60,7 @@ internal sealed class LightningForest(double reach)
             }
             // A root, or what has lost its root to a wall.
             var ground = _boundary.Nearest(place);
-            now[i] = ground.DistanceTo(place) <= Math.Max(lean, 1e-6) ? Add(ground, -1) : Branch(ground, place, -1);
+            now[i] = ground.DistanceTo(_oldPlaces[i]) <= Math.Max(lean, 1e-6) ? Add(ground, -1) : Branch(ground, place, -1);
         }
     }
 
@@ -118,9 +125,9 @@ internal sealed class LightningForest(double reach)
         var mean = sum / children;
         // Roots slide towards the foot of what they carry, the rest towards the straight line.
         var goal = parent < 0 ? _boundary.Nearest(mean) : (_oldPlaces[parent] + mean) / 2;
-        var step = goal - place;
-        var distance = step.LengthXY;
-        place = distance <= lean ? goal : place + step * (lean / distance);
+        var move = goal - place;
+        var distance = move.LengthXY;
+        place = distance <= lean ? goal : place + move * (lean / distance);
         return true;
     }
 

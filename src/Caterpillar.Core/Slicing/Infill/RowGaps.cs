@@ -11,7 +11,7 @@ namespace Caterpillar.Slicing;
 internal sealed class RowGaps
 {
     // Shares of a spacing: shortest edge that counts as one along the rows, thinnest strand, largest change of width within a segment.
-    private const double Shortest = 1.5;
+    private const double Shortest = 3;
     private const double Thinnest = 0.3;
     private const double Change = 0.2;
 

@@ -39,14 +39,11 @@ internal sealed class SolidRows
         foreach (var hatch in island.HatchLines(request.Angle, spacing, first))
         {
             double from = frame.U(hatch.From), to = frame.U(hatch.To);
-            if (to - from < Inside) continue;
+            if (to - from <= 0) continue;
             double[]? flow = null;
             if (request.Solid)
             {
-                // Half of what lies between it and its neighbors, and half a strand up to the edge.
-                var share = (rows == 0 ? request.Spacing + frame.MaxV - frame.MinV : hatch.Row == 0
-                    || hatch.Row == rows ? (request.Spacing + spacing) / 2 : spacing)
-                    / request.Spacing;
+                var share = Territory(request, frame, hatch.Row, spacing, rows) / request.Spacing;
                 if (Math.Abs(share - 1) > 1e-9) flow = [share];
             }
             _lines.Add(new InfillLine([hatch.From.WithZ(request.Z), hatch.To.WithZ(request.Z)], false, flow));
@@ -57,6 +54,13 @@ internal sealed class SolidRows
         else if (request.Linked) result.AddRange(_links.Join(island, _lines, limit));
         else result.AddRange(_lines);
         if (request.Solid && rows > 0) _gaps.Add(request, island, frame, first, spacing, rows, result);
+    }
+
+    // Half of what lies between a row and its neighbors; at the edge half a strand.
+    private static double Territory(InfillRequest request, in PatternFrame frame, int row, double spacing, int rows)
+    {
+        if (rows == 0) return request.Spacing + frame.MaxV - frame.MinV;
+        return row == 0 || row == rows ? (request.Spacing + spacing) / 2 : spacing;
     }
 
     // Where row 0 is, how far apart rows are, and the number of the last.
