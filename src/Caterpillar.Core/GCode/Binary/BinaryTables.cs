@@ -91,7 +91,7 @@ internal sealed class BinaryTables
         return tables;
     }
 
-    // Blank lines at both ends are what readers put between the tables.
+    // Empty lines at both ends are what readers put between the tables.
     private void HoldBlankEnds()
     {
         var first = 0;

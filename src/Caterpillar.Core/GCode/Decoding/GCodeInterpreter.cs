@@ -162,10 +162,10 @@ internal sealed class GCodeInterpreter
         }
         if (line.CommentStart >= 0)
         {
-            if (line.Shape == LineShape.Blank) Comments.Line(text, line.CommentStart, end);
+            if (line.Shape == LineShape.Empty) Comments.Line(text, line.CommentStart, end);
             else if (!Comments.HasRoles) Comments.AfterMove(text, line.CommentStart);
         }
-        if (line.Shape == LineShape.Blank) return;
+        if (line.Shape == LineShape.Empty) return;
         switch ((char)line.Letters[0])
         {
             case 'M':

@@ -109,7 +109,7 @@ internal sealed class Splicer
         var events = _context.Read.LastEvents.Count;
         if (!_code.Keeps(number)) _tasks.SkipTo(number + 1);
         else if (moves > 0 || commands > 0) WriteMotion(line, moves, commands, events);
-        else if (_context.Line.Shape == LineShape.Blank) _comments.Add(line);
+        else if (_context.Line.Shape == LineShape.Empty) _comments.Add(line);
         else WriteOther(line, events);
         _tasks.SkipEvents(events);
     }

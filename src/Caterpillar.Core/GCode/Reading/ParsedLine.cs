@@ -6,7 +6,7 @@ namespace Caterpillar.GCode;
 internal enum LineShape : byte
 {
     /// <summary>Nothing but spaces and comments.</summary>
-    Blank,
+    Empty,
 
     /// <summary>Words.</summary>
     Code,
@@ -114,7 +114,7 @@ internal sealed class ParsedLine
     public void Scan(byte[] text, int start, int end)
     {
         Count = 0;
-        Shape = LineShape.Blank;
+        Shape = LineShape.Empty;
         CommentStart = ParenStart = ChecksumAt = NumberWordAt = -1;
         BlockDelete = LowerCase = NoSpace = Exponent = false;
         var at = SkipSpaces(text, start, end);
@@ -188,7 +188,7 @@ internal sealed class ParsedLine
                 }
                 continue;
             }
-            if (Shape == LineShape.Blank)
+            if (Shape == LineShape.Empty)
             {
                 Shape = LineShape.Macro;
                 CommentStart = Array.IndexOf(text, (byte)';', at, end - at);
@@ -209,7 +209,7 @@ internal sealed class ParsedLine
         var has = numberEnd > numberAt;
         if (!has)
         {
-            if (Shape == LineShape.Blank) return -1;
+            if (Shape == LineShape.Empty) return -1;
             numberAt = numberEnd = at + 1;
         }
         else if (numberAt == at + 1 && numberEnd < end && (text[numberEnd] | 0x20) == 'e' && (at == 0 || text[at - 1] <= ' ' || text[at - 1] == ')'))
@@ -223,7 +223,7 @@ internal sealed class ParsedLine
         }
         if (text[at] > 'Z' && has) LowerCase = true;
         if (at == previousEnd && has) NoSpace = true;
-        if (letter == 'N' && Shape == LineShape.Blank && NumberWordAt < 0)
+        if (letter == 'N' && Shape == LineShape.Empty && NumberWordAt < 0)
         {
             NumberWordAt = at;
             NumberWordEnd = numberEnd;

@@ -102,7 +102,7 @@ public sealed partial class GCodeWriter
         _positionKnown = false;
     }
 
-    // Where G28 goes by way of a point, that point is the stored position itself.
+    // Where G28 goes via a point, that point is the stored position itself.
     private void HomeAxis(char letter)
     {
         if (_rules.Homing == HomingRule.HomesToZero) _out.Bare(letter);

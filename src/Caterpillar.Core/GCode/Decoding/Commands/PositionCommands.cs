@@ -31,7 +31,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         if (moves && head.HasMoved) _moves.Stay(MoveKind.Travel);
     }
 
-    /// <summary>G28 and G30 where they go to a stored position: by way of the point named, in the axes named.</summary>
+    /// <summary>G28 and G30 where they go to a stored position: via the point named, in the axes named.</summary>
     public void GoToStored(ParsedLine line, Vec3 stored)
     {
         var point = machine.Target(line);
