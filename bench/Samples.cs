@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Bench;
 
@@ -49,5 +50,24 @@ internal static class Samples
             triangles.AddRange([1 + (rings - 2) * around + i, points.Count - 1, 1 + (rings - 2) * around + j]);
         }
         return TriMesh.Create(points, triangles);
+    }
+
+    /// <summary>A print of wavy contours with a travel and a retraction after each 300 moves.</summary>
+    public static Toolpath Print(int moves)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        builder.AddLayer(new Layer(0, 0.2, 0.2));
+        for (var i = 0; i < moves; i++)
+        {
+            var angle = 1.2 * i;
+            var (sin, cos) = Angle.SinCos(angle);
+            var radius = 40 + 3 * Angle.Sin(9 * angle) + i / 300 % 20 * 0.45;
+            var end = new Vec3(100 + radius * cos, 100 + radius * sin, 0.2 + i / 6000 * 0.2);
+            if (i % 300 == 0) builder.Add(builder.Position, -0.8, 0, 35, MoveKind.Retract, Role.Unspecified, 0, 0, i);
+            else if (i % 300 == 1) builder.Add(end, 0, 0, 150, MoveKind.Travel, Role.Unspecified, 0, 0, i);
+            else if (i % 300 == 2) builder.Add(builder.Position, 0.8, 0, 35, MoveKind.Restore, Role.Unspecified, 0, 0, i);
+            else builder.Add(end, 0.03, 0.03, 60, MoveKind.Print, Role.OuterWall, 0, 0, i);
+        }
+        return builder.Build([new ToolpathTool(2.405)]);
     }
 }

@@ -46,7 +46,8 @@ internal static class DecodeSummary
         }
     }
 
-    private static string Spaced(string name) => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? " " + char.ToLowerInvariant(c) : c.ToString()));
+    /// <summary>A name of the code in words.</summary>
+    public static string Spaced(string name) => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? " " + char.ToLowerInvariant(c) : c.ToString()));
 
     private static string Box(Bounds box) => box.IsEmpty ? "none" : $"{Point(box.Min)} to {Point(box.Max)} mm";
 

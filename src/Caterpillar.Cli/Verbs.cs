@@ -10,6 +10,7 @@ internal static class Verbs
     [
         new SliceVerb(),
         new DecodeVerb(),
+        new SimulateVerb(),
         new ConvertVerb(),
         new SectionsVerb(),
         new TurtleVerb(),

@@ -7,6 +7,8 @@ using System.Security.Cryptography;
 using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.GCode;
+using Caterpillar.Simulation;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
@@ -17,6 +19,12 @@ internal sealed class DecodeVerb : Verb
         new("FILE") { Description = "G-code files, also binary (.bgcode) or packed with gzip, or - for standard input.", Arity = ArgumentArity.OneOrMore };
     private readonly Option<bool> _json = new("--json") { Description = "Print a JSON array with one object per file." };
     private readonly Option<bool> _csv = new("--csv") { Description = "Print a table with one row per move." };
+    private readonly Option<bool> _stats = new("--stats")
+    {
+        Description = "Print times, material, roles, tools and layers too, by the limits of --printer; without it those of the slicer's settings in the file.",
+    };
+
+    private readonly SetupOptions _setup = new();
     private readonly Option<string?> _dialect = CommonOptions.Dialect();
     private readonly Option<double?> _diameter = new("--filament-diameter") { Description = "Filament diameter, if the file does not state it.",
         HelpName = "MM" };
@@ -33,11 +41,13 @@ internal sealed class DecodeVerb : Verb
         : base("decode", "Describe what G-code files do.")
     {
         Arguments.Add(_files);
-        foreach (var option in new Option[] { _json, _csv, _dialect, _rule, _diameter, _threads }) Options.Add(option);
+        foreach (var option in new Option[] { _json, _csv, _stats, _dialect, _rule, _diameter, _threads }) Options.Add(option);
+        _setup.AddTo(this);
         _rule.AcceptOnlyFromAmong("balance", "rising");
         Validators.Add(result =>
         {
             if (result.GetValue(_json) && result.GetValue(_csv)) result.AddError("Use --json or --csv, not both.");
+            if (result.GetValue(_stats) && result.GetValue(_csv)) result.AddError("Use --stats or --csv, not both.");
         });
     }
 
@@ -47,7 +57,7 @@ internal sealed class DecodeVerb : Verb
         {
             Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
             Rule = arguments.GetValue(_rule) == "rising" ? ExtrusionRule.Rising : ExtrusionRule.Balance,
-            FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter"),
+            FilamentDiameter = Diameter(arguments, session),
             Threads = arguments.GetValue(_threads),
         };
         var json = arguments.GetValue(_json);
@@ -66,15 +76,41 @@ internal sealed class DecodeVerb : Verb
             }
         }
         if (bad) return ExitCode.BadInput;
+        var stats = arguments.GetValue(_stats) ? decoded.Select(d => Timed(d.DecodedGCode, d.Report.File, arguments, session)).ToArray() : [];
         session.WriteText("-", text =>
         {
-            if (json) text.Write("[\n " + string.Join(",\n ", decoded.Select(d => d.Report.ToJson(" "))) + "\n]\n");
-            else if (!arguments.GetValue(_csv)) foreach (var (_, decoding, report) in decoded) DecodeSummary.Write(text, decoding, report);
+            if (json && stats.Length > 0)
+                text.Write(SimulationJson.Array(stats, (writer, s) => SimulationJson.Statistics(writer, s.File, s.Sums, s.Toolpath, s.Limits)));
+            else if (json) text.Write("[\n " + string.Join(",\n ", decoded.Select(d => d.Report.ToJson(" "))) + "\n]\n");
+            else if (!arguments.GetValue(_csv)) Summaries(text, decoded, stats);
         });
         if (arguments.GetValue(_csv)) session.Write("-",
             stream => MoveTable.Write(stream, decoded.Select(d => (d.File, d.DecodedGCode.Toolpath)).ToArray(), session.Cancel));
         return ExitCode.Done;
     }
+
+    // Masses need a diameter: where the file does not say, that of the material.
+    private double? Diameter(ParseResult arguments, Session session)
+        => Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter")
+            ?? (arguments.GetValue(_stats) ? _setup.Resolve(arguments, session).Material.FilamentDiameter : null);
+
+    private static void Summaries(TextWriter text, List<(string File, DecodedGCode DecodedGCode, DecodeReport Report)> decoded, Statistics[] stats)
+    {
+        for (var i = 0; i < decoded.Count; i++)
+        {
+            DecodeSummary.Write(text, decoded[i].DecodedGCode, decoded[i].Report);
+            if (stats.Length > 0) StatisticsText.Write(text, stats[i].Sums, stats[i].Limits);
+        }
+    }
+
+    private Statistics Timed(DecodedGCode decoded, string file, ParseResult arguments, Session session)
+    {
+        var motion = MotionSetup.Of(_setup, arguments, decoded, session);
+        var timeline = session.WithProgress("Planning " + file, progress => Timeline.Of(decoded.Toolpath, motion.Setup, progress, session.Cancel));
+        return new Statistics(file, PrintStatistics.Of(timeline, session.Cancel), decoded.Toolpath, motion.Limits);
+    }
+
+    private sealed record Statistics(string File, PrintStatistics Sums, Toolpath Toolpath, string Limits);
 
     private static (string, DecodedGCode, DecodeReport) Decode(string file, DecodeOptions options, bool hash, Session session)
     {

@@ -31,7 +31,8 @@ public static class DialectManual
         text.Append("- A missing I, J or K is 0, seen from the start; the end of an arc is where its line says, also when it is not quite on the circle. "
             + "Start and end at one point are a full circle; a third axis makes a helix.\n");
         text.Append("- R > 0 is the shorter arc, R < 0 the longer one.\n");
-        text.Append("- `M104`, `M109`, `M140`, `M190`, `M106`, `M107` and `M204` become events of the toolpath. A line that begins with `M` never moves.\n");
+        text.Append("- `M104`, `M109`, `M140`, `M190`, `M106`, `M107`, `M400` and limits of the motion become events of the "
+            + "toolpath. A line that begins with `M` never moves.\n");
         text.Append("- `;` and `( )` are comments, `*` begins a checksum, a leading `N` word and `/` are dropped, lines that begin with `%`, `@` or `<` do "
             + "nothing.\n");
         text.Append("- The zero of a machine, the positions it stores, and the retraction it makes by itself are not in a file: homing ends at 0, stored "

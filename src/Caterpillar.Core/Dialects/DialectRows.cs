@@ -82,6 +82,13 @@ internal static class DialectRows
             + (d.SwitchedExtruder ? (d.ExtruderLetters.Length == 0 ? "" : ", or ") + "`M101`" + (d.SwitchedTools ? ", `M201` …" : "") + ", `M103`"
                 : d.ExtruderLetters.Length == 0 ? "none" : "")),
         ("without extrusion", d => d.StrokesWithoutE ? "G1 to G3 are strokes" : "all motion is travel"),
+        ("limits of the motion", d => d.Limits switch
+        {
+            LimitCommands.Marlin => "`M201`, `M203` (mm/s), `M204 S P T R`, `M205` (jerk; J)",
+            LimitCommands.RepRapFirmware => "`M201`, `M203` (mm/min), `M204 S P T`, `M566`",
+            LimitCommands.Klipper => "`M204` (S, or P and T), `SET_VELOCITY_LIMIT`",
+            _ => "`M204` (S, or P)",
+        }),
         ("keeps and brings back", d => d.ModeStack ? "`M120`, `M121`: the modes" : d.ExtendedCommands
             ? "`SAVE_GCODE_STATE`, `RESTORE_GCODE_STATE`; `SET_GCODE_OFFSET`" : "–"),
         ("pause", d => List(d.Pauses)),

@@ -98,6 +98,26 @@ public sealed record Printer
     /// <summary>Klipper's minimum_cruise_ratio, 0 to 1.</summary>
     public double MinimumCruiseRatio { get; init => field = PrinterKeys.MinimumCruiseRatio.Check(value); }
 
+    /// <summary>
+    /// For <see cref="CornerRule.SquareCornerVelocity"/>: jump of the speed of the extruder in corners (instantaneous_corner_velocity), mm/s.
+    /// </summary>
+    public double InstantaneousCornerVelocity { get; init => field = PrinterKeys.InstantaneousCornerVelocity.Check(value); } = 1;
+
+    /// <summary>Length of the straight pieces in which the firmware goes through arcs, mm.</summary>
+    public double ArcSegment { get; init => field = PrinterKeys.ArcSegment.Check(value); } = 1;
+
+    /// <summary>How fast a nozzle heats up, °C/s; 0 where waits for heat are left out of times.</summary>
+    public double NozzleHeating { get; init => field = PrinterKeys.NozzleHeating.Check(value); } = 2;
+
+    /// <summary>How fast the bed heats up, °C/s; 0 where waits for heat are left out of times.</summary>
+    public double BedHeating { get; init => field = PrinterKeys.BedHeating.Check(value); } = 0.5;
+
+    /// <summary>Time for a change of the tool beside its moves, s.</summary>
+    public double ToolChangeTime { get; init => field = PrinterKeys.ToolChangeTime.Check(value); }
+
+    /// <summary>Time for homing, s.</summary>
+    public double HomingTime { get; init => field = PrinterKeys.HomingTime.Check(value); }
+
     /// <summary>Moves that the firmware plans ahead; 0 for all.</summary>
     public int PlannerQueue { get; init => field = PrinterKeys.PlannerQueue.Check(value); } = 16;
 

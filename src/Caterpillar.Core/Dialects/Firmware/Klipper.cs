@@ -7,6 +7,7 @@ internal static class Klipper
     {
         Name = "klipper",
         Title = "Klipper",
+        Limits = LimitCommands.Klipper,
         Source =
             "Klipper of 2026-08-07, klippy/extras/gcode_move.py (GCodeMove), gcode_arcs.py (ArcSupport), firmware_retraction.py, fan.py, "
             + "pause_resume.py, virtual_sdcard.py; klippy/toolhead.py (cmd_G4), klippy/kinematics/extruder.py (cmd_ACTIVATE_EXTRUDER)",

@@ -7,6 +7,7 @@ internal static class Marlin1
     {
         Name = "marlin1",
         Title = "Marlin 1",
+        Limits = LimitCommands.Marlin,
         OtherNames = ["marlinlegacy", "reprap", "reprapreprap", "reprapsprinter", "teacup", "sprinter", "griffin"],
         Source = "Marlin 1.1, Marlin/Marlin_main.cpp: gcode_get_destination, gcode_G2_G3, gcode_G4, gcode_G92, gcode_M200, gcode_M220, gcode_M221, tool_change",
         Notes =

@@ -7,6 +7,7 @@ internal static class RepRapFirmware
     {
         Name = "reprapfirmware",
         Title = "RepRapFirmware",
+        Limits = LimitCommands.RepRapFirmware,
         OtherNames = ["rrf", "duet"],
         Source =
             "RepRapFirmware 3.5.3 (2024-10-23), src/GCodes: GCodes.cpp (DoStraightMove, DoArcMove, LoadExtrusionAndFeedrateFromGCode, DoDwell), "

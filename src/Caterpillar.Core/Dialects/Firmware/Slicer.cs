@@ -7,6 +7,7 @@ internal static class Slicer
     {
         Name = "slicer",
         Title = "Slicers",
+        Limits = LimitCommands.Marlin,
         Source =
             "PrusaSlicer 2.9.4, src/libslic3r/GCode/GCodeProcessor.cpp: process_gcode_line, process_G1, process_G2_G3, process_G28, process_G92, "
             + "process_T",

@@ -7,6 +7,7 @@ internal static class Ultigcode
     {
         Name = "ultigcode",
         Title = "UltiGCode",
+        Limits = LimitCommands.Marlin,
         Source =
             "Ultimaker2Marlin of 2018-09-16, Marlin/Marlin_main.cpp (get_coordinates, process_commands), Marlin/motion_control.cpp (mc_arc), "
             + "Marlin/planner.cpp (volume_to_filament_length), Marlin/UltiLCD2_menu_print.cpp (;FLAVOR:UltiGCode)",

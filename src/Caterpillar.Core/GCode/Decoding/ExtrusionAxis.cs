@@ -37,7 +37,8 @@ internal sealed class ExtrusionAxis
     /// </summary>
     public ExtrusionAxis In(DialectRules rules)
         => HasAmounts && rules.ExtruderLetters.Length == 0 ? rules.SwitchedExtruder ? Switched : None
-            : this == Switched && !rules.SwitchedExtruder ? None
+            : this == Switched && !rules.SwitchedExtruder
+                ? rules.StrokesWithoutE || rules.ExtruderLetters.IndexOf("E", StringComparison.Ordinal) < 0 ? None : E
             : this == A && rules.ExtruderLetters.IndexOf("A", StringComparison.Ordinal) < 0 || this == B
                 && rules.ExtruderLetters.IndexOf("B", StringComparison.Ordinal) < 0
             || this == Both && rules.ExtruderLetters.IndexOf("A", StringComparison.Ordinal) < 0 ? None : this;

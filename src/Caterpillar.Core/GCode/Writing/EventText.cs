@@ -36,6 +36,12 @@ internal static class EventText
             case AccelerationEvent acceleration:
                 yield return "M204 S" + NumberFormatter.Format(acceleration.Value, 0);
                 break;
+            case LimitEvent limit:
+                if (LimitText.Line(limit, rules.Limits) is { } text) yield return text;
+                break;
+            case FinishMovesEvent:
+                yield return "M400";
+                break;
             case DwellEvent dwell:
                 yield return rules.DwellP == 1 ? "G4 P" + NumberFormatter.Format(dwell.Seconds, 3) : "G4 P" + NumberFormatter.Format(dwell.Seconds * 1000, 0);
                 break;

@@ -45,6 +45,9 @@ public sealed partial class GCodeWriter
                 _out.Word('S', acceleration.Value, 0);
                 _out.EndLine();
                 return;
+            case LimitEvent or FinishMovesEvent:
+                foreach (var line in EventText.Lines(what, _rules)) _out.Line(line);
+                return;
             case DwellEvent dwell:
                 _out.Command((byte)'G', 4);
                 if (_rules.DwellP == 1) _out.Word('P', dwell.Seconds, 3);

@@ -125,6 +125,29 @@ internal static class PrinterKeys
         "minimum_cruise_ratio", 0, 0.99, p => p.MinimumCruiseRatio, (p, v) => p with { MinimumCruiseRatio = v },
         "Klipper's minimum share of a move at constant speed.");
 
+    public static readonly ProfileKey<Printer, double> InstantaneousCornerVelocity = K.Number(
+        "instantaneous_corner_velocity_mm_s", 0.001, 10_000, p => p.InstantaneousCornerVelocity, (p, v) => p with { InstantaneousCornerVelocity = v },
+        "For corner_rule square_corner_velocity: jump of the speed of the extruder.");
+
+    public static readonly ProfileKey<Printer, double> ArcSegment = K.Number(
+        "arc_segment_mm", 0.01, 1000, p => p.ArcSegment, (p, v) => p with { ArcSegment = v },
+        "Length of the straight pieces in which the firmware goes through arcs.");
+
+    public static readonly ProfileKey<Printer, double> NozzleHeating = K.Number(
+        "nozzle_heating_c_s", 0, 1000, p => p.NozzleHeating, (p, v) => p with { NozzleHeating = v },
+        "Degrees per second by which a nozzle heats up; 0 leaves waits for heat out of times.");
+
+    public static readonly ProfileKey<Printer, double> BedHeating = K.Number(
+        "bed_heating_c_s", 0, 1000, p => p.BedHeating, (p, v) => p with { BedHeating = v },
+        "Degrees per second by which the bed heats up; 0 leaves waits for heat out of times.");
+
+    public static readonly ProfileKey<Printer, double> ToolChangeTime = K.Number(
+        "tool_change_time_s", 0, 10_000, p => p.ToolChangeTime, (p, v) => p with { ToolChangeTime = v },
+        "Time for a change of the tool beside its moves.");
+
+    public static readonly ProfileKey<Printer, double> HomingTime = K.Number(
+        "homing_time_s", 0, 10_000, p => p.HomingTime, (p, v) => p with { HomingTime = v }, "Time for homing.");
+
     public static readonly ProfileKey<Printer, int> PlannerQueue = K.Integer(
         "planner_queue_moves", 0, 1_000_000, p => p.PlannerQueue, (p, v) => p with { PlannerQueue = v },
         "Moves that the firmware plans ahead; 0 for all.");
@@ -183,7 +206,7 @@ internal static class PrinterKeys
         RetractionDistance, RetractionSpeed, RestoreSpeed, RestoreExtra, FirmwareRetraction, LiftClearance, LiftSpeed, MaxSpeed,
         MaxAcceleration, PrintAcceleration,
         TravelAcceleration, RetractionAcceleration, CornerRule, Jerk, JunctionDeviation, SquareCornerVelocity, MinimumCruiseRatio,
-        PlannerQueue, ToolOffsets, HeadOutline, HeadBoxes,
+        InstantaneousCornerVelocity, PlannerQueue, ArcSegment, NozzleHeating, BedHeating, ToolChangeTime, HomingTime, ToolOffsets, HeadOutline, HeadBoxes,
         MaxFlow, MinExtrusionTemperature, MaxNozzleTemperature, MaxBedTemperature, MaxStationaryVolume, StartTemplate, EndTemplate, LayerTemplate,
             ToolChangeTemplate,
     ];

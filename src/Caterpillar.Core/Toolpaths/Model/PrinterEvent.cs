@@ -16,6 +16,7 @@ public sealed record FanEvent(double Speed) : PrinterEvent;
 public sealed record ToolEvent(int Tool) : PrinterEvent;
 
 /// <summary>Sets the acceleration in mm/s² (M204).</summary>
+/// <summary>Acceleration of printing and travelling in mm/s² from here on (M204 S).</summary>
 public sealed record AccelerationEvent(double Value) : PrinterEvent;
 
 /// <summary>Homing (G28). If that moves the head, the event is attached to a travel to the home position.</summary>
@@ -35,3 +36,9 @@ public sealed record RawEvent(string Line) : PrinterEvent;
 
 /// <summary>Material extruded (positive) or retracted (negative) in place, in mm³.</summary>
 public sealed record ExtrudeEvent(double Volume, double Speed = 0) : PrinterEvent;
+
+/// <summary>The machine ends all its moves before it goes on (M400).</summary>
+public sealed record FinishMovesEvent : PrinterEvent;
+
+/// <summary>Another limit of the motion from here on (M201, M203, M204, M205, M566, SET_VELOCITY_LIMIT), in mm/s, mm/s² or mm.</summary>
+public sealed record LimitEvent(MotionLimit Limit, double Value) : PrinterEvent;

@@ -149,7 +149,8 @@ public sealed class Toolpath
         return new Vec3(columns.X[last], columns.Y[last], columns.Z[last]);
     }
 
-    private int BlockOf(int index)
+    /// <summary>The block of a move.</summary>
+    internal int BlockOf(int index)
     {
         var at = Array.BinarySearch(_firsts, index);
         return at >= 0 ? at : ~at - 1;

@@ -11,6 +11,9 @@ internal sealed class EventCommands(Machine machine)
     private readonly DialectRules _rules = machine.Rules;
     private readonly MoveRecorder _moves = machine.Moves;
 
+    /// <summary>The limits of the motion.</summary>
+    public LimitReader Limits { get; } = new(machine);
+
     /// <summary>Takes an M command, its number tenfold; false where it is none of these.</summary>
     public bool Take(int code, ParsedLine line)
     {
@@ -37,12 +40,11 @@ internal sealed class EventCommands(Machine machine)
             case 1270 when _rules.ValveIsFan:
                 _moves.AddEvent(new FanEvent(code == 1260 && line.Get('S', 1) != 0 ? 1 : 0));
                 return true;
-            case 2040:
-                if ((line.TryGet('S', out var acceleration) || line.TryGet('P', out acceleration)) && acceleration is > 0 and < 1e9)
-                    _moves.AddEvent(new AccelerationEvent(acceleration));
+            case 4000 when !DialectRules.Names(_rules.Dwells, 'M', 400):
+                _moves.AddEvent(new FinishMovesEvent());
                 return true;
             default:
-                return false;
+                return Limits.Take(code, line);
         }
     }
 
@@ -61,6 +63,7 @@ internal sealed class EventCommands(Machine machine)
     public void Dwell(ParsedLine line)
     {
         var seconds = _rules.DwellSeconds(line.TryGet('P', out var p) ? p : null, line.TryGet('S', out var s) ? s : null);
+        if (seconds == 0) _moves.AddEvent(new FinishMovesEvent());
         if (!(seconds is > 0 and < 1e9)) return;
         _moves.AddEvent(new DwellEvent(seconds));
         _moves.Stay(MoveKind.Dwell);

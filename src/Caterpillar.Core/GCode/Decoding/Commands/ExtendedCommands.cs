@@ -30,6 +30,10 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
             case "EXCLUDE_OBJECT_END":
                 comments.SetObject("");
                 return;
+            case "SET_VELOCITY_LIMIT" when _rules.Limits == LimitCommands.Klipper:
+                var limits = words.ToUpperInvariant();
+                events.Limits.TakeVelocityLimit(key => Number(limits, key));
+                return;
             case "ACTIVATE_EXTRUDER":
                 Activate(Argument(words, "EXTRUDER="));
                 return;

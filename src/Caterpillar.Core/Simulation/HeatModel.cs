@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Simulation;
+
+/// <summary>
+/// Temperature of a heater over time: it moves towards what was set last at a constant rate, up as down, and stays there. With a rate of 0 it is there at once.
+/// </summary>
+internal sealed class HeaterCurve(double rate)
+{
+    private readonly List<double> _times = [];
+    private readonly List<double> _from = [];
+    private readonly List<double> _to = [];
+
+    /// <summary>°C per second.</summary>
+    public double Rate => rate;
+
+    /// <summary>Sets another temperature from a time on, in seconds; times ascend.</summary>
+    public void Set(double time, double celsius)
+    {
+        var now = At(time);
+        _times.Add(time);
+        _from.Add(now);
+        _to.Add(celsius > 0 ? celsius : HeatModel.Ambient);
+    }
+
+    /// <summary>Seconds from the last <see cref="Set"/> until it is as hot; nothing waits for cooling.</summary>
+    public double TimeTo(double celsius) => rate > 0 && _from.Count > 0 ? Math.Max(celsius - _from[_from.Count - 1], 0) / rate : 0;
+
+    /// <summary>°C at a time.</summary>
+    public double At(double time)
+    {
+        var i = Last(time);
+        if (i < 0) return HeatModel.Ambient;
+        if (rate == 0) return _to[i];
+        var change = _to[i] - _from[i];
+        var most = rate * Math.Max(time - _times[i], 0);
+        return Math.Abs(change) <= most ? _to[i] : _from[i] + Math.Sign(change) * most;
+    }
+
+    /// <summary>°C that were set last before a time; 0 for off or never set.</summary>
+    public double TargetAt(double time)
+    {
+        var i = Last(time);
+        return i < 0 || _to[i] == HeatModel.Ambient ? 0 : _to[i];
+    }
+
+    private int Last(double time)
+    {
+        int low = 0, high = _times.Count;
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            if (_times[middle] <= time) low = middle + 1;
+            else high = middle;
+        }
+        return low - 1;
+    }
+}
+
+/// <summary>The heaters of a machine.</summary>
+internal sealed class HeatModel(Printer printer)
+{
+    /// <summary>°C of everything that is off.</summary>
+    public const double Ambient = 20;
+
+    private readonly SortedDictionary<int, HeaterCurve> _nozzles = [];
+    private readonly List<(HeaterCurve Heater, int Trapezoid, double Celsius)> _open = [];
+
+    public HeaterCurve Bed { get; } = new(printer.BedHeating);
+
+    public HeaterCurve Nozzle(int tool)
+    {
+        if (!_nozzles.TryGetValue(tool, out var curve)) _nozzles.Add(tool, curve = new HeaterCurve(printer.NozzleHeating));
+        return curve;
+    }
+
+    /// <summary>The nozzle of a tool, or null where nothing was ever set.</summary>
+    public HeaterCurve? NozzleOrNull(int tool) => _nozzles.TryGetValue(tool, out var curve) ? curve : null;
+
+    /// <summary>Sets a heater when the trapezoids before one are over.</summary>
+    public void Set(HeaterCurve heater, int trapezoid, double celsius) => _open.Add((heater, trapezoid, celsius));
+
+    /// <summary>All that was set happens at the times that are known by now.</summary>
+    public void Settle(MotionColumns motion)
+    {
+        foreach (var (heater, trapezoid, celsius) in _open) heater.Set(motion.StartTime(trapezoid), celsius);
+        _open.Clear();
+    }
+}

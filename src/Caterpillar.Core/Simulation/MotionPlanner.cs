@@ -1,0 +1,234 @@
+using System;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Simulation;
+
+/// <summary>Goes through a toolpath as the firmware does: moves become straight moves, those between two stops a run, and a run is planned ahead.</summary>
+internal sealed class MotionPlanner
+{
+    // Shorter moves are none, in mm.
+    private const double NoMove = 1e-9;
+
+    private readonly Toolpath _toolpath;
+    private readonly Printer _printer;
+    private readonly MachineLimits _limits;
+    private readonly CornerRules _rules;
+    private readonly LookAhead _lookAhead;
+    private readonly FirmwareRetraction _retraction;
+    private readonly HeatModel _heat;
+    private readonly MotionColumns _out;
+    private readonly double[] _filamentPerE;
+
+    private Segment[] _run = new Segment[1024];
+    private int _count;
+
+    // The last move that was added to the run.
+    private StraightMove _before;
+    private int _nextEvent;
+    private int _tool;
+
+    // Homings before the present move: their travel takes no time of its own.
+    private int _homes;
+    private WaitTimes _waits;
+    private int _afterLast;
+
+    private MotionPlanner(Toolpath toolpath, PrintSetup setup)
+    {
+        _toolpath = toolpath;
+        _printer = setup.Printer;
+        _limits = new MachineLimits(_printer);
+        _rules = _printer.CornerRule switch
+        {
+            CornerRule.Jerk => new JerkRules(_limits),
+            CornerRule.JunctionDeviation => new DeviationRules(_limits),
+            _ => new SquareCornerRules(_limits, _printer.InstantaneousCornerVelocity),
+        };
+        _lookAhead = _printer.CornerRule == CornerRule.SquareCornerVelocity ? new CruiseLookAhead() : new QueueLookAhead(_printer.PlannerQueue);
+        _retraction = new FirmwareRetraction(_printer);
+        _heat = new HeatModel(_printer);
+        _out = new MotionColumns(toolpath.Count);
+        _filamentPerE = new double[Math.Max(toolpath.Tools.Count, 1)];
+        for (var tool = 0; tool < _filamentPerE.Length; tool++) _filamentPerE[tool] = FilamentPerE(toolpath, setup, tool);
+    }
+
+    public static PlannedMotion Plan(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var planner = new MotionPlanner(toolpath, setup);
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        {
+            planner.Block(block, cancel);
+            progress?.Report((block + 1.0) / toolpath.Blocks.Count);
+        }
+        cancel.ThrowIfCancellationRequested();
+        planner._afterLast = planner._out.Count + planner._count;
+        planner.Events(toolpath.Count);
+        planner.Stop();
+        planner._out.First[toolpath.Count] = planner._afterLast;
+        planner._heat.Settle(planner._out);
+        return new PlannedMotion(planner._out, planner._heat, planner._waits);
+    }
+
+    private void Block(int block, CancellationToken cancel)
+    {
+        var columns = _toolpath.Blocks[block].Columns;
+        var first = _toolpath.FirstOf(block);
+        var at = _toolpath.StartOf(block);
+        var nextEvent = NextEvent();
+        for (var i = 0; i < columns.Count; i++)
+        {
+            if ((i & 4095) == 0) cancel.ThrowIfCancellationRequested();
+            // Whatever waits in the run comes before this move.
+            _out.First[first + i] = _out.Count + _count;
+            if (first + i >= nextEvent)
+            {
+                Events(first + i);
+                nextEvent = NextEvent();
+            }
+            var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
+            var e = columns.E[i] * _filamentPerE[Math.Min(Math.Max((int)columns.Tool[i], 0), _filamentPerE.Length - 1)];
+            var speed = columns.Speed[i];
+            var kind = columns.Kind[i];
+            if (kind == MoveKind.Travel && e == 0 && _homes > 0 && _toolpath.HomeOf(_toolpath[first + i]) is not null)
+            {
+                _homes--;
+            }
+            else if (columns.ArcMoves.Length > 0 && columns.TryGetArc(i, out var arc))
+            {
+                Arc(arc, at, end, e, speed);
+            }
+            else
+            {
+                if (e == 0 && kind is MoveKind.Retract or MoveKind.Restore) (e, speed) = _retraction.Move(kind);
+                Line(at, end, e, speed);
+            }
+            at = end;
+        }
+    }
+
+    private int NextEvent() => _nextEvent < _toolpath.Events.Count ? _toolpath.Events[_nextEvent].Move : int.MaxValue;
+
+    private void Events(int move)
+    {
+        _homes = 0;
+        for (; _nextEvent < _toolpath.Events.Count && _toolpath.Events[_nextEvent].Move <= move; _nextEvent++) Event(_toolpath.Events[_nextEvent].Event);
+    }
+
+    private void Event(PrinterEvent what)
+    {
+        switch (what)
+        {
+            case DwellEvent dwell:
+                _waits = _waits with { Dwells = _waits.Dwells + Wait(dwell.Seconds) };
+                break;
+            case FinishMovesEvent or PauseEvent:
+                Stop();
+                break;
+            case HomeEvent:
+                _homes++;
+                _waits = _waits with { Homing = _waits.Homing + Wait(_printer.HomingTime) };
+                break;
+            case ToolEvent tool when tool.Tool != _tool:
+                _tool = tool.Tool;
+                _waits = _waits with { ToolChanges = _waits.ToolChanges + Wait(_printer.ToolChangeTime) };
+                break;
+            case NozzleTemperatureEvent nozzle:
+                Heat(_heat.Nozzle(nozzle.Tool ?? _tool), nozzle.Celsius, nozzle.Wait);
+                break;
+            case BedTemperatureEvent bed:
+                Heat(_heat.Bed, bed.Celsius, bed.Wait);
+                break;
+            default:
+                _limits.Apply(what);
+                break;
+        }
+    }
+
+    private void Heat(HeaterCurve heater, double celsius, bool wait)
+    {
+        wait &= heater.Rate > 0;
+        if (wait) Stop();
+        _heat.Set(heater, _out.Count + _count, celsius);
+        if (!wait) return;
+        _heat.Settle(_out);
+        _waits = _waits with { Heating = _waits.Heating + Wait(heater.TimeTo(celsius)) };
+    }
+
+    // All moves end, then nothing happens for a time.
+    private double Wait(double seconds)
+    {
+        Stop();
+        if (seconds > 0) _out.Add(new Trapezoid(0, 0, 0, 0, seconds));
+        return seconds;
+    }
+
+    private void Arc(Arc arc, Vec3 start, Vec3 end, double e, double speed)
+    {
+        var chords = (int)Math.Min(Math.Max(Math.Floor(arc.Length(start, end) / _printer.ArcSegment), 1), 1e6);
+        var at = start;
+        for (var i = 1; i <= chords; i++)
+        {
+            var to = arc.PointAt(start, end, (double)i / chords);
+            Line(at, to, e / chords, speed);
+            at = to;
+        }
+    }
+
+    private void Line(Vec3 start, Vec3 end, double e, double speed)
+    {
+        double dx = end.X - start.X, dy = end.Y - start.Y, dz = end.Z - start.Z;
+        var length = Math.Sqrt(dx * dx + dy * dy + dz * dz);
+        var move = new StraightMove { Speed = speed > 0 ? speed : MachineLimits.FirstSpeed };
+        if (length > NoMove)
+        {
+            (move.X, move.Y, move.Z, move.E) = (dx / length, dy / length, dz / length, e / length);
+        }
+        else
+        {
+            length = Math.Abs(e);
+            move.E = Math.Sign(e);
+            move.InPlace = true;
+        }
+        // A move without displacement takes no time.
+        if (length == 0) return;
+        move.Length = length;
+        _rules.Limit(ref move);
+        if (_count == _run.Length) Array.Resize(ref _run, 2 * _count);
+        ref var s = ref _run[_count];
+        s = new Segment { Length = length, Acceleration = move.Acceleration, Speed2 = move.Speed * move.Speed };
+        s.Rest2 = _rules.Rest2(move);
+        s.SlowGain = _rules.SlowGain(move);
+        s.Entry2 = _before.Length > 0 ? _rules.Corner2(_before, move) : s.Rest2;
+        _before = move;
+        _count++;
+        if ((_count & 1023) == 0) Plan(ends: false);
+    }
+
+    private void Stop()
+    {
+        if (_count > 0) Plan(ends: true);
+        _before = default;
+    }
+
+    private void Plan(bool ends)
+    {
+        var done = _lookAhead.Plan(_run, _count, ends);
+        for (var i = 0; i < done; i++)
+        {
+            ref var s = ref _run[i];
+            _out.Add(Trapezoid.Over(s.Length, s.Start2, s.Peak2, s.End2, s.Acceleration));
+        }
+        if (done > 0 && done < _count) Array.Copy(_run, done, _run, 0, _count - done);
+        _count -= done;
+    }
+
+    /// <summary>mm of filament for a unit of E of a tool: a tool whose E is a volume has a factor of 1 mm³.</summary>
+    public static double FilamentPerE(Toolpath toolpath, PrintSetup setup, int tool)
+    {
+        var radius = setup.Material.FilamentDiameter / 2;
+        return toolpath.VolumePerE(tool) == 1 ? 1 / (Math.PI * radius * radius) : 1;
+    }
+}

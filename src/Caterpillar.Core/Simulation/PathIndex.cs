@@ -1,0 +1,182 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Simulation;
+
+/// <summary>Sums over the moves before some move.</summary>
+/// <param name="Length">Path length of the head, mm.</param>
+/// <param name="Filament">Deposited E in the units of the tools.</param>
+/// <param name="Volume">Deposited material whose volume is known, mm³.</param>
+internal readonly record struct PathSums(double Length, double Filament, double Volume);
+
+/// <summary>
+/// What makes a toolpath quick to search: running sums at every <see cref="Step"/>th move of a block, where layers begin, where prints first reach a
+/// height, whether sources ascend.
+/// </summary>
+internal sealed class PathIndex
+{
+    /// <summary>Moves between two kept sums.</summary>
+    public const int Step = 128;
+
+    private readonly Toolpath _toolpath;
+    private readonly PathSums[][] _sums;
+    private readonly int[] _layerStarts;
+    private readonly List<double> _heights = [];
+    private readonly List<int> _heightMoves = [];
+    private readonly List<double> _fans = [];
+    private readonly List<int> _fanMoves = [];
+
+    public PathIndex(Toolpath toolpath, CancellationToken cancel)
+    {
+        _toolpath = toolpath;
+        _sums = new PathSums[toolpath.Blocks.Count][];
+        _layerStarts = new int[toolpath.Layers.Count];
+        for (var i = 0; i < _layerStarts.Length; i++) _layerStarts[i] = toolpath.Count;
+        var before = -1;
+        for (var block = 0; block < _sums.Length; block++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            before = Scan(block, before);
+        }
+        foreach (var (move, what) in toolpath.Events)
+        {
+            if (what is not FanEvent fan) continue;
+            _fans.Add(fan.Speed);
+            _fanMoves.Add(move);
+        }
+    }
+
+    /// <summary>Sums over all moves.</summary>
+    public PathSums Total { get; private set; }
+
+    /// <summary>No source is smaller than one before it (those of moves without a source are skipped).</summary>
+    public bool SourcesAscend { get; private set; } = true;
+
+    /// <summary>First move of a layer of the toolpath; the number of moves where no move names it.</summary>
+    public int StartOfLayer(int layer) => _layerStarts[layer];
+
+    /// <summary>The first printing move that ends at a height or above, mm; the number of moves where none does.</summary>
+    public int FirstAbove(double z)
+    {
+        var at = FirstNotBelow(_heights, z);
+        return at < _heights.Count ? _heightMoves[at] : _toolpath.Count;
+    }
+
+    /// <summary>The fan during a move, 0 to 1.</summary>
+    public double FanAt(int move)
+    {
+        int low = 0, high = _fanMoves.Count;
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            if (_fanMoves[middle] <= move) low = middle + 1;
+            else high = middle;
+        }
+        return low > 0 ? _fans[low - 1] : 0;
+    }
+
+    /// <summary>Sums over the moves before a move; at most <see cref="Step"/> moves are added up.</summary>
+    public PathSums Before(int move)
+    {
+        if (move >= _toolpath.Count) return Total;
+        var block = _toolpath.BlockOf(move);
+        var i = move - _toolpath.FirstOf(block);
+        var sums = _sums[block][i / Step];
+        return Add(block, i / Step * Step, i, sums, double.PositiveInfinity, out _);
+    }
+
+    /// <summary>The move in which the path of the head reaches a length, mm, and the sums before it.</summary>
+    public (int Move, PathSums Before) AtLength(double length)
+    {
+        if (!(length < Total.Length) || _toolpath.Count == 0) return (_toolpath.Count, Total);
+        int low = 0, high = _sums.Length - 1;
+        while (low < high)
+        {
+            var middle = (low + high + 1) / 2;
+            if (_sums[middle][0].Length <= length) low = middle;
+            else high = middle - 1;
+        }
+        var block = low;
+        int first = 0, last = (_toolpath.Blocks[block].Count - 1) / Step;
+        while (first < last)
+        {
+            var middle = (first + last + 1) / 2;
+            if (_sums[block][middle].Length <= length) first = middle;
+            else last = middle - 1;
+        }
+        var to = Math.Min((first + 1) * Step, _toolpath.Blocks[block].Count);
+        var before = Add(block, first * Step, to, _sums[block][first], length, out var at);
+        return (_toolpath.FirstOf(block) + at, before);
+    }
+
+    private int Scan(int block, int source)
+    {
+        var columns = _toolpath.Blocks[block].Columns;
+        var first = _toolpath.FirstOf(block);
+        var sums = _sums[block] = new PathSums[Math.Max((columns.Count + Step - 1) / Step, 1)];
+        var top = _heights.Count > 0 ? _heights[_heights.Count - 1] : double.NegativeInfinity;
+        var layer = -1;
+        var running = Total;
+        for (var i = 0; i < columns.Count; i += Step)
+        {
+            sums[i / Step] = running;
+            running = Add(block, i, Math.Min(i + Step, columns.Count), running, double.PositiveInfinity, out _);
+        }
+        Total = running;
+        for (var i = 0; i < columns.Count; i++)
+        {
+            if (columns.Layer[i] != layer && (layer = columns.Layer[i]) >= 0 && _layerStarts[layer] > first + i) _layerStarts[layer] = first + i;
+            if (columns.Kind[i] == MoveKind.Print && columns.Z[i] > top)
+            {
+                top = columns.Z[i];
+                _heights.Add(top);
+                _heightMoves.Add(first + i);
+            }
+            var own = columns.Source[i];
+            if (own < 0) continue;
+            if (own < source) SourcesAscend = false;
+            source = own;
+        }
+        return source;
+    }
+
+    // Sums over moves of a block, up to the one that reaches a length.
+    private PathSums Add(int block, int from, int to, PathSums sums, double length, out int at)
+    {
+        var c = _toolpath.Blocks[block].Columns;
+        var start = from > 0 ? new Vec3(c.X[from - 1], c.Y[from - 1], c.Z[from - 1]) : _toolpath.StartOf(block);
+        double path = sums.Length, filament = sums.Filament, volume = sums.Volume;
+        var tool = -1;
+        var factor = 0.0;
+        for (at = from; at < to; at++)
+        {
+            var end = new Vec3(c.X[at], c.Y[at], c.Z[at]);
+            var own = c.ArcMoves.Length > 0 && c.TryGetArc(at, out var arc) ? arc.Length(start, end) : start.DistanceTo(end);
+            if (path + own > length) break;
+            path += own;
+            if (c.Deposited[at] != 0)
+            {
+                if (c.Tool[at] != tool) factor = _toolpath.VolumePerE(tool = c.Tool[at]) ?? 0;
+                filament += c.Deposited[at];
+                volume += c.Deposited[at] * factor;
+            }
+            start = end;
+        }
+        return new PathSums(path, filament, volume);
+    }
+
+    private static int FirstNotBelow(List<double> values, double value)
+    {
+        int low = 0, high = values.Count;
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            if (values[middle] < value) low = middle + 1;
+            else high = middle;
+        }
+        return low;
+    }
+}

@@ -1,0 +1,164 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Simulation;
+
+/// <summary>Adds up what <see cref="PrintStatistics"/> says.</summary>
+internal sealed class StatisticsSums
+{
+    private readonly Timeline _timeline;
+    private readonly Toolpath _toolpath;
+    private readonly Sum[] _roles = new Sum[Enum.GetValues(typeof(Role)).Length];
+    private readonly SortedDictionary<int, Sum> _tools = [];
+    private readonly Sum?[] _layers;
+    private readonly Sum _print = new(), _travel = new(), _extruder = new();
+    private int _retractions, _flowMove = -1;
+    private double _flow, _speed;
+    private bool _flowKnown;
+    private Bounds _bounds = Bounds.Empty;
+
+    public StatisticsSums(Timeline timeline)
+    {
+        _timeline = timeline;
+        _toolpath = timeline.Toolpath;
+        _layers = new Sum?[_toolpath.Layers.Count];
+        for (var i = 0; i < _roles.Length; i++) _roles[i] = new Sum();
+    }
+
+    public PrintStatistics Run(CancellationToken cancel)
+    {
+        for (var block = 0; block < _toolpath.Blocks.Count; block++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            Block(block);
+        }
+        var roles = new List<RoleTime>();
+        for (var i = 0; i < _roles.Length; i++)
+        {
+            if (_roles[i].Count > 0) roles.Add(new RoleTime((Role)i, _roles[i].Time, _roles[i].Length, _roles[i].KnownVolume));
+        }
+        var material = _timeline.Setup.Material;
+        var all = new Sum();
+        var tools = new List<ToolUse>();
+        foreach (var pair in _tools)
+        {
+            var sum = pair.Value;
+            all.Volume += sum.Volume;
+            all.VolumeUnknown |= sum.VolumeUnknown;
+            all.E += FilamentOf(pair.Key, sum.E);
+            tools.Add(new ToolUse(pair.Key, sum.Time, FilamentOf(pair.Key, sum.E), sum.KnownVolume, Mass(sum.KnownVolume)));
+        }
+        var layers = new List<LayerTime>();
+        for (var i = 0; i < _layers.Length; i++)
+        {
+            if (_layers[i] is { } sum) layers.Add(new LayerTime(i, sum.Start, sum.Time, sum.Length, sum.KnownVolume));
+        }
+        var mass = Mass(all.KnownVolume);
+        return new PrintStatistics
+        {
+            Duration = _timeline.Duration,
+            Waits = _timeline.Waits,
+            PrintTime = _print.Time,
+            TravelTime = _travel.Time,
+            ExtruderTime = _extruder.Time,
+            PrintLength = _print.Length,
+            TravelLength = _travel.Length,
+            Retractions = _retractions,
+            Moves = _toolpath.Count,
+            Volume = all.KnownVolume,
+            Filament = all.E,
+            Mass = mass,
+            Cost = material.CostPerKg > 0 ? mass / 1000 * material.CostPerKg : null,
+            GreatestFlow = _flowKnown ? _flow : null,
+            GreatestFlowMove = _flowMove,
+            GreatestSpeed = _speed,
+            PrintBounds = _bounds,
+            Roles = roles,
+            Tools = tools,
+            Layers = layers,
+        };
+    }
+
+    private void Block(int block)
+    {
+        var c = _toolpath.Blocks[block].Columns;
+        var first = _toolpath.FirstOf(block);
+        var at = _toolpath.StartOf(block);
+        Sum? tool = null;
+        int toolNumber = -1, layerNumber = -1;
+        double? factor = null;
+        for (var i = 0; i < c.Count; i++)
+        {
+            var number = first + i;
+            var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
+            var isArc = c.TryGetArc(i, out var arc);
+            var length = isArc ? arc.Length(at, end) : at.DistanceTo(end);
+            var start = _timeline.StartOf(number);
+            var over = _timeline.StartOf(number + 1);
+            var moving = over - start - _timeline.WaitBefore(number);
+            if (tool is null || c.Tool[i] != toolNumber)
+            {
+                toolNumber = c.Tool[i];
+                if (!_tools.TryGetValue(toolNumber, out tool)) _tools.Add(toolNumber, tool = new Sum());
+                factor = _toolpath.VolumePerE(toolNumber);
+            }
+            var kind = c.Kind[i];
+            if (kind is MoveKind.Retract or MoveKind.Wipe) _retractions++;
+            tool.Add(moving, length, c.Deposited[i], factor);
+            var what = kind == MoveKind.Print ? _print : length > 1e-9 ? _travel : _extruder;
+            what.Add(moving, length, c.Deposited[i], factor);
+            if (length > 1e-9) _speed = Math.Max(_speed, _timeline.PeakOf(number));
+            if (kind == MoveKind.Print)
+            {
+                _roles[(int)c.Role[i]].Add(moving, length, c.Deposited[i], factor);
+                _bounds = isArc ? _bounds.Include(arc.Bounds(at, end)) : _bounds.Include(at).Include(end);
+                Flow(number, length, c.Deposited[i] * factor);
+            }
+            if (c.Layer[i] >= 0)
+            {
+                layerNumber = c.Layer[i];
+                var layer = _layers[layerNumber] ??= new Sum { Start = start };
+                layer.Add(over - start, kind == MoveKind.Print ? length : 0, c.Deposited[i], factor);
+            }
+            at = end;
+        }
+    }
+
+    private void Flow(int move, double length, double? volume)
+    {
+        if (volume is not { } known || !(length > 0)) return;
+        _flowKnown = true;
+        var flow = known / length * _timeline.PeakOf(move);
+        if (!(flow > _flow)) return;
+        _flow = flow;
+        _flowMove = move;
+    }
+
+    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(_toolpath, _timeline.Setup, tool);
+
+    // mm³ and g/cm³
+    private double? Mass(double? volume) => volume / 1000 * _timeline.Setup.Material.Density;
+
+    private sealed class Sum
+    {
+        public double Start, Time, Length, E, Volume;
+        public bool VolumeUnknown;
+        public int Count;
+
+        public double? KnownVolume => VolumeUnknown ? null : Volume;
+
+        public void Add(double time, double length, double e, double? factor)
+        {
+            Count++;
+            Time += time;
+            Length += length;
+            if (e == 0) return;
+            E += e;
+            if (factor is { } known) Volume += e * known;
+            else VolumeUnknown = true;
+        }
+    }
+}

@@ -1,0 +1,275 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Simulation;
+
+/// <summary>
+/// A toolpath in time: how long every move takes by the limits and the corner rule of a printer, and the state of the machine at any moment, found
+/// without a walk through the moves and without
+/// allocation. Immutable.
+/// </summary>
+public sealed class Timeline
+{
+    private readonly MotionColumns _motion;
+    private readonly HeatModel _heat;
+    private readonly PathIndex _path;
+    private readonly bool _volumesKnown;
+
+    private Timeline(Toolpath toolpath, PrintSetup setup, PlannedMotion plan, PathIndex path)
+    {
+        Toolpath = toolpath;
+        Setup = setup;
+        _motion = plan.Motion;
+        _heat = plan.Heat;
+        Waits = plan.Waits;
+        _path = path;
+        _volumesKnown = true;
+        for (var tool = 0; tool < toolpath.Tools.Count; tool++) _volumesKnown &= toolpath.VolumePerE(tool) is not null;
+    }
+
+    public Toolpath Toolpath { get; }
+
+    public PrintSetup Setup { get; }
+
+    /// <summary>Seconds in all.</summary>
+    public double Duration => _motion.TotalTime;
+
+    /// <summary>Seconds in which the machine waits, by cause.</summary>
+    public WaitTimes Waits { get; }
+
+    /// <summary>Path length of the head in all, mm.</summary>
+    public double Length => _path.Total.Length;
+
+    /// <summary>
+    /// Plans the motion of a toolpath by the printer of a setup. Decoded files are planned by the limits that they set, from where they set them.
+    /// </summary>
+    public static Timeline Of(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        var plan = MotionPlanner.Plan(toolpath, setup, progress, cancel);
+        return new Timeline(toolpath, setup, plan, new PathIndex(toolpath, cancel));
+    }
+
+    /// <summary>
+    /// The planned trapezoids in order: one for a straight move, several for an arc, none for a move without displacement; waits are among them.
+    /// </summary>
+    public IEnumerable<Trapezoid> Trapezoids()
+    {
+        for (var i = 0; i < _motion.Count; i++) yield return _motion[i];
+    }
+
+    /// <summary>Seconds until the moves before a move are over; waits before it follow. For the number of moves: until all are over.</summary>
+    public double StartOf(int move)
+    {
+        if (move < 0 || move > Toolpath.Count) throw new ArgumentOutOfRangeException(nameof(move));
+        return _motion.StartTime(_motion.First[move]);
+    }
+
+    /// <summary>Seconds until a move is over.</summary>
+    public double EndOf(int move) => move >= 0 && move < Toolpath.Count ? StartOf(move + 1) : throw new ArgumentOutOfRangeException(nameof(move));
+
+    /// <summary>Seconds that the machine waits before a move begins to move: dwells, heat, tools, homing.</summary>
+    public double WaitBefore(int move)
+    {
+        var from = StartOf(move);
+        var first = _motion.First[move];
+        var end = move < Toolpath.Count ? _motion.First[move + 1] : _motion.Count;
+        while (first < end && _motion.Acceleration[first] == 0) first++;
+        return _motion.StartTime(first) - from;
+    }
+
+    /// <summary>Highest speed that a move reaches, mm/s; 0 for one without displacement.</summary>
+    public double PeakOf(int move)
+    {
+        var peak = 0.0;
+        for (int i = _motion.First[move], end = _motion.First[move + 1]; i < end; i++) peak = Math.Max(peak, _motion.Peak[i]);
+        return peak;
+    }
+
+    /// <summary>Deposited E (in the units of the tools) of the moves before a move.</summary>
+    public double FilamentBefore(int move) => _path.Before(move).Filament;
+
+    /// <summary>Deposited material of the moves before a move, mm³; null where the factor of a tool is not known.</summary>
+    public double? VolumeBefore(int move) => _volumesKnown ? _path.Before(move).Volume : null;
+
+    /// <summary>The state at a time in seconds; before the start that of the start, after the end that of the end.</summary>
+    public MachineState At(double time)
+    {
+        time = time > 0 ? Math.Min(time, Duration) : 0;
+        var trapezoid = FirstAfter(time);
+        return State(MoveOf(trapezoid), trapezoid, time);
+    }
+
+    /// <summary>The state at a part of the time, 0 to 1.</summary>
+    public MachineState AtFraction(double fraction) => At(fraction * Duration);
+
+    /// <summary>The state when a move begins; waits before it are to come. For the number of moves: when all are over.</summary>
+    public MachineState AtMove(int move) => State(move, _motion.First[move], StartOf(move));
+
+    /// <summary>The state when the first move of a line (or step) begins, or of the next one that moves; null after the last.</summary>
+    public MachineState? AtSource(int source) => MoveAtSource(source) is >= 0 and var move && move < Toolpath.Count ? AtMove(move) : null;
+
+    /// <summary>The state when a layer of the toolpath begins; null where no move is in it.</summary>
+    /// <param name="layer">Index into the layers of the toolpath.</param>
+    public MachineState? AtLayer(int layer)
+    {
+        if (layer < 0 || layer >= Toolpath.Layers.Count) throw new ArgumentOutOfRangeException(nameof(layer));
+        var move = _path.StartOfLayer(layer);
+        return move < Toolpath.Count ? AtMove(move) : null;
+    }
+
+    /// <summary>The state when the first strand begins that ends at a height in mm or above; null where none does.</summary>
+    public MachineState? AtHeight(double z) => _path.FirstAbove(z) is var move && move < Toolpath.Count ? AtMove(move) : null;
+
+    /// <summary>The state at a part of the path of the head, 0 to 1.</summary>
+    public MachineState AtLength(double fraction)
+    {
+        var length = Math.Min(Math.Max(fraction, 0), 1) * Length;
+        var (move, before) = _path.AtLength(length);
+        if (move >= Toolpath.Count) return At(Duration);
+        var whole = Toolpath[move].Length;
+        return WithDone(move, whole > 0 ? (length - before.Length) / whole : 0);
+    }
+
+    // The first trapezoid that ends after a time; their number where none does.
+    private int FirstAfter(double time)
+    {
+        int low = 0, high = _motion.Count;
+        while (low < high)
+        {
+            var middle = (int)(((uint)low + (uint)high) / 2);
+            if (_motion.EndTime[middle] <= time) low = middle + 1;
+            else high = middle;
+        }
+        return low;
+    }
+
+    // The last move that begins with this trapezoid or before.
+    private int MoveOf(int trapezoid)
+    {
+        int low = 0, high = Toolpath.Count;
+        while (low < high)
+        {
+            var middle = (int)(((uint)low + (uint)high + 1) / 2);
+            if (_motion.First[middle] <= trapezoid) low = middle;
+            else high = middle - 1;
+        }
+        return low;
+    }
+
+    private int MoveAtSource(int source)
+    {
+        if (!_path.SourcesAscend)
+        {
+            for (var i = 0; i < Toolpath.Count; i++)
+            {
+                if (Toolpath[i].Source >= source) return i;
+            }
+            return Toolpath.Count;
+        }
+        int low = 0, high = Toolpath.Count;
+        while (low < high)
+        {
+            var middle = (int)(((uint)low + (uint)high) / 2);
+            // A move without a source goes with the next that has one.
+            var next = middle;
+            while (next < high && Toolpath[next].Source < 0) next++;
+            if (next < high && Toolpath[next].Source < source) low = next + 1;
+            else high = middle;
+        }
+        return low;
+    }
+
+    // The moment at which a part of a move is done.
+    private MachineState WithDone(int move, double done)
+    {
+        int first = _motion.First[move], end = _motion.First[move + 1];
+        while (first < end && _motion.Acceleration[first] == 0) first++;
+        if (first == end) return AtMove(move);
+        // The pieces of an arc are equally long.
+        var at = Math.Min(Math.Max(done, 0), 1) * (end - first);
+        var piece = Math.Min((int)at, end - first - 1);
+        var trapezoid = _motion[first + piece];
+        var time = _motion.StartTime(first + piece) + trapezoid.TimeAt((at - piece) * trapezoid.Length);
+        return State(move, first + piece, time);
+    }
+
+    private MachineState State(int number, int trapezoid, double time)
+    {
+        var over = number >= Toolpath.Count;
+        var move = over ? Last() : Toolpath[number];
+        double done = 0, speed = 0;
+        var end = over ? 0 : _motion.First[number + 1];
+        var waits = trapezoid < _motion.Count && (over || trapezoid < end) && _motion.Acceleration[trapezoid] == 0;
+        if (!over && !waits && trapezoid < end)
+        {
+            var first = _motion.First[number];
+            while (_motion.Acceleration[first] == 0) first++;
+            var now = _motion[trapezoid];
+            var since = time - _motion.StartTime(trapezoid);
+            done = Math.Min((trapezoid - first + now.DistanceAt(since) / now.Length) / (end - first), 1);
+            speed = now.SpeedAt(since);
+        }
+        var sums = _path.Before(number);
+        var part = over ? 0 : done;
+        var length = move.Length;
+        var flow = Toolpath.VolumePerE(move.Tool) is { } factor ? over || waits ? 0 : FlowOf(move, length, speed) * factor : (double?)null;
+        var position = over ? move.End : PointAt(move, done);
+        var nozzle = _heat.NozzleOrNull(move.Tool);
+        return new MachineState
+        {
+            Time = time,
+            TimeLeft = Math.Max(Duration - time, 0),
+            Move = number,
+            Done = done,
+            Waits = waits,
+            Position = position,
+            Direction = over || waits || length == 0 ? Vec3.Zero : DirectionAt(move, done),
+            Speed = speed,
+            Flow = flow,
+            Kind = waits ? MoveKind.Dwell : move.Kind,
+            Role = move.Role,
+            Layer = move.Layer,
+            Tool = move.Tool,
+            Source = move.Source,
+            Length = sums.Length + part * length,
+            Filament = sums.Filament + part * move.Deposited,
+            Volume = _volumesKnown ? sums.Volume + part * (Toolpath.VolumePerE(move.Tool) ?? 0) * move.Deposited : null,
+            NozzleTemperature = nozzle?.At(time) ?? HeatModel.Ambient,
+            NozzleTarget = nozzle?.TargetAt(time) ?? 0,
+            BedTemperature = _heat.Bed.At(time),
+            BedTarget = _heat.Bed.TargetAt(time),
+            Fan = _path.FanAt(number),
+        };
+    }
+
+    private Move Last()
+        => Toolpath.Count > 0 ? Toolpath[Toolpath.Count - 1] : default(Move) with { End = Toolpath.Start ?? Vec3.Zero, Layer = -1, Source = -1 };
+
+    // E per second: along the path, or of the extruder alone.
+    private static double FlowOf(in Move move, double length, double speed)
+        => length > 0 ? move.Deposited / length * speed : move.E != 0 ? move.Deposited / Math.Abs(move.E) * speed : 0;
+
+    private static Vec3 PointAt(in Move move, double done)
+    {
+        if (move.Arc is { } arc) return arc.PointAt(move.Start, move.End, done);
+        return done <= 0 ? move.Start : done >= 1 ? move.End : move.Start + (move.End - move.Start) * done;
+    }
+
+    private static Vec3 DirectionAt(in Move move, double done)
+    {
+        var change = move.End - move.Start;
+        if (move.Arc is { } arc)
+        {
+            const double Near = 1e-4;
+            change = arc.PointAt(move.Start, move.End, Math.Min(done + Near, 1)) - arc.PointAt(move.Start, move.End, Math.Max(done - Near, 0));
+        }
+        var length = change.Length;
+        return length > 0 ? change / length : Vec3.Zero;
+    }
+}
