@@ -9,8 +9,8 @@ namespace Caterpillar.GCode;
 internal sealed class CodeReplacement
 {
     private readonly SpliceContext _context;
-    private IReadOnlyList<string> _start = [];
-    private IReadOnlyList<string> _end = [];
+    private readonly IReadOnlyList<string> _start = [];
+    private readonly IReadOnlyList<string> _end = [];
 
     /// <summary>Replaces the lines before the first layer and after the last, as far as the options name others.</summary>
     public CodeReplacement(SpliceContext context, EditOptions options, SplicePlan plan)
