@@ -17,7 +17,7 @@ using NUnit.Framework;
 namespace Caterpillar.Tests.Library;
 
 /// <summary>The programs of <c>examples/csharp</c>, run, and what they make.</summary>
-public class ProgramTests
+public sealed class ProgramTests : IDisposable
 {
     private TemporaryFolder _folder = null!;
 
@@ -35,7 +35,7 @@ public class ProgramTests
     }
 
     [OneTimeTearDown]
-    public void Clean() => _folder.Dispose();
+    public void Dispose() => _folder.Dispose();
 
     [Test]
     public void Slice_with_a_profile()
