@@ -11,7 +11,12 @@ namespace Caterpillar.Cli;
 internal static class Meshes
 {
     /// <summary>All meshes of all files, or none if one of them cannot be read.</summary>
-    public static Result<IReadOnlyList<NamedMesh>> Read(IReadOnlyList<string> files, Session session, IProgress<double>? progress = null)
+    /// <param name="files">What is read, in this order.</param>
+    /// <param name="session">Where standard input is.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="sources">Gets the file of each mesh.</param>
+    public static Result<IReadOnlyList<NamedMesh>> Read(
+        IReadOnlyList<string> files, Session session, IProgress<double>? progress = null, List<string>? sources = null)
     {
         var meshes = new List<NamedMesh>();
         var diagnostics = new List<Diagnostic>();
@@ -22,8 +27,13 @@ internal static class Meshes
             var part = progress.Part((double)i / files.Count, (i + 1.0) / files.Count);
             var read = MeshReader.Read(bytes, Session.NameOf(files[i]), part, session.Cancel);
             diagnostics.AddRange(read.Diagnostics);
-            if (read.Value is null) good = false;
-            else meshes.AddRange(read.Value);
+            if (read.Value is null)
+            {
+                good = false;
+                continue;
+            }
+            meshes.AddRange(read.Value);
+            for (var k = 0; k < read.Value.Count; k++) sources?.Add(files[i]);
         }
         return new Result<IReadOnlyList<NamedMesh>>(good ? meshes : null, diagnostics);
     }

@@ -23,9 +23,8 @@ internal sealed class SliceVerb : Verb
         Arity = ArgumentArity.OneOrMore,
     };
 
-    private readonly Option<bool> _keepPosition =
-        new("--keep-position") { Description = "Print at the model's position in its file instead of the middle of the bed." };
-
+    private readonly ModelOptions _placing = new();
+    private readonly ModelSettingOptions _own = new();
     private readonly Option<bool> _json = new("--json") { Description = "Print what was planned and written as JSON." };
     private readonly SetupOptions _setup = new();
     private readonly WriteOptions _write = new();
@@ -37,7 +36,8 @@ internal sealed class SliceVerb : Verb
         Arguments.Add(_models);
         _write.AddTo(this);
         _setup.AddTo(this);
-        Options.Add(_keepPosition);
+        _placing.AddTo(this);
+        _own.AddTo(this);
         Options.Add(_threads);
         Options.Add(_json);
     }
@@ -50,6 +50,7 @@ internal sealed class SliceVerb : Verb
         var output = _write.FileFor(arguments, files[0]);
         var json = arguments.GetValue(_json);
         if (json && output == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
+        _placing.Check(arguments);
         var setup = _setup.Resolve(arguments, session);
         var (steps, layers) = Sliced(files, arguments, setup, session);
         var plan = session.ValueOrFail(session.WithProgress("Planning", progress => Planner.PlanWithReport(steps, setup, null, progress, session.Cancel)));
@@ -61,11 +62,15 @@ internal sealed class SliceVerb : Verb
     // The memory of each stage is free for the next one: models can be large.
     private (IReadOnlyList<Step> Steps, int Layers) Sliced(string[] files, ParseResult arguments, PrintSetup setup, Session session)
     {
-        var models = session.ValueOrFail(session.WithProgress("Reading", progress => Meshes.Read(files, session, progress)));
-        if (!arguments.GetValue(_keepPosition)) models = ModelPlacement.OnBed(models, setup.Printer.BuildBounds.Center);
+        var own = _own.Resolve(arguments, setup, session);
+        var sources = new List<string>();
+        var read = session.ValueOrFail(session.WithProgress("Reading", progress => Meshes.Read(files, session, progress, sources)));
+        var settings = own.For(read, sources);
+        // Copies follow in the order of the originals.
+        var models = _placing.Placed(read, arguments, setup, session).Select((m, i) => new SliceModel(m, settings[i % settings.Count])).ToArray();
         var threads = arguments.GetValue(_threads);
         var result = session.ValueOrFail(session.WithProgress("Slicing",
-            progress => PlanarSlicer.Slice(models, setup.Settings, threads, progress, session.Cancel)));
+            progress => PlanarSlicer.SliceEach(models, setup.Settings, threads, progress, session.Cancel)));
         return (result.ToSteps(), result.Layers.Count);
     }
 }

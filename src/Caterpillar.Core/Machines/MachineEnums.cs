@@ -76,3 +76,13 @@ public readonly record struct AxisValues(double X, double Y, double Z, double E)
 /// tip.
 /// </summary>
 public readonly record struct HeadPoint(double Radius, double Height);
+
+/// <summary>In which order several models are printed.</summary>
+public enum PrintSequence
+{
+    /// <summary>A layer of each, then the next.</summary>
+    ByLayer,
+
+    /// <summary>One after the other, the lowest first.</summary>
+    ByObject,
+}

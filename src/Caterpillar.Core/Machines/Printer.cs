@@ -130,6 +130,9 @@ public sealed record Printer
     /// <summary>Boxes around parts of the head and the gantry that are not round, relative to the tip of the nozzle, mm.</summary>
     public ValueList<Bounds> HeadBoxes { get; init => field = PrinterKeys.HeadBoxes.Check(value); } = ValueList<Bounds>.Empty;
 
+    /// <summary>Rectangles of the bed on which nothing may stand, in the machine's coordinates, mm.</summary>
+    public ValueList<Bounds> ExcludedAreas { get; init => field = PrinterKeys.ExcludedAreas.Check(value); } = ValueList<Bounds>.Empty;
+
     /// <summary>Material that the hot end or pump can push, mm³/s; 0 if unknown.</summary>
     public double MaxFlow { get; init => field = PrinterKeys.MaxFlow.Check(value); } = 12;
 

@@ -28,20 +28,32 @@ public static class PlanarSlicer
         IReadOnlyList<NamedMesh> models, PrintSettings settings, int threads = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (models is null) throw new ArgumentNullException(nameof(models));
-        if (settings is null) throw new ArgumentNullException(nameof(settings));
+        return SliceEach(models.Select(m => new SliceModel(m, settings)).ToArray(), settings, threads, progress, cancel);
+    }
+
+    /// <summary>Slices models that have settings of their own; what concerns all of them (order, skirt) is taken from <paramref name="common"/>.</summary>
+    /// <inheritdoc cref="Slice(IReadOnlyList{NamedMesh}, PrintSettings, int, IProgress{double}, CancellationToken)"/>
+    public static Result<SliceResult> SliceEach(
+        IReadOnlyList<SliceModel> models, PrintSettings common, int threads = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        if (common is null) throw new ArgumentNullException(nameof(common));
         var problems = new DiagnosticList();
         // One for each model, so not in the list that counts.
         var broken = new List<Diagnostic>();
+        if (common.MergeOverlapping) models = OverlappingModels.Merge(models, threads, problems, cancel);
         var bodies = new List<Body>();
         for (var i = 0; i < models.Count; i++)
         {
-            var body = new Body(models[i], i);
-            Cut(body, settings, threads, problems, broken, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
+            var body = new Body(models[i].Mesh, i);
+            Cut(body, models[i].Settings, threads, problems, broken, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
             bodies.Add(body);
         }
         if (broken.Any(d => d.Severity == Severity.Error)) return new Result<SliceResult>(null, [.. problems.ToList(), .. broken]);
-        var ordered = bodies.SelectMany(b => b.Layers).OrderBy(l => l.Plan.Top).ThenBy(l => l.Body.Number).ToArray();
-        var kept = Finish(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1)), ordered, settings, problems);
+        var ordered = common.PrintSequence == PrintSequence.ByObject
+            ? bodies.OrderBy(b => b.Model.Mesh.Bounds.Max.Z).ThenBy(b => b.Number).SelectMany(b => b.Layers).ToArray()
+            : bodies.SelectMany(b => b.Layers).OrderBy(l => l.Plan.Top).ThenBy(l => l.Body.Number).ToArray();
+        var kept = Finish(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1)), ordered, common, problems);
         if (kept.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.nothing", "Nothing to print: the models have no closed contour as wide as a line on any layer.");
         return new Result<SliceResult>(kept.Length > 0 ? new SliceResult(kept) : null, [.. problems.ToList(), .. broken]);
@@ -68,7 +80,7 @@ public static class PlanarSlicer
         foreach (var body in vases.Keys.OrderBy(b => b.Number)) EndVase(vases[body].Spiral, vases[body].Last, body, kept, problems);
         if (kept.Count == 0) return [];
         // All objects that stand as low as the first layer, which are those that the loops go around together.
-        var covered = Region.Union(kept.TakeWhile(l => l.Layer.Z <= kept[0].Layer.Z + 1e-9).Select(l => l.Region));
+        var covered = Region.Union(kept.Where(l => l.Layer.Z <= kept[0].Layer.Z + 1e-9).Select(l => l.Region));
         if (settings.RaftLayers > 0) kept.InsertRange(0, Raft.Below(covered, settings));
         kept[0] = Adhesion.Around(kept[0], settings.RaftLayers > 0 ? kept[0].Region : covered, settings);
         var all = kept.ToArray();

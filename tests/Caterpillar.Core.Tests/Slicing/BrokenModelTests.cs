@@ -15,7 +15,7 @@ public class BrokenModelTests
 {
     private static readonly PrintSettings Plain = new()
     {
-        LayerHeight = 0.5, FirstLayerHeight = 0.5, InfillPercent = 0, WallCount = 1, BeadShape = BeadShape.Rectangle, SimplifyTolerance = 0,
+        LayerHeight = 0.5, FirstLayerHeight = 0.5, InfillPercent = 0, WallCount = 1, BeadShape = BeadShape.Rectangle, SimplifyTolerance = 0, MinLayerTime = 0,
     };
 
     [Test]

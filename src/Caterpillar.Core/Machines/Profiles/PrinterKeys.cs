@@ -166,6 +166,12 @@ internal static class PrinterKeys
         p => p.HeadBoxes, (p, v) => p with { HeadBoxes = v },
         "Boxes around parts of head and gantry that are not round, relative to the tip of the nozzle.");
 
+    public static readonly ProfileKey<Printer, ValueList<Bounds>> ExcludedAreas = new(
+        "excluded_areas_mm", new RowsFormat<Bounds>(["min x", "min y", "max x", "max y"], 0, 64, -100_000, 100_000,
+            n => Bounds.Of([new Vec3(n[0], n[1]), new Vec3(n[2], n[3])]), b => [b.Min.X, b.Min.Y, b.Max.X, b.Max.Y]),
+        p => p.ExcludedAreas, (p, v) => p with { ExcludedAreas = v },
+        "Rectangles of the bed on which nothing may stand, for example where clips hold the plate.");
+
     public static readonly ProfileKey<Printer, double> MaxFlow = K.Number(
         "max_flow_mm3_s", 0, 1_000_000, p => p.MaxFlow, (p, v) => p with { MaxFlow = v },
         "Material that the hot end or pump can push; 0 if unknown.");
@@ -206,7 +212,7 @@ internal static class PrinterKeys
         RetractionDistance, RetractionSpeed, RestoreSpeed, RestoreExtra, FirmwareRetraction, LiftClearance, LiftSpeed, MaxSpeed,
         MaxAcceleration, PrintAcceleration,
         TravelAcceleration, RetractionAcceleration, CornerRule, Jerk, JunctionDeviation, SquareCornerVelocity, MinimumCruiseRatio,
-        InstantaneousCornerVelocity, PlannerQueue, ArcSegment, NozzleHeating, BedHeating, ToolChangeTime, HomingTime, ToolOffsets, HeadOutline, HeadBoxes,
+        InstantaneousCornerVelocity, PlannerQueue, ArcSegment, NozzleHeating, BedHeating, ToolChangeTime, HomingTime, ToolOffsets, HeadOutline, HeadBoxes, ExcludedAreas,
         MaxFlow, MinExtrusionTemperature, MaxNozzleTemperature, MaxBedTemperature, MaxStationaryVolume, StartTemplate, EndTemplate, LayerTemplate,
             ToolChangeTemplate,
     ];

@@ -46,6 +46,15 @@ internal static class SettingsKeys
         "simplify_tolerance_mm", 0, 100, s => s.SimplifyTolerance, (s, v) => s with { SimplifyTolerance = v },
         "Maximum deviation of simplified contours.");
 
+    public static readonly ProfileKey<PrintSettings, bool> MergeOverlapping = K.Boolean(
+        "merge_overlapping", s => s.MergeOverlapping, (s, v) => s with { MergeOverlapping = v },
+        "Models that run through each other are printed as one solid; without it the place where they overlap is printed twice.");
+
+    public static readonly ProfileKey<PrintSettings, PrintSequence> PrintSequence = K.Choice(
+        "print_sequence", s => s.PrintSequence, (s, v) => s with { PrintSequence = v },
+        "Several models are printed layer by layer, or one after the other, the lowest first.",
+        ("by_layer", Machines.PrintSequence.ByLayer), ("by_object", Machines.PrintSequence.ByObject));
+
     public static readonly ProfileKey<PrintSettings, bool> MendMeshes = K.Boolean(
         "mend_meshes", s => s.MendMeshes, (s, v) => s with { MendMeshes = v },
         "Meshes that are not closed are made solid before they are sliced: rims joined, holes filled, triangles and bodies turned outwards.");
@@ -122,7 +131,7 @@ internal static class SettingsKeys
     public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [
         Title, LayerHeight, FirstLayerHeight, LineWidth, BeadShape, WallCount, InfillPercent, InfillSpacing, InfillAngle,
-        InfillOverlapPercent, SimplifyTolerance, MendMeshes, LargestGap, MaxAreaLossPercent, SubdivisionDistance,
+        InfillOverlapPercent, SimplifyTolerance, MergeOverlapping, PrintSequence, MendMeshes, LargestGap, MaxAreaLossPercent, SubdivisionDistance,
         PrintSpeed, OuterWallSpeed, InfillSpeed, FirstLayerSpeed, TravelSpeed, TravelLift, LiftMinTravel, Detour, Comb, RetractionMinTravel,
         WipeDistance, RestoreDuringDescent,
         StartDistance, StopDistance, SortPaths,

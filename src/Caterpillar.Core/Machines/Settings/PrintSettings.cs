@@ -44,6 +44,12 @@ public sealed partial record PrintSettings
     /// <summary>Maximum deviation of simplified contours, mm.</summary>
     public double SimplifyTolerance { get; init => field = SettingsKeys.SimplifyTolerance.Check(value); } = 0.0125;
 
+    /// <summary>Models that run through each other are printed as one solid.</summary>
+    public bool MergeOverlapping { get; init; } = true;
+
+    /// <summary>Several models are printed layer by layer, or one after the other.</summary>
+    public PrintSequence PrintSequence { get; init; } = PrintSequence.ByLayer;
+
     /// <summary>Meshes that are not closed are made solid before they are sliced.</summary>
     public bool MendMeshes { get; init; } = true;
 

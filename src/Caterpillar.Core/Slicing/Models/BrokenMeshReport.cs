@@ -9,13 +9,13 @@ namespace Caterpillar.Slicing;
 internal static class BrokenMeshReport
 {
     /// <summary>The text, or null where there is nothing to say.</summary>
-    public static string? Describe(MendedMesh mended, IReadOnlyList<Section> sections)
+    public static string? Describe(MendedMesh mended, IReadOnlyList<Section> sections, bool solid)
     {
         var sentences = new List<string>();
         var parts = MeshParts(mended);
         if (parts.Count > 0) sentences.Add($"Mended: {string.Join(", ", parts)}.");
         if (Gaps(sections) is { } gaps) sentences.Add(gaps);
-        if (LeftOut(sections) is { } left) sentences.Add(left);
+        if (solid && LeftOut(sections) is { } left) sentences.Add(left);
         return sentences.Count == 0 ? null : "The mesh is broken. " + string.Join(" ", sentences);
     }
 
@@ -26,7 +26,7 @@ internal static class BrokenMeshReport
             parts.Add($"{Count(mended.MovedVertices, "vertex", "vertices")} moved by up to {Millimeters(mended.FarthestMove, 3)} to join rims");
         if (mended.DoubledFacets > 0) parts.Add($"{Count(mended.DoubledFacets, "doubled triangle", "doubled triangles")} taken once");
         if (mended.TurnedFacets > 0) parts.Add($"{Count(mended.TurnedFacets, "triangle", "triangles")} turned that faced inwards");
-        if (mended.TurnedBodies > 0) parts.Add($"{Count(mended.TurnedBodies, "body", "bodies")} turned that were inside out");
+        if (mended.TurnedBodies > 0) parts.Add($"{Count(mended.TurnedBodies, "body that was", "bodies that were")} inside out turned");
         if (mended.Holes.Count > 0)
         {
             var box = Bounds.Empty;

@@ -1,0 +1,35 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Where on a bed models may stand: rectangle or ellipse, less the margin and the excluded areas.</summary>
+internal sealed class BedArea(Printer printer, double margin)
+{
+    private readonly Bounds _bed = printer.BuildBounds;
+    private readonly Footprint[] _excluded = printer.ExcludedAreas.Select(Footprint.Of).ToArray();
+
+    public bool Holds(Footprint footprint)
+    {
+        foreach (var p in footprint.Corners)
+        {
+            if (!Holds(p)) return false;
+        }
+        foreach (var area in _excluded)
+        {
+            if (footprint.Separation(area) < margin) return false;
+        }
+        return true;
+    }
+
+    private bool Holds(Vec3 p)
+    {
+        double x = p.X - _bed.Center.X, y = p.Y - _bed.Center.Y;
+        double halfX = _bed.Size.X / 2 - margin, halfY = _bed.Size.Y / 2 - margin;
+        if (printer.BedShape == BedShape.Rectangle) return Math.Abs(x) <= halfX && Math.Abs(y) <= halfY;
+        return halfX > 0 && halfY > 0 && x * x / (halfX * halfX) + y * y / (halfY * halfY) <= 1;
+    }
+}

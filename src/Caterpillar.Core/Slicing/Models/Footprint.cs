@@ -1,0 +1,81 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>The convex outline of a model seen from above, counter-clockwise, mm. Immutable.</summary>
+internal sealed class Footprint
+{
+    private readonly Vec3[] _corners;
+
+    private Footprint(Vec3[] corners, double height)
+    {
+        _corners = corners;
+        Height = height;
+        Box = Bounds.Of(corners);
+    }
+
+    public Bounds Box { get; }
+
+    /// <summary>Height of the model above its lowest point, mm.</summary>
+    public double Height { get; }
+
+    public IReadOnlyList<Vec3> Corners => _corners;
+
+    /// <summary>Andrew's monotone chain over the vertices.</summary>
+    public static Footprint Of(TriMesh mesh)
+    {
+        var points = new Vec3[mesh.VertexCount];
+        for (var i = 0; i < points.Length; i++) points[i] = mesh.Vertices[i].WithZ(0);
+        return new Footprint(Hull(points), mesh.Bounds.IsEmpty ? 0 : mesh.Bounds.Size.Z);
+    }
+
+    /// <summary>A rectangle.</summary>
+    public static Footprint Of(Bounds box) => new(
+        [box.Min.WithZ(0), new Vec3(box.Max.X, box.Min.Y), box.Max.WithZ(0), new Vec3(box.Min.X, box.Max.Y)], box.Size.Z);
+
+    public Footprint Moved(double x, double y) => new(Array.ConvertAll(_corners, p => new Vec3(p.X + x, p.Y + y)), Height);
+
+    /// <summary>
+    /// A distance in mm that two footprints keep at least: the widest strip between them along a normal of one of their edges; negative where they overlap.
+    /// </summary>
+    public double Separation(Footprint other) => Math.Max(Widest(_corners, other._corners), Widest(other._corners, _corners));
+
+    private static double Widest(Vec3[] from, Vec3[] to)
+    {
+        var widest = double.NegativeInfinity;
+        for (var i = 0; i < from.Length; i++)
+        {
+            var a = from[i];
+            var b = from[i + 1 == from.Length ? 0 : i + 1];
+            double nx = b.Y - a.Y, ny = a.X - b.X;
+            var length = Math.Sqrt(nx * nx + ny * ny);
+            if (!(length > 0)) continue;
+            var nearest = double.PositiveInfinity;
+            foreach (var p in to) nearest = Math.Min(nearest, ((p.X - a.X) * nx + (p.Y - a.Y) * ny) / length);
+            widest = Math.Max(widest, nearest);
+        }
+        return widest;
+    }
+
+    private static Vec3[] Hull(Vec3[] points)
+    {
+        Array.Sort(points, (p, q) => p.X != q.X ? p.X.CompareTo(q.X) : p.Y.CompareTo(q.Y));
+        var hull = new List<Vec3>();
+        for (var pass = 0; pass < 2; pass++)
+        {
+            var start = hull.Count;
+            foreach (var p in points)
+            {
+                while (hull.Count >= start + 2 && Turn(hull[hull.Count - 2], hull[hull.Count - 1], p) <= 0) hull.RemoveAt(hull.Count - 1);
+                hull.Add(p);
+            }
+            if (hull.Count > 0) hull.RemoveAt(hull.Count - 1);
+            Array.Reverse(points);
+        }
+        return hull.ToArray();
+    }
+
+    private static double Turn(Vec3 a, Vec3 b, Vec3 c) => (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
+}

@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Puts models beside each other on a bed: the largest first, each as near to the middle of the bed as it goes, or in
+/// rows from the front left where more of them fit so. Models are taken for as large as their
+/// convex outlines seen from above, and are not turned.
+/// </summary>
+public static class ModelArranger
+{
+    /// <summary>The models, standing on the bed, in the order in which they were given.</summary>
+    /// <returns>The models, or none and the error <c>models.no_place</c>, which names those that have no place left.</returns>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
+    public static Result<IReadOnlyList<NamedMesh>> Arrange(
+        IReadOnlyList<NamedMesh> models, Printer printer, ArrangeOptions? options = null, CancellationToken cancel = default)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        if (printer is null) throw new ArgumentNullException(nameof(printer));
+        options ??= new ArrangeOptions();
+        var footprints = models.Select(m => Footprint.Of(m.Mesh)).ToArray();
+        var order = Enumerable.Range(0, models.Count).Where(i => models[i].Mesh.TriangleCount > 0)
+            .OrderByDescending(i => Area(footprints[i].Box)).ThenBy(i => i).ToArray();
+        var search = new PlaceSearch(printer, options, cancel);
+        var placed = search.FromTheMiddle(footprints, order);
+        if (placed.Count(p => p is not null) < order.Length)
+        {
+            // Rows from the front left hold more, where the bed is nearly full.
+            var rows = search.InRows(footprints, order);
+            if (rows.Count(p => p is not null) > placed.Count(p => p is not null)) placed = rows;
+        }
+        var missing = order.Where(i => placed[i] is null).OrderBy(i => i).Select(i => models[i].Name).ToArray();
+        if (missing.Length > 0)
+        {
+            var names = string.Join(", ", missing.Take(5)) + (missing.Length > 5 ? $" and {NumberFormatter.Format(missing.Length - 5)} more" : "");
+            var text = $"There is no place left on the bed of {printer.Title} for {names}: {NumberFormatter.Format(order.Length - missing.Length)} of "
+                + $"{NumberFormatter.Format(order.Length)} models fit beside each other.";
+            return new Result<IReadOnlyList<NamedMesh>>(null, [new Diagnostic(Severity.Error, "models.no_place", text)]);
+        }
+        var result = models.Select((m, i) => placed[i] is { } place ? Stand(m, footprints[i], place) : m).ToArray();
+        return new Result<IReadOnlyList<NamedMesh>>(result, []);
+    }
+
+    private static NamedMesh Stand(NamedMesh model, Footprint from, Footprint to)
+    {
+        var shift = to.Box.Min - from.Box.Min;
+        return new NamedMesh(model.Name, model.Mesh.Moved(new Vec3(shift.X, shift.Y, -model.Mesh.Bounds.Min.Z)));
+    }
+
+    private static double Area(Bounds box) => box.Size.X * box.Size.Y;
+}

@@ -1,0 +1,110 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Looks at placed models before they are sliced: do they fit, and can the head reach them.</summary>
+public static class ModelCheck
+{
+    /// <summary>
+    /// Warnings <c>models.too_large</c> (by how much, and which scale would fit) or <c>models.outside</c> (by how much), and <c>models.excluded_area</c>.
+    /// Warnings, because the check of the finished print has the last word.
+    /// </summary>
+    public static IReadOnlyList<Diagnostic> Fit(IReadOnlyList<NamedMesh> models, Printer printer)
+    {
+        if (printer is null) throw new ArgumentNullException(nameof(printer));
+        var problems = new List<Diagnostic>();
+        var box = ModelPlacement.BoxOf(models);
+        if (box.IsEmpty) return problems;
+        var bed = printer.BuildBounds;
+        var footprints = models.Where(m => m.Mesh.TriangleCount > 0).Select(m => (m.Name, Shape: Footprint.Of(m.Mesh))).ToArray();
+        var scale = LargestScale(footprints.Select(f => f.Shape), box, bed, printer.BedShape);
+        if (scale < 1)
+        {
+            problems.Add(new Diagnostic(Severity.Warning, "models.too_large",
+                $"What is to be printed is {Size(box.Size)} mm{TooMuch(box.Size, bed.Size)}; {printer.Title} prints {Size(bed.Size)} mm"
+                + (printer.BedShape == BedShape.Round ? " on a round bed" : "")
+                + $". It fits at a scale of {NumberFormatter.Format(Math.Floor(scale * 1e4) / 1e4, 4)}."));
+        }
+        else if (Beyond(box, bed) is { } beyond)
+        {
+            var text = $"The models are {beyond} for the build volume of {printer.Title}; they fit if they are moved.";
+            problems.Add(new Diagnostic(Severity.Warning, "models.outside", text));
+        }
+        foreach (var area in printer.ExcludedAreas.Select(Footprint.Of))
+        {
+            foreach (var (name, shape) in footprints)
+            {
+                if (shape.Separation(area) >= 0) continue;
+                const string Text = "The model may stand on an excluded area of the bed.";
+                problems.Add(new Diagnostic(Severity.Warning, "models.excluded_area", Text, new SourceLocation(name)));
+            }
+        }
+        return problems;
+    }
+
+    /// <summary>
+    /// For models that are printed one after the other, the lowest first: errors <c>models.no_clearance</c> where the head would touch a model that
+    /// stands already.
+    /// </summary>
+    public static IReadOnlyList<Diagnostic> Clearance(IReadOnlyList<NamedMesh> models, Printer printer)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        if (printer is null) throw new ArgumentNullException(nameof(printer));
+        var problems = new List<Diagnostic>();
+        var order = models.Where(m => m.Mesh.TriangleCount > 0).OrderBy(m => m.Mesh.Bounds.Max.Z)
+            .Select(m => (m.Name, Shape: Footprint.Of(m.Mesh), Top: m.Mesh.Bounds.Max.Z)).ToArray();
+        for (var later = 0; later < order.Length; later++)
+        {
+            for (var earlier = 0; earlier < later; earlier++)
+            {
+                var needed = HeadClearance.Beside(printer, order[earlier].Top);
+                var distance = order[later].Shape.Separation(order[earlier].Shape);
+                if (distance >= needed) continue;
+                var text = $"It is printed after {order[earlier].Name}, {NumberFormatter.Format(Math.Max(0, distance), 2)} mm beside it; the head needs "
+                    + $"{NumberFormatter.Format(needed, 2)} mm beside something {NumberFormatter.Format(order[earlier].Top, 2)} mm high.";
+                problems.Add(new Diagnostic(Severity.Error, "models.no_clearance", text, new SourceLocation(order[later].Name)));
+            }
+        }
+        return problems;
+    }
+
+    // For a rectangle from the sizes; on a round bed the corners of the outlines must lie inside when the middle of the box is on the middle of the bed.
+    private static double LargestScale(IEnumerable<Footprint> footprints, Bounds box, Bounds bed, BedShape shape)
+    {
+        var scale = Math.Min(Ratio(bed.Size.X, box.Size.X), Math.Min(Ratio(bed.Size.Y, box.Size.Y), Ratio(bed.Size.Z, box.Size.Z)));
+        if (shape != BedShape.Round) return scale;
+        foreach (var p in footprints.SelectMany(f => f.Corners))
+        {
+            double x = (p.X - box.Center.X) / (bed.Size.X / 2), y = (p.Y - box.Center.Y) / (bed.Size.Y / 2);
+            scale = Math.Min(scale, Ratio(1, Math.Sqrt(x * x + y * y)));
+        }
+        return scale;
+    }
+
+    private static double Ratio(double there, double needed) => needed > 0 ? there / needed : double.PositiveInfinity;
+
+    private static string Size(Vec3 size)
+        => $"{NumberFormatter.Format(size.X, 2)} × {NumberFormatter.Format(size.Y, 2)} × {NumberFormatter.Format(size.Z, 2)}";
+
+    private static string TooMuch(Vec3 size, Vec3 bed)
+    {
+        var parts = new (double Over, string Axis)[] { (size.X - bed.X, "X"), (size.Y - bed.Y, "Y"), (size.Z - bed.Z, "Z") }
+            .Where(a => a.Over > 0).Select(a => $"{NumberFormatter.Format(a.Over, 2)} mm too long in {a.Axis}").ToArray();
+        return parts.Length == 0 ? "" : ", " + string.Join(", ", parts);
+    }
+
+    private static string? Beyond(Bounds box, Bounds bed)
+    {
+        var parts = new (double Over, string Side)[]
+        {
+            (bed.Min.X - box.Min.X, "far left"), (box.Max.X - bed.Max.X, "far right"), (bed.Min.Y - box.Min.Y, "far to the front"),
+            (box.Max.Y - bed.Max.Y, "far to the back"), (box.Max.Z - bed.Max.Z, "high"),
+        }.Where(s => s.Over > 1e-6).Select(s => $"{NumberFormatter.Format(s.Over, 2)} mm too {s.Side}").ToArray();
+        return parts.Length == 0 ? null : string.Join(", ", parts);
+    }
+}

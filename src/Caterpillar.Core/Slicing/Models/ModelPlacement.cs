@@ -1,0 +1,104 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Scales, turns and places models on the bed. Every call gives new models and leaves its input as it is. Lengths in mm, Z = 0 is the bed.
+/// </summary>
+public static class ModelPlacement
+{
+    /// <summary>All models moved together, so that they stand on the bed of a printer, in its middle.</summary>
+    public static IReadOnlyList<NamedMesh> OnBed(this IReadOnlyList<NamedMesh> models, Printer printer)
+        => OnBed(models, (printer ?? throw new ArgumentNullException(nameof(printer))).BuildBounds.Center);
+
+    /// <summary>All models moved together, so that the lowest point stands on Z = 0 and the middle of their box is at a point of the bed.</summary>
+    public static IReadOnlyList<NamedMesh> OnBed(this IReadOnlyList<NamedMesh> models, Vec3 center)
+    {
+        var box = BoxOf(models);
+        if (box.IsEmpty) return models;
+        return Moved(models, new Vec3(center.X - box.Center.X, center.Y - box.Center.Y, -box.Min.Z));
+    }
+
+    /// <summary>All models moved by a vector.</summary>
+    public static IReadOnlyList<NamedMesh> Moved(this IReadOnlyList<NamedMesh> models, Vec3 shift) => Each(models, m => m.Moved(shift));
+
+    /// <summary>All models scaled together about the middle of their foot; they keep their places to each other.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A factor is not above 0.</exception>
+    public static IReadOnlyList<NamedMesh> Scaled(this IReadOnlyList<NamedMesh> models, Vec3 factors)
+    {
+        if (!(factors.X > 0 && factors.Y > 0 && factors.Z > 0)) throw new ArgumentOutOfRangeException(nameof(factors), "Factors must be above 0.");
+        return About(models, Affine.Scale(factors.X, factors.Y, factors.Z));
+    }
+
+    /// <summary>All models scaled together and alike on all axes, so that the longest side of their box has this length.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The length is not above 0.</exception>
+    public static IReadOnlyList<NamedMesh> ScaledTo(this IReadOnlyList<NamedMesh> models, double longestSide)
+    {
+        if (!(longestSide > 0)) throw new ArgumentOutOfRangeException(nameof(longestSide), "The length must be above 0.");
+        var size = BoxOf(models).Size;
+        var longest = Math.Max(size.X, Math.Max(size.Y, size.Z));
+        return longest > 0 ? Scaled(models, new Vec3(longestSide / longest, longestSide / longest, longestSide / longest)) : models;
+    }
+
+    /// <summary>All models scaled together, so that their box has this size; sides of length 0 stay as they are.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A length is not above 0.</exception>
+    public static IReadOnlyList<NamedMesh> ScaledTo(this IReadOnlyList<NamedMesh> models, Vec3 size)
+    {
+        if (!(size.X > 0 && size.Y > 0 && size.Z > 0)) throw new ArgumentOutOfRangeException(nameof(size), "Lengths must be above 0.");
+        var now = BoxOf(models).Size;
+        return Scaled(models, new Vec3(now.X > 0 ? size.X / now.X : 1, now.Y > 0 ? size.Y / now.Y : 1, now.Z > 0 ? size.Z / now.Z : 1));
+    }
+
+    /// <summary>All models turned together about the middle of their foot, first about X, then about Y, then about Z, degrees, right-handed.</summary>
+    public static IReadOnlyList<NamedMesh> Rotated(this IReadOnlyList<NamedMesh> models, Vec3 degrees)
+        => About(models, Affine.Rotate(Vec3.UnitX, degrees.X).Then(Affine.Rotate(Vec3.UnitY, degrees.Y)).Then(Affine.Rotate(Vec3.UnitZ, degrees.Z)));
+
+    /// <summary>
+    /// Each model turned so that the largest flat face of its convex hull is below, and put on the bed where it is. Of equal faces the one that needs the
+    /// least turning.
+    /// </summary>
+    public static IReadOnlyList<NamedMesh> LaidFlat(this IReadOnlyList<NamedMesh> models) => Each(models, mesh =>
+    {
+        var foot = Foot(mesh.Bounds);
+        var turned = LayFlat.Turn(mesh);
+        return turned.Moved(foot.WithZ(0) - Foot(turned.Bounds));
+    });
+
+    /// <summary>The models, and as many copies of them as make <paramref name="count"/> of each; copies are named <c>part (2)</c>, <c>part (3)</c>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The count is below 1.</exception>
+    public static IReadOnlyList<NamedMesh> Copies(this IReadOnlyList<NamedMesh> models, int count)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        if (count < 1) throw new ArgumentOutOfRangeException(nameof(count), "There must be at least one of each.");
+        var all = new List<NamedMesh>(models.Count * count);
+        for (var i = 1; i <= count; i++) all.AddRange(models.Select(m => i == 1 ? m : new NamedMesh($"{m.Name} ({NumberFormatter.Format(i)})", m.Mesh)));
+        return all;
+    }
+
+    /// <summary>The box around all models, mm.</summary>
+    public static Bounds BoxOf(IReadOnlyList<NamedMesh> models)
+    {
+        var box = Bounds.Empty;
+        foreach (var model in models ?? throw new ArgumentNullException(nameof(models))) box = box.Include(model.Mesh.Bounds);
+        return box;
+    }
+
+    private static IReadOnlyList<NamedMesh> About(IReadOnlyList<NamedMesh> models, Affine map)
+    {
+        var box = BoxOf(models);
+        if (box.IsEmpty) return models;
+        var foot = Foot(box);
+        var whole = Affine.Move(-foot).Then(map).Then(Affine.Move(foot));
+        return Each(models, m => m.Transformed(whole));
+    }
+
+    private static Vec3 Foot(Bounds box) => box.IsEmpty ? Vec3.Zero : box.Center.WithZ(box.Min.Z);
+
+    private static IReadOnlyList<NamedMesh> Each(IReadOnlyList<NamedMesh> models, Func<TriMesh, TriMesh> change)
+        => (models ?? throw new ArgumentNullException(nameof(models))).Select(m => new NamedMesh(m.Name, change(m.Mesh))).ToArray();
+}

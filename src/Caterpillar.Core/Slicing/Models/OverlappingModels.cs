@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Makes one model of models that run through each other, so that the place where they overlap is printed once.</summary>
+internal static class OverlappingModels
+{
+    // Heights at which two models are compared, and what counts as touching only, mm².
+    private const int MaxHeights = 128;
+    private const double LeastArea = 1e-3;
+
+    public static IReadOnlyList<SliceModel> Merge(IReadOnlyList<SliceModel> models, int threads, DiagnosticList problems, CancellationToken cancel)
+    {
+        var group = new int[models.Count];
+        for (var i = 0; i < group.Length; i++) group[i] = i;
+        for (var i = 0; i < group.Length; i++)
+        {
+            for (var j = 0; j < i; j++)
+            {
+                cancel.ThrowIfCancellationRequested();
+                if (group[i] == group[j] || !Overlap(models[i], models[j], threads, cancel)) continue;
+                if (models[i].Settings != models[j].Settings)
+                {
+                    problems.Add(Severity.Warning, "models.overlap",
+                        $"{models[j].Mesh.Name} and {models[i].Mesh.Name} overlap and have different settings: both are printed where they do.");
+                    continue;
+                }
+                int from = Math.Max(group[i], group[j]), to = Math.Min(group[i], group[j]);
+                for (var k = 0; k < group.Length; k++) group[k] = group[k] == from ? to : group[k];
+            }
+        }
+        var merged = new List<SliceModel>();
+        for (var i = 0; i < group.Length; i++)
+        {
+            if (group[i] != i) continue;
+            var members = Enumerable.Range(i, group.Length - i).Where(k => group[k] == i).Select(k => models[k]).ToArray();
+            if (members.Length == 1)
+            {
+                merged.Add(members[0]);
+                continue;
+            }
+            var name = string.Join(" + ", members.Select(m => m.Mesh.Name));
+            problems.Add(Severity.Remark, "models.merged", $"{name} overlap: they are printed as one solid (merge_overlapping=false prints each).");
+            merged.Add(new SliceModel(new NamedMesh(name, TriMesh.Merge(members.Select(m => m.Mesh.Mesh))), members[0].Settings));
+        }
+        return merged;
+    }
+
+    private static bool Overlap(SliceModel a, SliceModel b, int threads, CancellationToken cancel)
+    {
+        Bounds p = a.Mesh.Mesh.Bounds, q = b.Mesh.Mesh.Bounds;
+        if (p.IsEmpty || q.IsEmpty || p.Min.X >= q.Max.X || q.Min.X >= p.Max.X || p.Min.Y >= q.Max.Y || q.Min.Y >= p.Max.Y) return false;
+        double bottom = Math.Max(0, Math.Max(p.Min.Z, q.Min.Z)), top = Math.Min(p.Max.Z, q.Max.Z);
+        if (!(bottom < top)) return false;
+        var count = (int)Math.Max(1, Math.Min(MaxHeights, Math.Ceiling((top - bottom) / a.Settings.LayerHeight)));
+        var heights = new double[count];
+        for (var i = 0; i < count; i++) heights[i] = bottom + (i + 0.5) * (top - bottom) / count;
+        var options = new SectionOptions { Threads = threads, GapMm = a.Settings.LargestGap };
+        var first = MeshSections.At(a.Mesh.Mesh, heights, options, null, cancel).Value!;
+        var second = MeshSections.At(b.Mesh.Mesh, heights, options, null, cancel).Value!;
+        for (var i = 0; i < count; i++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            if (Region.From(first[i].Loops).Intersect(Region.From(second[i].Loops)).Area > LeastArea) return true;
+        }
+        return false;
+    }
+}

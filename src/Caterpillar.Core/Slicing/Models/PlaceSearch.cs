@@ -1,0 +1,98 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Looks for places on a bed, one footprint after the other; those for which there is none stay null.</summary>
+internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, CancellationToken cancel)
+{
+    private const int Steps = 150;
+
+    // Beyond, rows are looked for on the grid alone.
+    private const int MaxEdges = 100;
+
+    private readonly BedArea _bed = new(printer, options.Margin);
+
+    /// <summary>Each on the free point of a grid that is nearest to the middle of the bed; ties from the front left.</summary>
+    public Footprint?[] FromTheMiddle(Footprint[] footprints, int[] order)
+    {
+        var center = printer.BuildBounds.Center.WithZ(0);
+        var places = Grid().OrderBy(p => (p - center).LengthSquared).ThenBy(p => p.Y).ThenBy(p => p.X).ToArray();
+        var placed = new Footprint?[footprints.Length];
+        foreach (var i in order) placed[i] = First(footprints[i], places, placed);
+        return placed;
+    }
+
+    /// <summary>Each as far in front, then as far left as it goes: beside the edges of the bed and of those that are placed, or on the grid.</summary>
+    public Footprint?[] InRows(Footprint[] footprints, int[] order)
+    {
+        var grid = Grid();
+        var placed = new Footprint?[footprints.Length];
+        foreach (var i in order)
+        {
+            var places = new List<Vec3>(grid);
+            if (order.Length <= MaxEdges) places.AddRange(Corners(footprints[i], placed));
+            placed[i] = First(footprints[i], places.OrderBy(p => p.Y).ThenBy(p => p.X), placed);
+        }
+        return placed;
+    }
+
+    private IEnumerable<Vec3> Corners(Footprint footprint, Footprint?[] placed)
+    {
+        var half = footprint.Box.Size * 0.5;
+        // A hair more, for rounding.
+        var start = printer.BuildBounds.Min + new Vec3(options.Margin + 1e-9, options.Margin + 1e-9);
+        var columns = new List<double> { start.X + half.X };
+        var rows = new List<double> { start.Y + half.Y };
+        foreach (var other in placed)
+        {
+            if (other is null) continue;
+            var spacing = Spacing(footprint, other) + 1e-9;
+            columns.Add(other.Box.Max.X + spacing + half.X);
+            rows.Add(other.Box.Max.Y + spacing + half.Y);
+        }
+        return rows.Distinct().SelectMany(_ => columns.Distinct(), (y, x) => new Vec3(x, y));
+    }
+
+    private List<Vec3> Grid()
+    {
+        var bed = printer.BuildBounds;
+        var step = Math.Max(bed.Size.X, bed.Size.Y) / Steps;
+        int nx = (int)(bed.Size.X / step / 2), ny = (int)(bed.Size.Y / step / 2);
+        var places = new List<Vec3>();
+        for (var y = -ny; y <= ny; y++)
+        {
+            for (var x = -nx; x <= nx; x++) places.Add(new Vec3(bed.Center.X + x * step, bed.Center.Y + y * step));
+        }
+        return places;
+    }
+
+    private Footprint? First(Footprint footprint, IEnumerable<Vec3> places, Footprint?[] placed)
+    {
+        var middle = footprint.Box.Center;
+        foreach (var place in places)
+        {
+            cancel.ThrowIfCancellationRequested();
+            var moved = footprint.Moved(place.X - middle.X, place.Y - middle.Y);
+            if (_bed.Holds(moved) && IsFree(moved, placed)) return moved;
+        }
+        return null;
+    }
+
+    private bool IsFree(Footprint moved, Footprint?[] placed)
+    {
+        foreach (var other in placed)
+        {
+            if (other is not null && moved.Separation(other) < Spacing(moved, other)) return false;
+        }
+        return true;
+    }
+
+    // The lower one is printed first.
+    private double Spacing(Footprint a, Footprint b)
+        => options.OneAfterTheOther ? Math.Max(options.Spacing, HeadClearance.Beside(printer, Math.Min(a.Height, b.Height))) : options.Spacing;
+}
