@@ -47,8 +47,29 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         var depth = rules.Edge + rules.OuterSpacing + (rules.Count - 1 + 0.75) * rules.InnerSpacing;
         var core = island.Offset(-depth, JoinStyle.Miter, 4, ArcTolerance, engine);
         if (core.IsEmpty) return false;
+        // Where the moved contours meet nowhere, no two sides are near; what is left are corners.
+        if (!engine.Arrangement.Touches && !engine.Arrangement.Cut && !HasSharpCorner(island)) return true;
         var opened = core.Offset(depth + 1e-3, JoinStyle.Miter, 4, ArcTolerance, engine);
         return island.Subtract(opened, engine).WithoutSmallContours(0.25 * rules.InnerSpacing * rules.InnerSpacing).IsEmpty;
+    }
+
+    // A corner of less than 30° is thin at its tip.
+    private static bool HasSharpCorner(Region island)
+    {
+        foreach (var path in island.Paths)
+        {
+            var a = path[path.Length - 2];
+            var b = path[path.Length - 1];
+            foreach (var c in path)
+            {
+                double ux = (double)b.X - a.X, uy = (double)b.Y - a.Y, vx = (double)c.X - b.X, vy = (double)c.Y - b.Y;
+                var dot = ux * vx + uy * vy;
+                if (dot < 0 && ux * vy - uy * vx > 0 && dot * dot > 0.75 * (ux * ux + uy * uy) * (vx * vx + vy * vy)) return true;
+                a = b;
+                b = c;
+            }
+        }
+        return false;
     }
 
     private Region Varying(Region island, WallOutput output)

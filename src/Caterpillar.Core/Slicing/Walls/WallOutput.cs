@@ -7,7 +7,7 @@ namespace Caterpillar.Slicing;
 /// <summary>Collects walls: spacings become widths, and points that change nothing are left away.</summary>
 internal sealed class WallOutput(WallRules rules)
 {
-    private const double WidthTolerance = 0.01;
+    private const double WidthTolerance = 0.003;
 
     // Of what lies inside, where a hundredth of a millimeter is not seen.
     private const double InnerTolerance = 0.01;
