@@ -57,7 +57,7 @@ internal sealed class TurtleVerb : Verb
         var variables = Variables(arguments.GetValue(_values) ?? []);
         var setup = _setup.Resolve(arguments, session);
         var script = session.ValueOrFail(TurtleScript.Compile(Encoding.UTF8.GetString(session.ReadBytes(file)), Session.NameOf(file)));
-        var options = new TurtleOptions { Extrusion = setup.Extrusion };
+        var options = new TurtleOptions { Extrusion = setup.Extrusion, Shape = setup.Settings.BeadShape };
         var turtle = session.WithProgress("Turtle",
             progress => session.ValueOrFail(script.Run(options, variables, arguments.GetValue(_seed), null, progress, session.Cancel)));
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;

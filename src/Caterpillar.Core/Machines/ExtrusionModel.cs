@@ -74,10 +74,10 @@ public sealed record ExtrusionModel
     };
 
     /// <summary>Area in mm² of the strand that ExtruderTurtle's E factor (mm of filament per mm of path) makes.</summary>
-    public double AreaOfFactor(double factor) => factor * FilamentArea / Multiplier;
+    public double AreaOfFactor(double factor) => factor * FilamentArea;
 
     /// <summary>ExtruderTurtle's E factor (mm of filament per mm of path) for a strand of some area in mm².</summary>
-    public double FactorOfArea(double area) => area * Multiplier / FilamentArea;
+    public double FactorOfArea(double area) => area / FilamentArea;
 
     /// <summary>Cross-section in mm² of a filament or plunger of a diameter in mm.</summary>
     public static double FilamentAreaOf(double diameter) => Math.PI / 4 * diameter * diameter;

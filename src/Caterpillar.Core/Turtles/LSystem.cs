@@ -9,7 +9,7 @@ namespace Caterpillar.Turtles;
 
 /// <summary>
 /// A rewriting system (Prusinkiewicz and Lindenmayer, "The Algorithmic Beauty of Plants", 1990, chapter 1): deterministic, stochastic, parametric, with
-/// brackets. Rules are text:
+/// brackets, context-sensitive. Rules are text:
 /// <c>F -&gt; F+F--F+F</c>; with weights for a random choice <c>0.3 F -&gt; F[+F]F</c>; with values and a condition <c>A(l, w) : l &gt; 1 -&gt; F(l)[+A(l*0.7,
 /// w)]</c>. Among matching rules, one is drawn by weight if any has one, else the first is taken; letters without a rule stay.
 /// </summary>
@@ -21,8 +21,9 @@ public sealed class LSystem
     private readonly Module[] _axiom;
     private readonly Dictionary<char, LSystemRule[]> _rules;
 
-    private LSystem(string axiom, Module[] modules, LSystemRule[] rules)
+    private LSystem(string axiom, Module[] modules, LSystemRule[] rules, LSystemNames variables)
     {
+        Variables = variables;
         Axiom = axiom;
         _axiom = modules;
         _rules = rules.GroupBy(r => r.Symbol).ToDictionary(g => g.Key, g => g.ToArray());
@@ -31,15 +32,23 @@ public sealed class LSystem
     /// <summary>The word of generation 0.</summary>
     public string Axiom { get; }
 
+    /// <summary>Variables from outside.</summary>
+    internal LSystemNames Variables { get; }
+
     /// <summary>Reads an axiom and its rules. Diagnostics name the rule as line (the axiom is line 0) and the column in it.</summary>
-    public static Result<LSystem> Parse(string axiom, IEnumerable<string> rules)
+    public static Result<LSystem> Parse(string axiom, IEnumerable<string> rules) => Parse(axiom, rules, []);
+
+    /// <summary>The same with variables from outside, which the formulas see by these names.</summary>
+    internal static Result<LSystem> Parse(string axiom, IEnumerable<string> rules, IReadOnlyList<string> variables)
     {
         if (axiom is null) throw new ArgumentNullException(nameof(axiom));
         if (rules is null) throw new ArgumentNullException(nameof(rules));
+        var names = new LSystemNames(variables);
         try
         {
-            var read = rules.Where(r => !string.IsNullOrWhiteSpace(r)).Select((r, i) => LSystemRule.Parse(r, i + 1)).ToArray();
-            return new Result<LSystem>(new LSystem(axiom, LSystemRule.Word(axiom, 0, [], 0), read), []);
+            var read = rules.Where(r => !string.IsNullOrWhiteSpace(r)).Select((r, i) => LSystemRule.Parse(r, i + 1, names)).ToArray();
+            CheckWeights(read);
+            return new Result<LSystem>(new LSystem(axiom, LSystemRule.Word(axiom, 0, [], 0, names), read, names), []);
         }
         catch (FormulaException e)
         {
@@ -56,9 +65,14 @@ public sealed class LSystem
     /// <param name="cancel">Stops with <see cref="OperationCanceledException"/>.</param>
     public Result<LSystemWord> Grow(
         int generations, int seed = 0, int maxSymbols = DefaultMaxSymbols, IProgress<double>? progress = null, CancellationToken cancel = default)
+        => Grow([], generations, seed, maxSymbols, progress, cancel);
+
+    /// <summary>The same with the values of the variables from outside.</summary>
+    internal Result<LSystemWord> Grow(double[] variables, int generations, int seed, int maxSymbols, IProgress<double>? progress, CancellationToken cancel)
     {
         if (generations < 0) throw new ArgumentOutOfRangeException(nameof(generations), "The number of generations must be 0 or more.");
-        var context = new FormulaContext([], new SeededRandom(seed));
+        var growth = new LSystemGrowth(_rules, variables, seed);
+        var context = growth.Context;
         var word = new WordBuilder(maxSymbols);
         try
         {
@@ -71,7 +85,7 @@ public sealed class LSystem
                 for (var i = 0; i < last.Count; i++)
                 {
                     if ((i & 0xFFF) == 0) cancel.ThrowIfCancellationRequested();
-                    if (Choose(last, i, context) is { } rule)
+                    if (growth.Choose(last, i) is { } rule)
                     {
                         foreach (var module in rule.Successor) next.Add(module, context);
                         rewritten = true;
@@ -85,47 +99,29 @@ public sealed class LSystem
                 word = next;
                 progress?.Report((double)g / generations);
                 // Nothing can change anymore.
-                if (!rewritten) break;
+                if (!rewritten && !growth.HasDrawn) break;
             }
         }
         catch (FormulaException e)
         {
             return new Result<LSystemWord>(null, [new Diagnostic(Severity.Error, e.Code, e.Message)]);
         }
-        return new Result<LSystemWord>(word.Build(), []);
+        return new Result<LSystemWord>(word.Build(), growth.Remarks);
     }
 
-    private LSystemRule? Choose(LSystemWord word, int index, FormulaContext context)
+    // Rules that always fit together; of others it shows while a word grows.
+    private static void CheckWeights(LSystemRule[] rules)
     {
-        if (!_rules.TryGetValue(word[index], out var rules)) return null;
-        LSystemRule? first = null;
-        var total = 0.0;
-        var weighted = false;
-        var count = word.ValueCount(index);
-        if (context.Values.Length != count) context.Values = new double[count];
-        for (var v = 0; v < count; v++) context.Values[v] = word.Value(index, v);
-        foreach (var rule in rules)
+        var sums = new Dictionary<(char, int), double>();
+        for (var i = 0; i < rules.Length; i++)
         {
-            if (!Fits(rule, count, context)) continue;
-            first ??= rule;
-            weighted |= rule.Weight is not null;
-            total += rule.Weight ?? 1;
+            var rule = rules[i];
+            if (rule.Condition is not null || rule.Left.Length + rule.Right.Length > 0) continue;
+            sums.TryGetValue((rule.Symbol, rule.Names.Length), out var sum);
+            sums[(rule.Symbol, rule.Names.Length)] = sum += rule.Weight ?? 0;
+            if (sum > 1 + 1e-9) throw LSystemGrowth.TooHeavy(rule.Symbol, sum, i + 1);
         }
-        if (first is null || !weighted) return first;
-        var draw = context.Random.NextDouble() * total;
-        LSystemRule? chosen = null;
-        foreach (var rule in rules)
-        {
-            if (!Fits(rule, count, context)) continue;
-            chosen = rule;
-            draw -= rule.Weight ?? 1;
-            if (draw < 0) break;
-        }
-        return chosen;
     }
-
-    private static bool Fits(LSystemRule rule, int count, FormulaContext context)
-        => rule.Names.Length == count && (rule.Condition is null || rule.Condition.Evaluate(context) != 0);
 
     private static Result<LSystemWord> TooLarge(int generation, int maxSymbols)
     {

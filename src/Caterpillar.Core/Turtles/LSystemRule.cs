@@ -13,12 +13,30 @@ internal readonly struct Module(char symbol, Formula[] values)
     public Formula[] Values { get; } = values;
 }
 
-/// <summary>One rule: <c>[weight] letter[(names)] [: condition] -&gt; successor</c>.</summary>
+/// <summary>A letter of a predecessor with the names of its values.</summary>
+internal readonly struct Pattern(char symbol, string[] names)
+{
+    public char Symbol { get; } = symbol;
+
+    public string[] Names { get; } = names;
+}
+
+/// <summary>One rule: <c>[weight] [left &lt;] letter[(names)] [&gt; right] [: condition] -&gt; successor</c>.</summary>
 internal sealed class LSystemRule
 {
     public char Symbol { get; private set; }
 
+    /// <summary>Names of the values of the letter.</summary>
     public string[] Names { get; private set; } = [];
+
+    /// <summary>Letters that must precede it, in the order of the word; empty for any.</summary>
+    public Pattern[] Left { get; private set; } = [];
+
+    /// <summary>Letters that must follow it.</summary>
+    public Pattern[] Right { get; private set; } = [];
+
+    /// <summary>How many values its formulas see before the variables: those of the left context, of the letter, and of the right context.</summary>
+    public int ValueCount { get; private set; }
 
     public double? Weight { get; private set; }
 
@@ -28,7 +46,7 @@ internal sealed class LSystemRule
 
     /// <summary>Reads a rule; key and line name it in diagnostics.</summary>
     /// <exception cref="FormulaException">The text is not a rule.</exception>
-    public static LSystemRule Parse(string text, int line)
+    public static LSystemRule Parse(string text, int line, LSystemNames variables)
     {
         var arrow = text.IndexOf("->", System.StringComparison.Ordinal);
         var width = 2;
@@ -40,30 +58,71 @@ internal sealed class LSystemRule
         }
         if (arrow < 0) throw new FormulaException("lsystem.rule", "A rule must have the form 'F -> successor'.", line, 1);
         var rule = new LSystemRule();
-        var i = Skip(text, 0);
-        i = rule.ReadWeight(text, i, arrow, line);
-        if (i >= arrow) throw new FormulaException("lsystem.rule", "The rule has no letter to replace.", line, 1);
-        rule.Symbol = text[i++];
-        if (i < arrow && text[i] == '(')
-        {
-            var close = Closing(text, i, arrow, line);
-            rule.Names = text.Substring(i + 1, close - i - 1).Split(',').Select(n => n.Trim()).ToArray();
-            if (rule.Names.Any(n => n.Length == 0)) throw new FormulaException("lsystem.rule", "A value of the letter has no name.", line, i + 1);
-            i = close + 1;
-        }
-        i = Skip(text, i);
+        var i = rule.ReadWeight(text, Skip(text, 0), arrow, line);
+        i = rule.ReadPredecessor(text, i, arrow, line);
+        var names = rule.Left.SelectMany(p => p.Names).Concat(rule.Names).Concat(rule.Right.SelectMany(p => p.Names)).ToArray();
+        rule.ValueCount = names.Length;
         if (i < arrow && text[i] == ':')
         {
-            rule.Condition = Compile(text, i + 1, arrow, rule.Names, line);
+            rule.Condition = Compile(text, i + 1, arrow, names, line, variables);
             i = arrow;
         }
         if (i < arrow) throw new FormulaException("lsystem.rule", $"Found '{text[i]}', expected '->' or ':'.", line, i + 1);
-        rule.Successor = Word(text, arrow + width, rule.Names, line);
+        rule.Successor = Word(text, arrow + width, names, line, variables);
         return rule;
     }
 
+    // left < letter > right
+    private int ReadPredecessor(string text, int i, int arrow, int line)
+    {
+        var (letters, at) = (new List<Pattern>(), i);
+        i = Letters(text, i, arrow, line, letters);
+        if (letters.Count > 0 && i < arrow && text[i] == '<')
+        {
+            Left = letters.ToArray();
+            letters.Clear();
+            at = Skip(text, i + 1);
+            i = Letters(text, at, arrow, line, letters);
+        }
+        if (letters.Count == 0) throw new FormulaException("lsystem.rule", "The rule has no letter to replace.", line, 1);
+        (Symbol, Names) = (letters[0].Symbol, letters[0].Names);
+        if (letters.Count > 1)
+        {
+            var second = Skip(text, Names.Length > 0 ? Closing(text, at + 1, arrow, line) + 1 : at + 1);
+            throw new FormulaException("lsystem.rule", $"Found '{text[second]}', expected '->' or ':'.", line, second + 1);
+        }
+        if (i >= arrow || text[i] != '>') return i;
+        letters.Clear();
+        i = Letters(text, i + 1, arrow, line, letters);
+        if (letters.Count == 0) throw new FormulaException("lsystem.rule", "There is no letter after '>'.", line, i);
+        Right = letters.ToArray();
+        return i;
+    }
+
+    // Letters with the names of their values, up to a '<', '>' or ':' that is not the first of them.
+    private static int Letters(string text, int i, int end, int line, List<Pattern> letters)
+    {
+        for (i = Skip(text, i); i < end; i = Skip(text, i))
+        {
+            var symbol = text[i];
+            if (letters.Count > 0 && symbol is '<' or '>' or ':') return i;
+            if (letters.Count > 0 && symbol is '[' or ']') throw new FormulaException("lsystem.rule", "A context has no brackets: it follows the branch.",
+                line, i + 1);
+            var names = System.Array.Empty<string>();
+            if (++i < end && text[i] == '(')
+            {
+                var close = Closing(text, i, end, line);
+                names = text.Substring(i + 1, close - i - 1).Split(',').Select(n => n.Trim()).ToArray();
+                if (names.Any(n => n.Length == 0)) throw new FormulaException("lsystem.rule", "A value of the letter has no name.", line, i + 1);
+                i = close + 1;
+            }
+            letters.Add(new Pattern(symbol, names));
+        }
+        return i;
+    }
+
     /// <summary>Reads a word: letters, some with values in parentheses; spaces are ignored.</summary>
-    public static Module[] Word(string text, int from, string[] names, int line)
+    public static Module[] Word(string text, int from, string[] names, int line, LSystemNames variables)
     {
         var modules = new List<Module>();
         for (var i = from; i < text.Length; i++)
@@ -82,7 +141,7 @@ internal sealed class LSystemRule
                     if (text[p] == '(') depth++;
                     else if (text[p] == ')' && p < close) depth--;
                     if (p < close && !(text[p] == ',' && depth == 0)) continue;
-                    values.Add(Compile(text, start, p, names, line));
+                    values.Add(Compile(text, start, p, names, line, variables));
                     start = p + 1;
                 }
                 i = close;
@@ -92,11 +151,15 @@ internal sealed class LSystemRule
         return modules.ToArray();
     }
 
-    private static Formula Compile(string text, int from, int to, string[] names, int line)
+    private static Formula Compile(string text, int from, int to, string[] names, int line, LSystemNames variables)
     {
         // Leading spaces keep the columns.
-        var result = Formula.Compile(new string(' ', from) + text.Substring(from, to - from), names);
-        if (result.Value is { } formula) return formula;
+        var result = Formula.Compile(new string(' ', from) + text.Substring(from, to - from), variables.After(names));
+        if (result.Value is { } formula)
+        {
+            variables.Note(text.Substring(from, to - from), names);
+            return formula;
+        }
         var problem = result.Diagnostics[0];
         throw new FormulaException(problem.Code, problem.Message, line, problem.Source?.Column ?? 1);
     }

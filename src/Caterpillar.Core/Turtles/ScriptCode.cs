@@ -51,6 +51,9 @@ internal sealed class Instruction(ScriptOp op, Token at)
 
     public LSystem? System { get; init; }
 
+    /// <summary>What the rules of the L-system may use.</summary>
+    public IReadOnlyList<(string Name, int Slot, bool Local)> Variables { get; init; } = [];
+
     public string Name { get; init; } = "";
 }
 

@@ -202,14 +202,15 @@ internal sealed partial class ScriptCompiler
             _at++;
         }
         if (texts.Count == 0) throw Error("turtle.values", "'lsystem' needs an axiom: lsystem 5 \"F\" \"F -> F+F--F+F\".", token);
-        var system = LSystem.Parse(texts[0].Text, texts.Skip(1).Select(t => t.Text));
+        var variables = _scope.Variables;
+        var system = LSystem.Parse(texts[0].Text, texts.Skip(1).Select(t => t.Text), variables.Select(v => v.Name).ToArray());
         if (system.Value is null)
         {
             var problem = system.Diagnostics[0];
             var text = texts[problem.Source?.Line ?? 0];
             throw new FormulaException(problem.Code, problem.Message, text.Line, text.Column + (problem.Source?.Column ?? 1));
         }
-        var grow = Emit(new Instruction(ScriptOp.Grow, token) { System = system.Value, Arguments = [generations] });
+        var grow = Emit(new Instruction(ScriptOp.Grow, token) { System = system.Value, Variables = variables, Arguments = [generations] });
         Emit(new Instruction(ScriptOp.NextLetter, token));
         grow.Target = _code.Count;
     }

@@ -35,6 +35,9 @@ internal sealed class ScriptMachine
         for (var i = 0; i < _frameSize; i++) _context.Values[i] = double.NaN;
     }
 
+    /// <summary>What was noticed while it ran.</summary>
+    public DiagnosticList Remarks { get; } = new();
+
     /// <exception cref="FormulaException">The program failed.</exception>
     public void Run(CancellationToken cancel)
     {
@@ -218,8 +221,18 @@ internal sealed class ScriptMachine
     {
         var generations = (int)Integer(at.Arguments[0]!, 0, 1000);
         var seed = (int)_context.Random.NextInteger(0, int.MaxValue);
-        var result = at.System!.Grow(generations, seed, _limits.MaxSymbols, null, cancel);
-        return result.Value ?? throw Error(at, result.Diagnostics[0].Code, result.Diagnostics[0].Message);
+        var variables = new double[at.Variables.Count];
+        for (var i = 0; i < variables.Length; i++)
+        {
+            var (name, slot, local) = at.Variables[i];
+            variables[i] = _context.Values[local ? _context.Base + slot : slot];
+            if (double.IsNaN(variables[i]) && at.System!.Variables.Uses(name))
+                throw Error(at, "turtle.no_value", $"The variable '{name}' has no value yet.");
+        }
+        var result = at.System!.Grow(variables, generations, seed, _limits.MaxSymbols, null, cancel);
+        if (result.Value is null) throw Error(at, result.Diagnostics[0].Code, result.Diagnostics[0].Message);
+        foreach (var remark in result.Diagnostics) Remarks.Add(remark with { Source = new SourceLocation(Line: at.Line, Column: at.Column) });
+        return result.Value;
     }
 
     // One letter of the word on top; a procedure of its name returns here.

@@ -41,6 +41,11 @@ internal sealed class ScriptScope : IFormulaScope
     public IEnumerable<string> Names
         => (_locals?.Keys ?? Enumerable.Empty<string>()).Concat(_globals.Keys).Concat(_arrays.Keys).Concat(State.Keys).OrderBy(n => n, StringComparer.Ordinal);
 
+    /// <summary>Variables that are seen here: locals, and globals that none of them hides.</summary>
+    public IReadOnlyList<(string Name, int Slot, bool Local)> Variables
+        => (_locals?.Select(l => (l.Key, l.Value, true)) ?? []).Concat(_globals.Where(g => _locals?.ContainsKey(g.Key) != true)
+            .Select(g => (g.Key, g.Value, false))).OrderBy(v => v.Item1, StringComparer.Ordinal).ToArray();
+
     public static bool IsState(string name) => State.ContainsKey(name);
 
     public void Enter(IReadOnlyList<string> parameters)

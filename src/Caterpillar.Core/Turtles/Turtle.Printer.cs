@@ -56,10 +56,11 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>Extrusion as width × height × multiplier, mm (Caterpillar).</summary>
-    public Turtle SetBead(double width, double height, double multiplier = 1, BeadShape shape = BeadShape.Rectangle)
+    /// <summary>Extrusion as width × height × multiplier, mm (Caterpillar); the area is that of the shape, or of the shape of the options.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite, or a stadium is narrower than high.</exception>
+    public Turtle SetBead(double width, double height, double multiplier = 1, BeadShape? shape = null)
     {
-        _state.Bead = Bead.FromWidth(width, height, multiplier, _state.Bead.Speed, shape);
+        _state.Bead = Bead.FromWidth(width, height, multiplier, _state.Bead.Speed, shape ?? _options.Shape);
         return this;
     }
 
@@ -93,7 +94,7 @@ public sealed partial class Turtle
     public Turtle Extrude(double filament)
     {
         if (double.IsNaN(filament) || double.IsInfinity(filament)) throw NotFinite();
-        return Event(new ExtrudeEvent(_options.Extrusion.AreaOfFactor(filament), _state.Bead.Speed));
+        return Event(new ExtrudeEvent(_options.Extrusion.AreaOfFactor(filament) / _options.Extrusion.Multiplier, _state.Bead.Speed));
     }
 
     /// <summary>Waits, in milliseconds.</summary>

@@ -20,6 +20,9 @@ public sealed record TurtleOptions
     /// <summary>The initial strand, instead of the density; one without a speed uses the rate. Null for the density.</summary>
     public Bead? Bead { get; init; }
 
+    /// <summary>Shape of strands that are given by width and height; for a print that of its settings.</summary>
+    public BeadShape Shape { get; init; } = BeadShape.Rectangle;
+
     /// <summary>mm/min.</summary>
     public double Rate { get; init; } = 1000;
 

@@ -87,9 +87,10 @@ public sealed class TurtleScript
             diagnostics.Add(Severity.Error, "turtle.not_finite", $"The value of '{name}' is not finite.", _file is null ? null : new SourceLocation(_file));
         if (diagnostics.HasErrors) return diagnostics.ToList();
         var unclosed = turtle.StackDepth;
+        var machine = new ScriptMachine(_code, turtle, limits ?? new TurtleLimits(), given, seed);
         try
         {
-            new ScriptMachine(_code, turtle, limits ?? new TurtleLimits(), given, seed).Run(cancel);
+            machine.Run(cancel);
             if (turtle.StackDepth > unclosed)
                 diagnostics.Add(Severity.Remark, "turtle.push", $"{NumberFormatter.Format(turtle.StackDepth - unclosed)} pushed states are never popped.",
                     _file is null ? null : new SourceLocation(_file));
@@ -98,6 +99,7 @@ public sealed class TurtleScript
         {
             diagnostics.Add(Problem(e, _file));
         }
+        foreach (var remark in machine.Remarks.ToList()) diagnostics.Add(remark with { Source = remark.Source! with { File = _file } });
         progress?.Report(1);
         return diagnostics.ToList();
     }

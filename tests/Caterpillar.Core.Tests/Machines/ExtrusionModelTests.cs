@@ -47,6 +47,14 @@ public class ExtrusionLawTests
         => Assert.That(new ExtrusionModel(ExtrusionUnit.Mm, 1.75, 1.1).E(5, 0.1), Is.EqualTo(1.1 * Filament.E(5, 0.1)).Within(1e-12));
 
     [Test]
+    public void The_multiplier_scales_e_of_strands_given_by_a_factor()
+    {
+        var model = new ExtrusionModel(ExtrusionUnit.Mm, 1.75, 1.1);
+        Assert.That(model.E(10, model.AreaOfFactor(0.05)), Is.EqualTo(0.55).Within(1e-12));
+        Assert.That(model.FactorOfArea(model.AreaOfFactor(0.05)), Is.EqualTo(0.05).Within(1e-15));
+    }
+
+    [Test]
     public void Volumetric_e_counts_cubic_millimeters()
     {
         var law = new ExtrusionModel(ExtrusionUnit.Mm3, 1.75);

@@ -71,6 +71,85 @@ internal sealed class LSystemTests
     }
 
     [Test]
+    public void A_weight_is_a_probability_and_else_the_letter_stays()
+    {
+        var word = System(new string('F', 10_000), "0.3 F -> AA").Grow(1, seed: 7).Value!.ToString();
+        Assert.That(word.Count(c => c == 'A') / 2, Is.EqualTo(3000).Within(150));
+        Assert.That(word.Count(c => c == 'F'), Is.EqualTo(7000).Within(150));
+        // A letter that stayed by chance may change in a later generation.
+        Assert.That(System("F", "0.3 F -> A").Grow(100, seed: 1).Value!.ToString(), Is.EqualTo("A"));
+    }
+
+    [Test]
+    public void A_rule_without_a_weight_takes_what_the_weights_leave()
+    {
+        var word = System(new string('F', 10_000), "0.25 F -> A", "F -> B").Grow(1, seed: 3).Value!.ToString();
+        Assert.That(word.Count(c => c == 'A'), Is.EqualTo(2500).Within(150));
+        Assert.That(word.Count(c => c == 'B'), Is.EqualTo(10_000 - word.Count(c => c == 'A')));
+    }
+
+    [Test]
+    public void Weights_of_more_than_1_are_an_error()
+    {
+        var error = LSystem.Parse("F", ["0.7 F -> A", "0.4 F -> B"]).Diagnostics.Single();
+        Assert.That((error.Code, error.Source!.Line), Is.EqualTo(("lsystem.weights", (int?)2)));
+        Assert.That(error.Message, Does.Contain("1.1"));
+        // Conditions may exclude each other: those show while a word grows.
+        string[] rules = ["0.7 F(x) : x > 0 -> A", "0.7 F(x) : x < 2 -> B"];
+        Assert.That(System("F(-1)F(3)", rules).Grow(1).Diagnostics, Is.Empty);
+        Assert.That(System("F(1)", rules).Grow(1).Diagnostics.Single().Code, Is.EqualTo("lsystem.weights"));
+    }
+
+    [Test]
+    public void A_letter_whose_rules_have_another_number_of_values_is_remarked()
+    {
+        var remark = System("AA(1)A", "A(x) -> B").Grow(1).Diagnostics.Single();
+        Assert.That((remark.Severity, remark.Code, remark.Count), Is.EqualTo((Severity.Remark, "lsystem.value_count", 2)));
+        Assert.That(remark.Message, Is.EqualTo("'A' with 0 values stays: its rules are for 1 values."));
+        Assert.That(System("AA(1)", "A -> B", "A(x) -> C").Grow(1).Diagnostics, Is.Empty);
+    }
+
+    // A signal travels along the word, one letter a generation (Prusinkiewicz and Lindenmayer 1990, section 1.8).
+    [TestCase("baaaa", "b < a -> b", 3, "bbbba")]
+    [TestCase("aaab", "a > b -> b", 2, "abbb")]
+    [TestCase("xaz", "x < a > z -> Q", 1, "xQz")]
+    [TestCase("yaz", "x < a > z -> Q", 1, "yaz")]
+    [TestCase("x+[c]-az", "x < a > z -> Q", 1, "x+[c]-Qz")]
+    [TestCase("x[+a]z", "x < a -> Q", 1, "x[+Q]z")]
+    [TestCase("x[+a]z", "a > z -> Q", 1, "x[+a]z")]
+    [TestCase("xya", "xy < a -> Q", 1, "xyQ")]
+    [TestCase("a[b]cd", "a > cd -> Q", 1, "Q[b]cd")]
+    [TestCase("a[b]cd", "a > c d -> Q", 1, "Q[b]cd")]
+    [TestCase("F+F", "F > + -> Q", 1, "Q+F")]
+    public void Contexts_follow_the_branch(string axiom, string rule, int generations, string word)
+        => Assert.That(Word(generations, axiom, rule), Is.EqualTo(word));
+
+    [Test]
+    public void Contexts_see_their_values()
+        => Assert.That(Word(1, "A(1)B(2)C(5)", "A(x) < B(y) > C(z) : z > 4 -> B(x + 10 * y + 100 * z)"), Is.EqualTo("A(1)B(521)C(5)"));
+
+    [TestCase("a < -> b")]
+    [TestCase("a > -> b")]
+    [TestCase("a[ < b -> c")]
+    [TestCase("a < b c -> d")]
+    public void Contexts_that_are_none_are_errors(string rule)
+        => Assert.That(LSystem.Parse("a", [rule]).Diagnostics.Single().Code, Is.EqualTo("lsystem.rule"));
+
+    [Test]
+    public void Rules_in_a_script_see_its_variables()
+    {
+        // F(2 * 3), F(6 * 3) …; the value of the rule hides the variable of its name.
+        var turtle = TurtleScript.Compile("k = 3\nx = 100\ndef F d [ forward d ]\nlsystem 2 \"F(2)\" \"F(x) -> F(x * k)\"").Value!.Run().Value!;
+        Assert.That(turtle.X, Is.EqualTo(18).Within(1e-12));
+        var local = TurtleScript.Compile("def grow size [ lsystem 1 \"A\" \"A -> F(size)\" ]\nk = 4\ngrow 7").Value!.Run().Value!;
+        Assert.That(local.X, Is.EqualTo(7).Within(1e-12));
+        var unset = TurtleScript.Compile("lsystem 1 \"A\" \"A -> F(late)\"\nlate = 2").Value!.Run();
+        Assert.That(unset.Diagnostics.Single().Code, Is.EqualTo("turtle.no_value"));
+        var remark = TurtleScript.Compile("\nlsystem 1 \"F\" \"F(x) -> F\"").Value!.Run().Diagnostics.Single();
+        Assert.That((remark.Code, remark.Source!.Line), Is.EqualTo(("lsystem.value_count", (int?)2)));
+    }
+
+    [Test]
     public void Growth_beyond_the_limit_is_an_error()
     {
         var result = System("F", "F -> FF").Grow(40, maxSymbols: 1000);

@@ -1,3 +1,5 @@
+using Caterpillar.Planning;
+using Caterpillar.Machines;
 using System;
 using System.Collections.Generic;
 using System.Linq;
@@ -312,5 +314,23 @@ internal sealed class TurtleScriptTests
             var run = script.Value?.Run(limits: limits);
             if (run is not null) Assert.That(run.Value is null, Is.EqualTo(run.HasErrors), text);
         }
+    }
+
+    [TestCase(BeadShape.Rectangle, 0.08)]
+    [TestCase(BeadShape.Stadium, 0.2 * 0.2 + Math.PI / 4 * 0.2 * 0.2)]
+    [TestCase(BeadShape.Circle, Math.PI / 4 * 0.4 * 0.4)]
+    public void A_bead_has_the_shape_of_the_settings(BeadShape shape, double area)
+    {
+        var turtle = TurtleScript.Compile("bead 0.4 0.2\nforward 10").Value!.Run(new TurtleOptions { Shape = shape }).Value!;
+        Assert.That(turtle.Bead.Area, Is.EqualTo(area).Within(1e-12));
+    }
+
+    [Test]
+    public void The_flow_multiplier_scales_strands_but_not_what_is_extruded_in_place()
+    {
+        var setup = new PrintSetup(new Printer(), new Material { FlowMultiplier = 1.2 }, new PrintSettings());
+        var turtle = TurtleScript.Compile("density 0.05\nforward 10\nextrude 2").Value!.Run(new TurtleOptions { Extrusion = setup.Extrusion }).Value!;
+        var plan = Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).Value!;
+        Assert.That(plan.Moves().Where(m => m.E > 0).Select(m => m.E), Is.EqualTo(new[] { 10 * 0.05 * 1.2, 2 }).Within(1e-9));
     }
 }

@@ -25,7 +25,7 @@ internal static class MaterialKeys
         "bed_temperature_c", 0, 500, m => m.BedTemperature, (m, v) => m with { BedTemperature = v }, "Temperature of the bed; 0 = off.");
 
     public static readonly ProfileKey<Material, double> FlowMultiplier = K.Number(
-        "flow_multiplier", 0.01, 100, m => m.FlowMultiplier, (m, v) => m with { FlowMultiplier = v }, "Scales all E.");
+        "flow_multiplier", 0.01, 100, m => m.FlowMultiplier, (m, v) => m with { FlowMultiplier = v }, "Scales E of all strands.");
 
     public static readonly ProfileKey<Material, double> FanPercent = K.Number(
         "fan_percent", 0, 100, m => m.FanPercent, (m, v) => m with { FanPercent = v }, "Part cooling.");

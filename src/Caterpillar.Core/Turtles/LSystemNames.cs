@@ -1,0 +1,29 @@
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Expressions;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>Variables from outside that the formulas of an L-system may use, and which of them they do.</summary>
+internal sealed class LSystemNames(IReadOnlyList<string> names)
+{
+    private readonly HashSet<string> _used = new(System.StringComparer.Ordinal);
+
+    public int Count => names.Count;
+
+    public bool Uses(string name) => _used.Contains(name);
+
+    /// <summary>The names of values, then the variables, those of the same name hidden.</summary>
+    public string[] After(string[] values)
+        => [.. values, .. names.Select((name, i) => values.Contains(name) ? "hidden " + Basics.NumberFormatter.Format(i) : name)];
+
+    /// <summary>Notes the variables in a formula.</summary>
+    public void Note(string formula, string[] values)
+    {
+        if (names.Count == 0) return;
+        foreach (var token in Lexer.Read(formula))
+        {
+            if (token.Kind == TokenKind.Name && !values.Contains(token.Text) && names.Contains(token.Text)) _used.Add(token.Text);
+        }
+    }
+}
