@@ -117,7 +117,7 @@ internal sealed class LSystemGrowth
             var letter = word[at];
             if (letter == ']') depth++;
             else if (letter == '[') depth = Math.Max(0, depth - 1);
-            else if (depth == 0 && (letter == wanted || Turns.IndexOf(letter) < 0)) return at;
+            else if (depth == 0 && (letter == wanted || !IsTurn(letter))) return at;
         }
         return -1;
     }
@@ -131,7 +131,7 @@ internal sealed class LSystemGrowth
             var letter = word[at];
             if (letter == '[') depth++;
             else if (letter == ']' && --depth < 0) return -1;
-            else if (letter != ']' && depth == 0 && (letter == wanted || Turns.IndexOf(letter) < 0)) return at;
+            else if (letter != ']' && depth == 0 && (letter == wanted || !IsTurn(letter))) return at;
         }
         return -1;
     }
@@ -150,4 +150,13 @@ internal sealed class LSystemGrowth
     }
 
     private static string Values(int count) => count == 1 ? "1 value" : NumberFormatter.Format(count) + " values";
+
+    private static bool IsTurn(char letter)
+    {
+        foreach (var turn in Turns)
+        {
+            if (turn == letter) return true;
+        }
+        return false;
+    }
 }
