@@ -47,8 +47,9 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         var depth = rules.Edge + rules.OuterSpacing + (rules.Count - 1 + 0.75) * rules.InnerSpacing;
         var core = island.Offset(-depth, JoinStyle.Miter, 4, ArcTolerance, engine);
         if (core.IsEmpty) return false;
-        // Where the moved contours meet nowhere, no two sides are near; what is left are corners.
-        if (!engine.Arrangement.Touches && !engine.Arrangement.Cut && !HasSharpCorner(island)) return true;
+        // Where all contours are still there and meet nowhere, no two sides are near; what is left are corners.
+        var apart = !engine.Arrangement.Touches && !engine.Arrangement.Cut && core.Paths.Length == island.Paths.Length;
+        if (apart && !HasSharpCorner(island)) return true;
         var opened = core.Offset(depth + 1e-3, JoinStyle.Miter, 4, ArcTolerance, engine);
         return island.Subtract(opened, engine).WithoutSmallContours(0.25 * rules.InnerSpacing * rules.InnerSpacing).IsEmpty;
     }

@@ -99,6 +99,49 @@ public class WallTests
         Assert.That(bad, Is.Empty);
     }
 
+    [TestCase(1.1)]
+    [TestCase(0.6)]
+    [TestCase(1.9)]
+    public void Beads_of_a_ring_leave_nothing_open_and_nothing_twice(double thickness)
+    {
+        var rules = Rules();
+        var region = WallShapes.Ring(4, thickness);
+        var raster = new BeadRaster(region.Bounds, 0.02);
+        foreach (var path in Solid(region, rules)) raster.Add(path.Points, path.Widths.Select(rules.Spacing).ToArray(), path.Closed);
+        // Pixels at the border may count to either side.
+        var (area, uncovered, twice, outside) = raster.Measure(region.Offset(-rules.Edge));
+        Assert.That(uncovered / area, Is.LessThan(0.015));
+        Assert.That(twice / area, Is.LessThan(0.015));
+        Assert.That(outside / area, Is.LessThan(0.015));
+    }
+
+    [TestCase("meshes/fandisk.stl", 10.1)]
+    [TestCase("meshes/igea.ply", 30.1)]
+    [TestCase("meshes/homer.stl", 30.1)]
+    public void The_outer_wall_follows_the_outline_within_a_hundredth_of_a_millimeter(string file, double z)
+    {
+        var section = MeshSections.At(MeshReader.ReadMerged(TestData.Shared(file)).Value!, [z]).Value![0];
+        var region = Region.From(section.Loops).Simplified(0.0125);
+        var outer = new WallBuilder(Rules(), new RegionEngine()).Build(region).Paths.Where(p => p is { Index: 0, IsStrand: false }).ToArray();
+        // Whole contours at the nominal distance: between the outlines that are a little nearer and a little farther.
+        var near = region.Offset(-0.225 + 0.0125);
+        var far = region.Offset(-0.225 - 0.0125);
+        double length = 0, off = 0;
+        foreach (var path in outer)
+        {
+            for (var i = 0; i < path.SegmentCount; i++)
+            {
+                Vec3 a = path.Points[i], b = path.Points[(i + 1) % path.Points.Length];
+                if (Math.Abs(path.Widths[i] - 0.45) > 1e-9) continue;
+                var middle = (a + b) * 0.5;
+                length += (b - a).LengthXY;
+                if (!near.Contains(middle.X, middle.Y) || far.Contains(middle.X, middle.Y)) off += (b - a).LengthXY;
+            }
+        }
+        Assert.That(length, Is.GreaterThan(50));
+        Assert.That(off / length, Is.LessThan(0.001));
+    }
+
     [Test]
     public void A_lone_strand_reaches_both_ends_of_its_shape()
     {
