@@ -14,7 +14,8 @@ internal static class GyroidPattern
     /// <summary>Length of all sections per area, times the period; the mean over a period of heights.</summary>
     public const double MeanLength = 2.4586;
 
-    private const double ChordTolerance = 0.01;
+    // mm; a tenth of a strand.
+    private const double ChordTolerance = 0.04;
 
     public static List<Polyline> Waves(InfillRequest request)
     {
