@@ -36,7 +36,8 @@ internal static class InfillPictures
     {
         var sliced = PlanarSlicer.Slice([new NamedMesh(name, Star())], settings).Value ?? throw new InvalidOperationException(name);
         var layer = sliced.Layers[sliced.Layers.Count / 2];
-        var toolpath = Planner.Plan(layer.Steps.Cast<Step>().ToArray(), new PrintSetup { Settings = settings }).Value ?? throw new InvalidOperationException(name);
+        var plan = Planner.Plan(layer.Steps.Cast<Step>().ToArray(), new PrintSetup { Settings = settings });
+        var toolpath = plan.Value ?? throw new InvalidOperationException(name);
         var bytes = PngWriter.ToBytes(Picture.Draw(toolpath, new PictureOptions { Width = 360, Height = 324, View = View.Top }));
         var file = "infill_" + name.ToLowerInvariant() + ".png";
         File.WriteAllBytes(Path.Combine(folder, file), bytes);
