@@ -212,7 +212,8 @@ internal static class PrinterKeys
         RetractionDistance, RetractionSpeed, RestoreSpeed, RestoreExtra, FirmwareRetraction, LiftClearance, LiftSpeed, MaxSpeed,
         MaxAcceleration, PrintAcceleration,
         TravelAcceleration, RetractionAcceleration, CornerRule, Jerk, JunctionDeviation, SquareCornerVelocity, MinimumCruiseRatio,
-        InstantaneousCornerVelocity, PlannerQueue, ArcSegment, NozzleHeating, BedHeating, ToolChangeTime, HomingTime, ToolOffsets, HeadOutline, HeadBoxes, ExcludedAreas,
+        InstantaneousCornerVelocity, PlannerQueue, ArcSegment, NozzleHeating, BedHeating, ToolChangeTime, HomingTime, ToolOffsets, HeadOutline, HeadBoxes,
+        ExcludedAreas,
         MaxFlow, MinExtrusionTemperature, MaxNozzleTemperature, MaxBedTemperature, MaxStationaryVolume, StartTemplate, EndTemplate, LayerTemplate,
             ToolChangeTemplate,
     ];
