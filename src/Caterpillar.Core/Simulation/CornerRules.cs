@@ -8,11 +8,10 @@ internal abstract class CornerRules(MachineLimits limits)
 {
     protected MachineLimits Limits { get; } = limits;
 
-    /// <summary>Limits speed and acceleration of a move whose direction, length and wanted speed are known.</summary>
+    /// <summary>
+    /// Limits speed and acceleration of a move whose direction, length and wanted speed are known, and sets the speed from which it may stop at once.
+    /// </summary>
     public abstract void Limit(ref StraightMove move);
-
-    /// <summary>Square of the speed from which the machine may stand still at once.</summary>
-    public virtual double Rest2(in StraightMove move) => 0;
 
     /// <summary>Square of the highest speed in the corner between two moves; at most the square of the speed of both.</summary>
     public abstract double Corner2(in StraightMove before, in StraightMove move);
@@ -61,7 +60,11 @@ internal sealed class JerkRules(MachineLimits limits) : AxisRules(limits)
     // Below this part of the safe speeds it is faster to stop and start again.
     private const double Coasting = 0.99;
 
-    public override double Rest2(in StraightMove move) => Square(Safe(move));
+    public override void Limit(ref StraightMove move)
+    {
+        base.Limit(ref move);
+        move.Rest = Within(move.Speed, move, MotionLimit.JerkX);
+    }
 
     public override double Corner2(in StraightMove before, in StraightMove move)
     {
@@ -74,11 +77,8 @@ internal sealed class JerkRules(MachineLimits limits) : AxisRules(limits)
         Axis(before.Z * before.Speed * scale, move.Z * move.Speed, Limits[MotionLimit.JerkZ], ref factor);
         Axis(before.E * before.Speed * scale, move.E * move.Speed, Limits[MotionLimit.JerkE], ref factor);
         var corner = slower * factor;
-        var safe = Safe(move);
-        return Square(safe > corner * Coasting && Safe(before) > corner * Coasting ? Math.Min(safe, slower) : corner);
+        return Square(move.Rest > corner * Coasting && before.Rest > corner * Coasting ? Math.Min(move.Rest, slower) : corner);
     }
-
-    private double Safe(in StraightMove move) => Within(move.Speed, move, MotionLimit.JerkX);
 
     // An axis that turns round may jump by its jerk on each side of rest.
     private static void Axis(double before, double after, double most, ref double factor)

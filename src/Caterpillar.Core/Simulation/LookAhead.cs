@@ -24,7 +24,7 @@ internal abstract class LookAhead
 /// </remarks>
 internal sealed class QueueLookAhead(int queue) : LookAhead
 {
-    private const int LeastStretch = 8192;
+    private const int LeastStretch = 1024;
     private readonly int _window = queue == 0 ? int.MaxValue : Math.Max(queue - 1, 1);
     private double[] _caps = [];
     private double[] _rises = [];

@@ -199,7 +199,7 @@ internal sealed class MotionPlanner
         if (_count == _run.Length) Array.Resize(ref _run, 2 * _count);
         ref var s = ref _run[_count];
         s = new Segment { Length = length, Acceleration = move.Acceleration, Speed2 = move.Speed * move.Speed };
-        s.Rest2 = _rules.Rest2(move);
+        s.Rest2 = move.Rest * move.Rest;
         s.SlowGain = _rules.SlowGain(move);
         s.Entry2 = _before.Length > 0 ? _rules.Corner2(_before, move) : s.Rest2;
         _before = move;

@@ -25,5 +25,8 @@ internal struct StraightMove
     // Deviation from a corner that the square corner velocity stands for, mm.
     public double Deviation;
 
+    // Speed from which the machine may stand still at once, mm/s.
+    public double Rest;
+
     public bool InPlace;
 }
