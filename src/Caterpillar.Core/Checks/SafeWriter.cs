@@ -61,7 +61,8 @@ public static class SafeWriter
         var guard = WriteGuard.Check(toolpath, setup, reason, progress.Part(0, 0.2), cancel);
         var format = SetupFormat.Of(setup, toolpath);
         if (guard.Refuses || format.Value is null) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
-        var writer = new GCodeWriter(toolpath, format.Value with { Header = [.. format.Value.Header, .. guard.Comments()] });
+        var (timed, seconds) = ProgressLines.Add(toolpath, setup, cancel);
+        var writer = new GCodeWriter(timed, format.Value with { Header = [.. format.Value.Header, .. guard.Comments()], PrintTime = seconds });
         writer.WriteAll(stream, progress.Part(0.2, 1), cancel);
         return new Result<WrittenGCode>(new WrittenGCode(writer.Bytes, writer.Lines, guard.Overridden), guard.Remarks(format.Diagnostics));
     }

@@ -89,6 +89,12 @@ internal static class DialectRows
             LimitCommands.Klipper => "`M204` (S, or P and T), `SET_VELOCITY_LIMIT`",
             _ => "`M204` (S, or P)",
         }),
+        ("progress, `M73`", d => d.Progress switch
+        {
+            ProgressCommand.Percent => "P: percent",
+            ProgressCommand.PercentAndMinutes => "P: percent, R: minutes left",
+            _ => "–",
+        }),
         ("keeps and brings back", d => d.ModeStack ? "`M120`, `M121`: the modes" : d.ExtendedCommands
             ? "`SAVE_GCODE_STATE`, `RESTORE_GCODE_STATE`; `SET_GCODE_OFFSET`" : "–"),
         ("pause", d => List(d.Pauses)),

@@ -1,10 +1,13 @@
 namespace Caterpillar.Dialects;
 
-/// <summary>Limits of the motion.</summary>
+/// <summary>Limits of the motion, and the display of progress.</summary>
 public sealed partial record DialectRules
 {
     /// <summary>Which commands set limits of speed and acceleration.</summary>
     public LimitCommands Limits { get; init; }
+
+    /// <summary>What M73 shows.</summary>
+    public ProgressCommand Progress { get; init; }
 }
 
 /// <summary>Which commands set limits of the motion.</summary>
@@ -21,4 +24,17 @@ public enum LimitCommands
 
     /// <summary>M204 S, or the lesser of P and T; SET_VELOCITY_LIMIT.</summary>
     Klipper,
+}
+
+/// <summary>What M73 shows on the display of a machine.</summary>
+public enum ProgressCommand
+{
+    /// <summary>It is not known.</summary>
+    None,
+
+    /// <summary>P is the percent that is done.</summary>
+    Percent,
+
+    /// <summary>P is the percent that is done, R the minutes that are left.</summary>
+    PercentAndMinutes,
 }

@@ -63,6 +63,9 @@ public sealed record Printer
     /// <summary>Retraction by the firmware (G10, G11), with its own distance and speed.</summary>
     public bool FirmwareRetraction { get; init; }
 
+    /// <summary>Files say how long the print takes (<c>;TIME:</c>) and show its progress (M73), where the dialect knows them.</summary>
+    public bool ProgressLines { get; init; } = true;
+
     /// <summary>Clearance of travels above what was printed, mm.</summary>
     public double LiftClearance { get; init => field = PrinterKeys.LiftClearance.Check(value); } = 0.4;
 

@@ -7,6 +7,7 @@ internal static class Bambu
     {
         Name = "bambu",
         Title = "Bambu",
+        Progress = ProgressCommand.PercentAndMinutes,
         Limits = LimitCommands.Marlin,
         Source =
             "BambuStudio, src/libslic3r/GCode/GCodeProcessor.cpp (commit bca0414): process_G1, process_G2_G3, process_G4, process_G28, process_G92, "

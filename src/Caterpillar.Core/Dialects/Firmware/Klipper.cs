@@ -7,6 +7,7 @@ internal static class Klipper
     {
         Name = "klipper",
         Title = "Klipper",
+        Progress = ProgressCommand.PercentAndMinutes,
         Limits = LimitCommands.Klipper,
         Source =
             "Klipper of 2026-08-07, klippy/extras/gcode_move.py (GCodeMove), gcode_arcs.py (ArcSupport), firmware_retraction.py, fan.py, "

@@ -7,6 +7,7 @@ internal static class Marlin2
     {
         Name = "marlin2",
         Title = "Marlin 2",
+        Progress = ProgressCommand.PercentAndMinutes,
         OtherNames = ["marlin", "reprapmarlinsprinter"],
         Source =
             "Marlin 2.1, Marlin/src/gcode: gcode.cpp (get_destination_from_command, process_parsed_command), gcode.h (set_relative_mode, "

@@ -7,6 +7,7 @@ internal static class Prusa
     {
         Name = "prusa",
         Title = "Prusa-Firmware",
+        Progress = ProgressCommand.PercentAndMinutes,
         OtherNames = ["mk3", "prusafirmware"],
         Source =
             "Prusa-Firmware of 2024-03-28 (MK3), Firmware/Marlin_main.cpp: get_coordinates, process_commands (G2, G3, G4, G21, G90, G91, M82, M83, "

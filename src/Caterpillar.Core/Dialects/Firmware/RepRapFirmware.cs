@@ -7,6 +7,7 @@ internal static class RepRapFirmware
     {
         Name = "reprapfirmware",
         Title = "RepRapFirmware",
+        Progress = ProgressCommand.PercentAndMinutes,
         Limits = LimitCommands.RepRapFirmware,
         OtherNames = ["rrf", "duet"],
         Source =

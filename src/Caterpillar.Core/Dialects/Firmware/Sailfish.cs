@@ -7,6 +7,7 @@ internal static class Sailfish
     {
         Name = "sailfish",
         Title = "Sailfish, MakerWare",
+        Progress = ProgressCommand.Percent,
         OtherNames = ["makerware", "makerbot"],
         Source =
             "GPX of 2020-11-26, src/gpx/gpx.c (gpx_convert_line, calculate_target_position, queue_ext_point, do_tool_change), which translates G-code "

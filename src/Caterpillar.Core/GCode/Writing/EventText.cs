@@ -39,6 +39,10 @@ internal static class EventText
             case LimitEvent limit:
                 if (LimitText.Line(limit, rules.Limits) is { } text) yield return text;
                 break;
+            case ProgressEvent shown when rules.Progress != ProgressCommand.None:
+                yield return "M73 P" + NumberFormatter.Format(shown.Percent)
+                    + (rules.Progress == ProgressCommand.PercentAndMinutes ? " R" + NumberFormatter.Format(shown.MinutesLeft) : "");
+                break;
             case FinishMovesEvent:
                 yield return "M400";
                 break;

@@ -42,6 +42,9 @@ public sealed record GCodeFormat
     /// <summary>Comments at the very beginning, without their <c>;</c>.</summary>
     public IReadOnlyList<string> Header { get; init; } = [];
 
+    /// <summary>Seconds that the print takes, for a line <c>;TIME:</c> as hosts read it; null for none.</summary>
+    public double? PrintTime { get; init; }
+
     /// <summary>Lines before the moves (the start code) and after them.</summary>
     public IReadOnlyList<string> Start { get; init; } = [];
 

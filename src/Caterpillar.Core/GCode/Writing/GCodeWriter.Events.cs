@@ -45,7 +45,7 @@ public sealed partial class GCodeWriter
                 _out.Word('S', acceleration.Value, 0);
                 _out.EndLine();
                 return;
-            case LimitEvent or FinishMovesEvent:
+            case LimitEvent or FinishMovesEvent or ProgressEvent:
                 foreach (var line in EventText.Lines(what, _rules)) _out.Line(line);
                 return;
             case DwellEvent dwell:

@@ -99,6 +99,7 @@ public sealed partial class GCodeWriter
     public void WriteStart(Stream stream)
     {
         foreach (var line in _format.Header) _out.Comment(" " + line);
+        if (_format.PrintTime is { } seconds) _out.Comment("TIME:" + NumberFormatter.Format((long)Math.Round(seconds)));
         Template(_format.Start);
         StateModes();
         Flush(stream);

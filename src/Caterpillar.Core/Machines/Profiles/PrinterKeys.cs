@@ -78,6 +78,10 @@ internal static class PrinterKeys
         "firmware_retraction", p => p.FirmwareRetraction, (p, v) => p with { FirmwareRetraction = v },
         "Retraction by the firmware (G10, G11), with its own distance and speed.");
 
+    public static readonly ProfileKey<Printer, bool> ProgressLines = K.Boolean(
+        "progress_lines", p => p.ProgressLines, (p, v) => p with { ProgressLines = v },
+        "Files state the print time (;TIME) and the progress (M73), if the dialect knows it.");
+
     public static readonly ProfileKey<Printer, double> LiftClearance = K.Number(
         "lift_clearance_mm", 0, 1000, p => p.LiftClearance, (p, v) => p with { LiftClearance = v },
         "Clearance of travels above what was printed.");
@@ -209,7 +213,7 @@ internal static class PrinterKeys
     [
         Title, Dialect, BuildVolume, Origin, BedShape, NozzleDiameter, DefaultMaterial, DefaultSettings, ExtrusionMode, ExtrusionUnit,
         DecimalsXyz, DecimalsE, DecimalsF,
-        RetractionDistance, RetractionSpeed, RestoreSpeed, RestoreExtra, FirmwareRetraction, LiftClearance, LiftSpeed, MaxSpeed,
+        RetractionDistance, RetractionSpeed, RestoreSpeed, RestoreExtra, FirmwareRetraction, ProgressLines, LiftClearance, LiftSpeed, MaxSpeed,
         MaxAcceleration, PrintAcceleration,
         TravelAcceleration, RetractionAcceleration, CornerRule, Jerk, JunctionDeviation, SquareCornerVelocity, MinimumCruiseRatio,
         InstantaneousCornerVelocity, PlannerQueue, ArcSegment, NozzleHeating, BedHeating, ToolChangeTime, HomingTime, ToolOffsets, HeadOutline, HeadBoxes,

@@ -42,3 +42,6 @@ public sealed record FinishMovesEvent : PrinterEvent;
 
 /// <summary>Another limit of the motion from here on (M201, M203, M204, M205, M566, SET_VELOCITY_LIMIT), in mm/s, mm/s² or mm.</summary>
 public sealed record LimitEvent(MotionLimit Limit, double Value) : PrinterEvent;
+
+/// <summary>Progress for the display of the machine: percent of the time, and minutes left (M73).</summary>
+public sealed record ProgressEvent(int Percent, int MinutesLeft) : PrinterEvent;

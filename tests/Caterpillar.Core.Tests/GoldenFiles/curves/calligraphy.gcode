@@ -1,6 +1,7 @@
 ; Made with Caterpillar
 ; Dialect grbl
 ; Printer pen_plotter, material pen, settings pen
+;TIME:23
 ;TYPE:Custom
 G21 (millimetres)
 G17 (arcs in XY)

@@ -1,0 +1,44 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Dialects;
+using Caterpillar.Machines;
+using Caterpillar.Simulation;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>Times a print and tells the machine's display of its progress. Start and end code are not timed.</summary>
+internal static class ProgressLines
+{
+    /// <summary>
+    /// The toolpath with a <see cref="ProgressEvent"/> wherever the percent or the minutes left change, and the seconds that it takes; unchanged and null
+    /// where the printer wants none.
+    /// </summary>
+    public static (Toolpath Toolpath, double? Seconds) Add(Toolpath toolpath, PrintSetup setup, CancellationToken cancel)
+    {
+        if (!setup.Printer.ProgressLines || toolpath.Count == 0) return (toolpath, null);
+        var timeline = Timeline.Of(toolpath, setup, null, cancel);
+        if (!(timeline.Duration > 0)) return (toolpath, null);
+        return (setup.Printer.Dialect.Progress == ProgressCommand.None ? toolpath : toolpath.WithEvents(Events(toolpath, timeline)), timeline.Duration);
+    }
+
+    private static List<MoveEvent> Events(Toolpath toolpath, Timeline timeline)
+    {
+        var all = new List<MoveEvent>(toolpath.Events.Count + 256);
+        var next = 0;
+        ProgressEvent? shown = null;
+        for (var move = 0; move <= toolpath.Count; move++)
+        {
+            var now = move == toolpath.Count ? new ProgressEvent(100, 0) : At(timeline, timeline.StartOf(move));
+            // Before what happens at the move: a tool, a dwell.
+            if (now != shown) all.Add(new MoveEvent(move, shown = now));
+            for (; next < toolpath.Events.Count && toolpath.Events[next].Move <= move; next++) all.Add(toolpath.Events[next]);
+        }
+        return all;
+    }
+
+    // Whole percents that are over; minutes to the nearest.
+    private static ProgressEvent At(Timeline timeline, double time)
+        => new((int)Math.Floor(100 * time / timeline.Duration), (int)Math.Floor((timeline.Duration - time) / 60 + 0.5));
+}

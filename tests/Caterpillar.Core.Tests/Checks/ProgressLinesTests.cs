@@ -1,0 +1,94 @@
+using System;
+using System.IO;
+using System.Linq;
+using Caterpillar.Checks;
+using Caterpillar.Dialects;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Simulation;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Checks;
+
+public class ProgressLinesTests
+{
+    [TestCase("marlin2", "M73 P0 R10")]
+    [TestCase("prusa", "M73 P0 R10")]
+    [TestCase("sailfish", "M73 P0")]
+    public void A_file_shows_its_progress_and_states_its_time(string dialect, string first)
+    {
+        var lines = Written(dialect);
+        Assert.That(lines, Does.Contain(";TIME:600"));
+        var progress = lines.Where(l => l.StartsWith("M73", StringComparison.Ordinal)).ToArray();
+        Assert.That(progress[0], Is.EqualTo(first));
+        Assert.That(progress.Last(), Does.StartWith("M73 P100"));
+        Assert.That(progress, Is.Unique);
+        // 60 moves of 10 s: the percent is that of the time before the next move, minutes are the nearest.
+        var at = Array.IndexOf(lines, progress[30]);
+        Assert.That(progress[30], Does.StartWith("M73 P50"));
+        Assert.That(lines[at + 1], Does.Contain("X31").Or.Contain("X30"));
+        Assert.That(progress.Length, Is.EqualTo(61));
+    }
+
+    [Test]
+    public void Dialects_without_the_command_and_printers_that_want_none_get_none()
+    {
+        Assert.That(Written("marlin1").Count(l => l.StartsWith("M73", StringComparison.Ordinal)), Is.Zero);
+        Assert.That(Written("marlin1"), Does.Contain(";TIME:600"));
+        var quiet = Written("marlin2", wanted: false);
+        Assert.That(quiet.Any(l => l.StartsWith("M73", StringComparison.Ordinal) || l.StartsWith(";TIME", StringComparison.Ordinal)), Is.False);
+    }
+
+    [Test]
+    public void Progress_changes_no_move()
+    {
+        var with = Decode(Written("marlin2"));
+        var without = Decode(Written("marlin2", wanted: false));
+        Assert.That(with.Moves().Select(m => (m.End, m.E, m.Speed, m.Kind)), Is.EqualTo(without.Moves().Select(m => (m.End, m.E, m.Speed, m.Kind))));
+    }
+
+    [Test]
+    public void Minutes_left_agree_with_the_timeline_of_the_written_file()
+    {
+        var lines = Written("marlin2");
+        var file = Decode(lines);
+        var timeline = Timeline.Of(file, Setup("marlin2", true));
+        for (var i = 0; i < lines.Length; i++)
+        {
+            if (!lines[i].StartsWith("M73 P", StringComparison.Ordinal) || timeline.AtSource(i + 2) is not { } state) continue;
+            var minutes = int.Parse(lines[i].Substring(lines[i].IndexOf('R') + 1), System.Globalization.CultureInfo.InvariantCulture);
+            Assert.That(state.TimeLeft / 60, Is.EqualTo(minutes).Within(0.51), lines[i]);
+        }
+    }
+
+    private static Toolpath Decode(string[] lines)
+    {
+        var bytes = System.Text.Encoding.ASCII.GetBytes(string.Join("\n", lines));
+        return GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!.Toolpath;
+    }
+
+    private static PrintSetup Setup(string dialect, bool wanted) => new()
+    {
+        Printer = new Printer
+        {
+            Dialect = DialectTable.Find(dialect)!,
+            ProgressLines = wanted,
+            CornerRule = CornerRule.Jerk,
+            Jerk = new(8, 8, 8, 8),
+            MinExtrusionTemperature = 0,
+        },
+    };
+
+    // 60 strands of 1 mm at 0.1 mm/s: 600 s.
+    private static string[] Written(string dialect, bool wanted = true)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        for (var i = 1; i <= 60; i++) builder.Add(new Vec3(i, 0, 0), 0.03, 0.03, 0.1, MoveKind.Print, Role.Unspecified, -1, 0, i);
+        using var memory = new MemoryStream();
+        var result = SafeWriter.Write(builder.Build([new ToolpathTool(2.405)]), Setup(dialect, wanted), memory);
+        Assert.That(result.Value, Is.Not.Null, string.Join("\n", result.Diagnostics));
+        return System.Text.Encoding.ASCII.GetString(memory.ToArray()).Split('\n');
+    }
+}
