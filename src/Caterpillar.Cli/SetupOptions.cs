@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
 using Caterpillar.Machines;
@@ -30,15 +31,18 @@ internal sealed class SetupOptions
     /// <summary>True if a printer was named, and not just the default one.</summary>
     public bool IsGiven(ParseResult arguments) => arguments.GetResult(Printer) is { Implicit: false };
 
-    /// <summary>The requested setup; its problems are printed.</summary>
+    /// <summary>The requested setup; its problems are printed. Without a named printer, <paramref name="own"/> are the profiles named in the input.</summary>
     /// <exception cref="CliException">There is no such profile or key (wrong usage), or a profile is bad (bad input).</exception>
-    public PrintSetup Resolve(ParseResult arguments, Session session)
+    public PrintSetup Resolve(ParseResult arguments, Session session, IReadOnlyList<string>? own = null)
     {
         var values = arguments.GetValue(Set) ?? [];
-        var printer = arguments.GetValue(Printer)!;
-        var plain = session.Profiles.Setup(printer, arguments.GetValue(Material), arguments.GetValue(Settings));
+        if (own is null || IsGiven(arguments)) own = [];
+        var printer = own.Count > 0 ? own[0] : arguments.GetValue(Printer)!;
+        var material = arguments.GetValue(Material) ?? (own.Count > 1 ? own[1] : null);
+        var settings = arguments.GetValue(Settings) ?? (own.Count > 2 ? own[2] : null);
+        var plain = session.Profiles.Setup(printer, material, settings);
         if (plain.Diagnostics.Any(d => d.Code == "profile.not_found")) session.ValueOrFail(plain, ExitCode.Usage);
         if (values.Length == 0 || plain.Value is null) return session.ValueOrFail(plain);
-        return session.ValueOrFail(session.Profiles.Setup(printer, arguments.GetValue(Material), arguments.GetValue(Settings), values), ExitCode.Usage);
+        return session.ValueOrFail(session.Profiles.Setup(printer, material, settings, values), ExitCode.Usage);
     }
 }

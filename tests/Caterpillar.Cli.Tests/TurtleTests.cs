@@ -21,6 +21,16 @@ public class TurtleTests : CliFixture
     }
 
     [Test]
+    public void A_script_names_its_printer_and_an_option_names_another()
+    {
+        // 2 × 1 mm at 20 mm/s: 40 mm³/s, more than the default printer melts.
+        var script = Encoding.UTF8.GetBytes("use \"potter_super\"\nbead 2 1\nspeed 20\nstart 50 50 1\nforward 10");
+        Assert.That(Run(script, ["turtle", "-"]).Code, Is.Zero);
+        Assert.That(Run(script, ["turtle", "-", "--printer", "generic"]).Code, Is.EqualTo(3));
+        Assert.That(Run(Encoding.UTF8.GetBytes("use \"poter_super\"\nforward 1"), ["turtle", "-"]).Messages, Does.Contain("potter_super"));
+    }
+
+    [Test]
     public void Parameters_seed_and_filament_come_from_outside()
     {
         var run = Run(Encoding.UTF8.GetBytes(Square), ["turtle", "-", "--var", "side=20", "--set", "filament_diameter_mm=2.85"]);

@@ -55,9 +55,14 @@ internal sealed class TurtleVerb : Verb
         var file = arguments.GetValue(_script) ?? throw new CliException(ExitCode.Usage, "A script is missing. See: caterpillar turtle --help");
         var target = _write.FileFor(arguments, file);
         var variables = Variables(arguments.GetValue(_values) ?? []);
-        var setup = _setup.Resolve(arguments, session);
         var script = session.ValueOrFail(TurtleScript.Compile(Encoding.UTF8.GetString(session.ReadBytes(file)), Session.NameOf(file)));
-        var options = new TurtleOptions { Extrusion = setup.Extrusion, Shape = setup.Settings.BeadShape };
+        var setup = _setup.Resolve(arguments, session, script.Profiles);
+        var options = new TurtleOptions
+        {
+            Extrusion = setup.Extrusion,
+            Shape = setup.Settings.BeadShape,
+            MaxLiftSpeed = setup.Printer.MaxSpeed.Z > 0 ? setup.Printer.MaxSpeed.Z : double.PositiveInfinity,
+        };
         var turtle = session.WithProgress("Turtle",
             progress => session.ValueOrFail(script.Run(options, variables, arguments.GetValue(_seed), null, progress, session.Cancel)));
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;

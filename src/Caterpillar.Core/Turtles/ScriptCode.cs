@@ -102,6 +102,9 @@ internal sealed class ScriptCode
     /// <summary>Parameters that can be set from outside, in order.</summary>
     public IReadOnlyList<string> Parameters { get; init; } = [];
 
+    /// <summary>Printer, material and settings that the script is for; later ones may be missing.</summary>
+    public IReadOnlyList<string> Profiles { get; init; } = [];
+
     /// <summary>Procedures of one letter, for L-systems.</summary>
     public Dictionary<char, Procedure> Letters { get; init; } = [];
 

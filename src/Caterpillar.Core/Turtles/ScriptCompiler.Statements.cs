@@ -12,7 +12,9 @@ internal sealed partial class ScriptCompiler
         var count = Formula("repeat");
         var (slot, local) = _scope.Hidden(2);
         var start = Emit(new Instruction(ScriptOp.RepeatStart, token) { Slot = slot, Local = local, Arguments = [count] });
+        _scope.Repeats.Push((slot, local));
         Loop(token, start, new Instruction(ScriptOp.RepeatNext, token) { Slot = slot, Local = local });
+        _scope.Repeats.Pop();
     }
 
     // for i = from to end [step s] [ … ]
@@ -187,6 +189,16 @@ internal sealed partial class ScriptCompiler
         if (!Next.Is("=")) throw Error("turtle.syntax", $"Found {Next}, expected '='.", Next);
         _at++;
         Emit(new Instruction(ScriptOp.SetElement, name) { Slot = _scope.ArraySlot(name.Text), Arguments = [index, Formula("=")], Name = name.Text });
+    }
+
+    // use "printer" ["material"] ["settings"]
+    private void Use(Token token)
+    {
+        const string Usage = "use \"printer\" [\"material\"] [\"settings\"]";
+        if (_nesting > 1 || _scope.InProcedure) throw Error("turtle.syntax", "'use' must not be inside a block.", token);
+        if (_profiles.Count > 0) throw Error("turtle.syntax", "There is a 'use' already; a script is for one printer.", token);
+        for (; Next.Kind == TokenKind.Text && _profiles.Count < 3; _at++) _profiles.Add(Next.Text);
+        if (_profiles.Count == 0 || !EndsStatement(Next)) throw Error("turtle.values", $"'use' needs one to three texts: {Usage}.", token);
     }
 
     // lsystem generations "axiom" "rule" …

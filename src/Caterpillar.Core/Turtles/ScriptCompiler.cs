@@ -11,8 +11,10 @@ internal sealed partial class ScriptCompiler
     private const int MaxNesting = 200;
 
     private static readonly string[] Keywords =
-        ["repeat", "for", "to", "step", "if", "else", "while", "break", "let", "param", "array", "seed", "def", "return", "stop", "lsystem", "keep", "and",
-            "or", "not"];
+    [
+        "repeat", "for", "to", "step", "if", "else", "while", "break", "let", "param", "array", "seed", "def", "return", "stop", "lsystem", "use", "keep",
+        "and", "or", "not",
+    ];
 
     private readonly List<Token> _tokens;
     private readonly List<Instruction> _code = [];
@@ -20,6 +22,7 @@ internal sealed partial class ScriptCompiler
     private readonly Dictionary<string, Procedure> _procedures = new(StringComparer.Ordinal);
     private readonly List<string> _parameters = [];
     private readonly Stack<List<Instruction>> _breaks = new();
+    private readonly List<string> _profiles = [];
     private int _at;
     private int _nesting;
 
@@ -40,6 +43,7 @@ internal sealed partial class ScriptCompiler
             GlobalCount = compiler._scope.GlobalCount,
             ArrayCount = compiler._scope.ArrayCount,
             Parameters = compiler._parameters,
+            Profiles = compiler._profiles,
             Letters = compiler._procedures.Values.Where(p => p.Name.Length == 1).ToDictionary(p => p.Name[0]),
             StepSlot = compiler._scope.GlobalSlot("step_length"),
             AngleSlot = compiler._scope.GlobalSlot("turn_angle"),
@@ -151,6 +155,7 @@ internal sealed partial class ScriptCompiler
             case "return": Emit(new Instruction(_scope.InProcedure ? ScriptOp.Return : ScriptOp.Stop, token)); return;
             case "stop": Emit(new Instruction(ScriptOp.Stop, token)); return;
             case "lsystem": Grow(token); return;
+            case "use": Use(token); return;
         }
         if (Next.Kind == TokenKind.Symbol && Next.Text is "=" or "+=" or "-=" or "*=" or "/=") Assign(token, declare: false);
         else if (Next.Is("[") && !Next.SpaceBefore && _scope.IsArray(token.Text)) SetElement(token);

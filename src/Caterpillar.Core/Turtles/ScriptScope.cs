@@ -48,6 +48,12 @@ internal sealed class ScriptScope : IFormulaScope
 
     public static bool IsState(string name) => State.ContainsKey(name);
 
+    /// <summary>Name of the number of the turn, from 1, in the innermost repeat.</summary>
+    public const string Counter = "repcount";
+
+    /// <summary>Slots of the repeats around the place at hand, in the procedure at hand.</summary>
+    public Stack<(int Slot, bool Local)> Repeats { get; } = new();
+
     public void Enter(IReadOnlyList<string> parameters)
     {
         _locals = new Dictionary<string, int>(StringComparer.Ordinal);
@@ -118,6 +124,11 @@ internal sealed class ScriptScope : IFormulaScope
                 var value = c.Values[global];
                 return double.IsNaN(value) ? throw NoValue(name, line, column) : value;
             });
+        }
+        if (name == Counter && Repeats.Count > 0)
+        {
+            var (slot, inFrame) = Repeats.Peek();
+            return inFrame ? new FormulaNode(c => c.Values[c.Base + slot] + 1) : new FormulaNode(c => c.Values[slot] + 1);
         }
         return State.TryGetValue(name, out var read) ? new FormulaNode(c => read((Turtle)c.Host!)) : null;
     }

@@ -262,7 +262,7 @@ public sealed partial class Turtle
     {
         if (!to.IsFinite) throw NotFinite();
         if (deposit && _state.PenDown) _recorder.Print(Position, to, _state.Bead, _state.Tags);
-        else _recorder.Travel(Position, to, TravelSpeed);
+        else _recorder.Travel(Position, to, to.X == Position.X && to.Y == Position.Y ? Math.Min(TravelSpeed, _options.MaxLiftSpeed) : TravelSpeed);
         _state.Pose = _state.Pose.WithOrigin(to);
         _poses?.Add(_state.Pose);
         return this;

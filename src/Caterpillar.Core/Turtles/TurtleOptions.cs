@@ -26,6 +26,9 @@ public sealed record TurtleOptions
     /// <summary>mm/min.</summary>
     public double Rate { get; init; } = 1000;
 
+    /// <summary>The most mm/s of a move straight up or down that lays nothing, as the printer's Z axis allows; infinite for no limit.</summary>
+    public double MaxLiftSpeed { get; init; } = double.PositiveInfinity;
+
     /// <summary>Unit of all angles of the turtle.</summary>
     public AngleUnit AngleUnit { get; init; }
 

@@ -30,6 +30,9 @@ public sealed class TurtleScript
     /// <summary>Variables that can be set from outside, in order (<c>param name = default</c>).</summary>
     public IReadOnlyList<string> Parameters => _code.Parameters;
 
+    /// <summary>Names of the profiles of printer, material and settings that it is written for (<c>use</c>); all or the later ones may be missing.</summary>
+    public IReadOnlyList<string> Profiles => _code.Profiles;
+
     /// <summary>Compiles a script. It never throws for the text; at max one error comes back, the first.</summary>
     /// <param name="text">The script.</param>
     /// <param name="file">Its name, for diagnostics.</param>

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Numerics;
+using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
@@ -50,6 +51,18 @@ internal sealed class ExampleTests
         if (expected.End is { } end) Assert.That(turtle.Position.DistanceTo(end), Is.LessThan(1e-8), $"end {turtle.Position}");
         if (expected.Z is { } z) Assert.That(turtle.Z, Is.EqualTo(z).Within(1e-9), "height");
         if (expected.FilamentOf is { } e) Assert.That(totals.EPrint + totals.EExtrude, Is.EqualTo(e(totals.PrintMoves)).Within(1e-8), "mm of filament");
+    }
+
+    [TestCaseSource(nameof(Names))]
+    public void Programs_fit_the_printer_that_they_name_or_the_default_one(string name)
+    {
+        var script = TurtleScript.Compile(File.ReadAllText(Path.Combine(Folder, name + ".turtle")), name).OrThrow();
+        var profiles = script.Profiles;
+        var (printer, material, settings) = (profiles.ElementAtOrDefault(0), profiles.ElementAtOrDefault(1), profiles.ElementAtOrDefault(2));
+        var setup = new ProfileLibrary().Setup(printer ?? "generic", material, settings).OrThrow();
+        var turtle = script.Run(new TurtleOptions { Extrusion = setup.Extrusion, Shape = setup.Settings.BeadShape }).OrThrow();
+        var plan = Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).OrThrow();
+        Assert.That(LimitCheck.Run(plan, setup).Where(d => d.Severity == Severity.Error), Is.Empty);
     }
 
     private static Dictionary<string, Recipe> Expected { get; } = new()

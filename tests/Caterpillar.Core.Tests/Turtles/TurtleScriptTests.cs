@@ -333,4 +333,36 @@ internal sealed class TurtleScriptTests
         var plan = Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).Value!;
         Assert.That(plan.Moves().Where(m => m.E > 0).Select(m => m.E), Is.EqualTo(new[] { 10 * 0.05 * 1.2, 2 }).Within(1e-9));
     }
+
+    [Test]
+    public void A_script_names_the_profiles_that_it_is_for()
+    {
+        Assert.That(TurtleScript.Compile("# clay\nuse \"potter_super\" \"clay\"\nforward 1").Value!.Profiles, Is.EqualTo(new[] { "potter_super", "clay" }));
+        Assert.That(TurtleScript.Compile("forward 1").Value!.Profiles, Is.Empty);
+    }
+
+    [TestCase("use", "turtle.values")]
+    [TestCase("use 3", "turtle.values")]
+    [TestCase("use \"a\" \"b\" \"c\" \"d\"", "turtle.values")]
+    [TestCase("use \"a\"\nuse \"b\"", "turtle.syntax")]
+    [TestCase("repeat 2 [ use \"a\" ]", "turtle.syntax")]
+    public void Wrong_uses_are_errors(string script, string code)
+        => Assert.That(TurtleScript.Compile(script).Diagnostics.Single().Code, Is.EqualTo(code));
+
+    [Test]
+    public void Repeat_counts_its_turns()
+    {
+        // 1 + 2 + 3 mm, and in each turn 1 + 2 mm more.
+        Assert.That(Run("repeat 3 [ forward repcount; repeat 2 [ forward repcount ] ]").X, Is.EqualTo(6 + 3 * 3).Within(1e-12));
+        Assert.That(Run("def leg n [ repeat 2 [ forward repcount * n ] ]\nrepeat 2 [ leg repcount ]").X, Is.EqualTo(3 * 1 + 3 * 2).Within(1e-12));
+        Assert.That(Run("repcount = 5\nrepeat 2 [ forward repcount ]").X, Is.EqualTo(10).Within(1e-12), "a variable of that name comes first");
+        Assert.That(TurtleScript.Compile("forward repcount").Diagnostics.Single().Code, Is.EqualTo("formula.unknown"));
+    }
+
+    [Test]
+    public void Moves_straight_up_keep_within_the_speed_of_the_axis()
+    {
+        var turtle = new Turtle(new TurtleOptions { MaxLiftSpeed = 12 }).Forward(10).LiftWorld(0.2).Forward(5).Move(5);
+        Assert.That(turtle.ToSteps().OfType<TravelStep>().Select(s => s.Speed), Is.EqualTo(new[] { 12, 1000 / 60.0 }).Within(1e-9));
+    }
 }
