@@ -65,4 +65,13 @@ public class EditOptionTests : CliFixture
         Assert.That((run.Code, File.Exists("m.gcode")), Is.EqualTo((1, false)), run.Messages);
         Assert.That(run.Messages, Does.Contain("kilometer"));
     }
+
+    [TestCase("OuterWall")]
+    [TestCase("outer wall")]
+    [TestCase("outer-wall")]
+    public void A_role_has_the_name_that_is_shown_too(string role)
+    {
+        Assert.That(Run("convert", "l.gcode", "-o", "m.gcode", "--speed", "0.5", "--role", role).Code, Is.Zero);
+        Assert.That(File.ReadAllText("m.gcode"), Does.Contain("G1 X20 E1 F600\n"));
+    }
 }

@@ -66,7 +66,7 @@ internal sealed class MoveFilterOptions
     }
 
     private static Role RoleOf(string name)
-        => Enum.TryParse<Role>(name.Replace("-", "").Replace("_", ""), true, out var role) && Enum.IsDefined(role)
+        => Enum.TryParse<Role>(name.Replace("-", "").Replace("_", "").Replace(" ", ""), true, out var role) && Enum.IsDefined(role)
             ? role
             : throw new CliException(ExitCode.Usage, $"There is no role \"{name}\"; there are " + string.Join(", ", Enum.GetNames<Role>()) + ".");
 }

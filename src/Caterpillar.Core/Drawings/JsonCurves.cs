@@ -102,7 +102,7 @@ internal sealed class JsonCurves
             "mm" => 1,
             "cm" => 10,
             "m" => 1000,
-            "in" or "inch" => 25.4,
+            "in" or "inch" => Basics.Units.MmPerInch,
             _ => 0,
         };
         if (length == 0) Fail("curves.json", "Units must be \"mm\", \"cm\", \"m\" or \"in\".", token);

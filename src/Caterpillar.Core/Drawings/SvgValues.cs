@@ -10,7 +10,7 @@ namespace Caterpillar.Drawings;
 internal static class SvgValues
 {
     /// <summary>CSS pixels per mm.</summary>
-    public const double PixelsPerMm = 96 / 25.4;
+    public const double PixelsPerMm = 96 / Units.MmPerInch;
 
     /// <summary>A length in CSS pixels; a percentage of <paramref name="whole"/>.</summary>
     public static double? Length(string? text, double whole)
