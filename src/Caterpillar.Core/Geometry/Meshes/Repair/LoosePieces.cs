@@ -9,7 +9,7 @@ namespace Caterpillar.Geometry;
 /// </summary>
 internal static class LoosePieces
 {
-    private const int Bins = 1024;
+    private const int MaxBins = 64;
 
     // The filling is the smallest there is: what was in its place may be a little larger.
     private const double MaxShare = 1.25;
@@ -19,28 +19,54 @@ internal static class LoosePieces
     {
         var boxes = new Bounds[pieces.Count];
         for (var h = 0; h < mesh.RawTriangles.Length; h++) boxes[pieces.Of[h / 3]] = boxes[pieces.Of[h / 3]].Include(mesh.RawVertices[mesh.RawTriangles[h]]);
-        var places = ByHeight(holes, mesh.Bounds);
+        var bins = new Bins(holes, mesh.Bounds);
         var loose = new bool[pieces.Count];
         for (var piece = 0; piece < loose.Length; piece++)
         {
             if (pieces.IsClosed[piece] || mended[piece]) continue;
-            foreach (var place in places[Bin(boxes[piece].Min.Z, mesh.Bounds)])
+            foreach (var place in bins.At(boxes[piece].Min))
                 loose[piece] |= pieces.Area[piece] <= MaxShare * place.Area && place.Box.Contains(boxes[piece]);
         }
         return loose;
     }
 
-    private static List<FilledHole>[] ByHeight(IReadOnlyList<FilledHole> holes, Bounds all)
+    // Holes by the cells that their grown boxes reach into: about as many cells as holes.
+    private sealed class Bins
     {
-        var bins = new List<FilledHole>[Bins];
-        for (var i = 0; i < Bins; i++) bins[i] = [];
-        foreach (var hole in holes)
-        {
-            var box = hole.Box.Grow(hole.Width / 2);
-            for (var bin = Bin(box.Min.Z, all); bin <= Bin(box.Max.Z, all); bin++) bins[bin].Add(new FilledHole(box, hole.Area));
-        }
-        return bins;
-    }
+        private readonly List<FilledHole>?[] _cells;
+        private readonly Bounds _all;
+        private readonly int _side;
 
-    private static int Bin(double z, Bounds all) => (int)Math.Max(0, Math.Min(Bins - 1, (z - all.Min.Z) / Math.Max(all.Size.Z, 1e-9) * Bins));
+        public Bins(IReadOnlyList<FilledHole> holes, Bounds all)
+        {
+            _all = all;
+            for (_side = 1; _side < MaxBins && _side * _side * _side < holes.Count; _side++)
+            {
+            }
+            _cells = new List<FilledHole>?[_side * _side * _side];
+            foreach (var hole in holes)
+            {
+                var box = hole.Box.Grow(hole.Width / 2);
+                var (x0, y0, z0) = Cell(box.Min);
+                var (x1, y1, z1) = Cell(box.Max);
+                for (var z = z0; z <= z1; z++)
+                {
+                    for (var y = y0; y <= y1; y++)
+                    {
+                        for (var x = x0; x <= x1; x++) (_cells[(z * _side + y) * _side + x] ??= []).Add(new FilledHole(box, hole.Area));
+                    }
+                }
+            }
+        }
+
+        public IEnumerable<FilledHole> At(Vec3 p)
+        {
+            var (x, y, z) = Cell(p);
+            return _cells[(z * _side + y) * _side + x] ?? (IEnumerable<FilledHole>)[];
+        }
+
+        private (int X, int Y, int Z) Cell(Vec3 p) => (Bin(p.X, _all.Min.X, _all.Size.X), Bin(p.Y, _all.Min.Y, _all.Size.Y), Bin(p.Z, _all.Min.Z, _all.Size.Z));
+
+        private int Bin(double at, double from, double size) => (int)Math.Max(0, Math.Min(_side - 1, (at - from) / Math.Max(size, 1e-9) * _side));
+    }
 }

@@ -53,59 +53,136 @@ internal static class RimSnap
     private static (int[] Targets, int Moved, double Farthest) Targets(TriMesh mesh, double[] reach)
     {
         var targets = new int[mesh.VertexCount];
-        var rim = new List<int>();
-        var cell = 0.0;
-        for (var v = 0; v < targets.Length; v++)
-        {
-            targets[v] = v;
-            if (!(reach[v] > 0)) continue;
-            rim.Add(v);
-            cell = Math.Max(cell, reach[v]);
-        }
-        var size = PieceSizes(mesh);
-        rim.Sort((a, b) => size[a] != size[b] ? size[b].CompareTo(size[a]) : a.CompareTo(b));
-        var cells = new Dictionary<(long, long, long), List<int>>();
+        for (var v = 0; v < targets.Length; v++) targets[v] = v;
+        var rim = LargePiecesFirst(mesh, reach);
+        var grid = new Grid(mesh.RawVertices, reach, rim.Length);
         var moved = 0;
         var farthest = 0.0;
         foreach (var v in rim)
         {
-            var p = mesh.RawVertices[v];
-            var (x, y, z) = ((long)Math.Floor(p.X / cell), (long)Math.Floor(p.Y / cell), (long)Math.Floor(p.Z / cell));
-            var best = -1;
-            var nearest = reach[v];
-            for (var i = 0; i < 27; i++)
+            var (best, distance) = grid.Nearest(v);
+            if (best < 0)
             {
-                if (!cells.TryGetValue((x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1), out var list)) continue;
-                foreach (var other in list)
-                {
-                    var distance = p.DistanceTo(mesh.RawVertices[other]);
-                    if (distance > reach[other] || distance > nearest || (distance == nearest && best >= 0)) continue;
-                    (best, nearest) = (other, distance);
-                }
-            }
-            if (best >= 0)
-            {
-                targets[v] = best;
-                moved++;
-                farthest = Math.Max(farthest, nearest);
+                grid.Add(v);
                 continue;
             }
-            if (!cells.TryGetValue((x, y, z), out var own)) cells.Add((x, y, z), own = []);
-            own.Add(v);
+            targets[v] = best;
+            moved++;
+            farthest = Math.Max(farthest, distance);
         }
         return (targets, moved, farthest);
     }
 
-    // For each vertex the area of the largest piece it belongs to.
-    private static double[] PieceSizes(TriMesh mesh)
+    // The vertices that may move, those of large pieces first: a counting sort by the size of their piece in powers of two.
+    private static int[] LargePiecesFirst(TriMesh mesh, double[] reach)
     {
+        const int Sizes = 32;
         var pieces = new MeshPieces(mesh);
-        var sizes = new double[mesh.VertexCount];
+        var largest = 0.0;
+        for (var i = 0; i < pieces.Count; i++) largest = Math.Max(largest, pieces.Area[i]);
+        var kinds = new byte[pieces.Count];
+        for (var i = 0; i < kinds.Length; i++)
+        {
+            for (var size = largest / 2; kinds[i] < Sizes - 1 && pieces.Area[i] < size; size /= 2) kinds[i]++;
+        }
+        var kind = new byte[mesh.VertexCount];
+        for (var v = 0; v < kind.Length; v++) kind[v] = Sizes;
         for (var h = 0; h < mesh.RawTriangles.Length; h++)
         {
             var v = mesh.RawTriangles[h];
-            sizes[v] = Math.Max(sizes[v], pieces.Area[pieces.Of[h / 3]]);
+            if (reach[v] > 0) kind[v] = Math.Min(kind[v], kinds[pieces.Of[h / 3]]);
         }
-        return sizes;
+        var starts = new int[Sizes + 2];
+        foreach (var k in kind) starts[k + 1]++;
+        for (var k = 0; k <= Sizes; k++) starts[k + 1] += starts[k];
+        var rim = new int[starts[Sizes]];
+        for (var v = 0; v < kind.Length; v++)
+        {
+            if (kind[v] < Sizes) rim[starts[kind[v]]++] = v;
+        }
+        return rim;
+    }
+
+    // Vertices that stay, hashed by cells that are as large as their reach, in powers of four: so a cell holds few vertices however much the lengths of
+    // edges differ.
+    private sealed class Grid
+    {
+        private const int MaxLevel = 12;
+        private readonly Vec3[] _vertices;
+        private readonly double[] _reach;
+        private readonly int[] _heads;
+        private readonly int[] _next;
+        private readonly bool[] _levels = new bool[MaxLevel + 1];
+
+        public Grid(Vec3[] vertices, double[] reach, int count)
+        {
+            (_vertices, _reach) = (vertices, reach);
+            var size = 16;
+            while (size < 2L * count && size < 1 << 28) size *= 2;
+            _heads = new int[size];
+            _next = new int[vertices.Length];
+        }
+
+        public void Add(int v)
+        {
+            var level = Level(_reach[v]);
+            _levels[level] = true;
+            var size = Size(level);
+            var p = _vertices[v];
+            var slot = Slot(level, Math.Floor(p.X / size), Math.Floor(p.Y / size), Math.Floor(p.Z / size));
+            // Numbers from 1, so that 0 ends a chain.
+            _next[v] = _heads[slot];
+            _heads[slot] = v + 1;
+        }
+
+        // The nearest that is within the reach of both, or −1; of equally near ones that with the lowest number.
+        public (int Vertex, double Distance) Nearest(int v)
+        {
+            var p = _vertices[v];
+            var (best, nearest) = (-1, _reach[v]);
+            for (var level = 0; level <= MaxLevel; level++)
+            {
+                if (!_levels[level]) continue;
+                var size = Size(level);
+                var r = Math.Min(_reach[v], size);
+                double x1 = Math.Floor((p.X + r) / size), y1 = Math.Floor((p.Y + r) / size), z1 = Math.Floor((p.Z + r) / size);
+                for (var z = Math.Floor((p.Z - r) / size); z <= z1; z++)
+                {
+                    for (var y = Math.Floor((p.Y - r) / size); y <= y1; y++)
+                    {
+                        for (var x = Math.Floor((p.X - r) / size); x <= x1; x++)
+                        {
+                            for (var other = _heads[Slot(level, x, y, z)] - 1; other >= 0; other = _next[other] - 1)
+                            {
+                                var distance = p.DistanceTo(_vertices[other]);
+                                if (distance > _reach[other] || distance > nearest || (distance == nearest && best >= 0 && other > best)) continue;
+                                (best, nearest) = (other, distance);
+                            }
+                        }
+                    }
+                }
+            }
+            return (best, nearest);
+        }
+
+        private static double Size(int level) => Largest / (1L << (2 * level));
+
+        // The last level whose cells are not smaller than the reach.
+        private static int Level(double reach)
+        {
+            var level = 0;
+            while (level < MaxLevel && Size(level + 1) >= reach) level++;
+            return level;
+        }
+
+        private int Slot(int level, double x, double y, double z)
+        {
+            unchecked
+            {
+                var h = ((ulong)(long)x * 0x9E3779B97F4A7C15UL) ^ ((ulong)(long)y * 0xD6E8FEB86659FD93UL) ^ ((ulong)(long)z * 0xA0761D6478BD642FUL);
+                h = (h ^ (ulong)level) * 0xE7037ED1A0B428DBUL;
+                return (int)(h >> 32) & (_heads.Length - 1);
+            }
+        }
     }
 }
