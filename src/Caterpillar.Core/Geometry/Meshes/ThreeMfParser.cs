@@ -69,7 +69,16 @@ internal sealed class ThreeMfParser
     private void ReadUnit()
     {
         var unit = _xml.GetAttribute("unit") ?? "millimeter";
-        _model.Unit = unit switch { "micron" => 0.001, "millimeter" => 1, "centimeter" => 10, "inch" => Units.MmPerInch, "foot" => 304.8, "meter" => 1000, _ => 0 };
+        _model.Unit = unit switch
+        {
+            "micron" => 0.001,
+            "millimeter" => 1,
+            "centimeter" => 10,
+            "inch" => Units.MmPerInch,
+            "foot" => 304.8,
+            "meter" => 1000,
+            _ => 0,
+        };
         if (_model.Unit == 0) Fail("mesh.unit", $"The unit \"{unit}\" is not one of 3MF.");
         foreach (var prefix in (_xml.GetAttribute("requiredextensions") ?? "").Split([' '], StringSplitOptions.RemoveEmptyEntries))
         {
