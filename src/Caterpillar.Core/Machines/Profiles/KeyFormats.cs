@@ -5,7 +5,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-internal sealed class NumberFormat(double min, double max) : KeyFormat<double>
+internal sealed class NumberFormat(double min, double max, double leastAboveZero = 0) : KeyFormat<double>
 {
     public override KeyKind Kind => KeyKind.Number;
 
@@ -26,7 +26,10 @@ internal sealed class NumberFormat(double min, double max) : KeyFormat<double>
     public override object Write(double value) => value;
 
     public override string? Problem(double value)
-        => value >= min && value <= max ? null : "must be " + Range + (double.IsNaN(value) ? "" : ", not " + Shown(value));
+    {
+        if (value > 0 && value < leastAboveZero) return "must be 0, or at least " + RawValues.Number(leastAboveZero) + ", not " + Shown(value);
+        return value >= min && value <= max ? null : "must be " + Range + (double.IsNaN(value) ? "" : ", not " + Shown(value));
+    }
 
     private static string Shown(double value) => double.IsInfinity(value) ? "infinite" : RawValues.Number(value);
 }

@@ -10,6 +10,11 @@ internal static class Keys<T>
     public static ProfileKey<T, double> Number(string name, double min, double max, Func<T, double> get, Func<T, double, T> set, string summary)
         => new(name, new NumberFormat(min, max), get, set, summary);
 
+    /// <summary>A number for which 0 means something else (off, or the value of another key), and very small ones mean nothing.</summary>
+    public static ProfileKey<T, double> NumberOrZero(
+        string name, double least, double max, Func<T, double> get, Func<T, double, T> set, string summary)
+        => new(name, new NumberFormat(0, max, least), get, set, summary);
+
     public static ProfileKey<T, int> Integer(string name, int min, int max, Func<T, int> get, Func<T, int, T> set, string summary)
         => new(name, new IntegerFormat(min, max), get, set, summary);
 

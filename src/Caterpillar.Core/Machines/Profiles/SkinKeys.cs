@@ -34,8 +34,8 @@ internal static class SkinKeys
         "skin_angle_deg", -360, 360, s => s.SkinAngle, (s, v) => s with { SkinAngle = v },
         "Direction of the skins in the first layer, from +X; it turns by a quarter from layer to layer.");
 
-    public static readonly ProfileKey<PrintSettings, double> SkinWidth = K.Number(
-        "skin_line_width_mm", 0, 1000, s => s.SkinWidth, (s, v) => s with { SkinWidth = v },
+    public static readonly ProfileKey<PrintSettings, double> SkinWidth = K.NumberOrZero(
+        "skin_line_width_mm", 0.01, 1000, s => s.SkinWidth, (s, v) => s with { SkinWidth = v },
         "Width of the strands of the skins; 0 for the line width.");
 
     public static readonly ProfileKey<PrintSettings, double> SkinMinWidth = K.Number(
