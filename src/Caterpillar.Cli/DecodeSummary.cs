@@ -17,7 +17,7 @@ internal static class DecodeSummary
         var moves = decoding.Toolpath;
         var rows = new[]
         {
-            ["  Printed", $"{Mm(report.PrintLength)} in {Count(report.PrintSegments + report.PrintArcs)} moves, {Count(moves.Layers.Count)} layers"],
+            ["  Printed", $"{Mm(report.PrintLength)} in {Count(report.PrintSegments + report.PrintArcs)} moves, {Count(moves.CountLayers())} layers"],
             ["  Traveled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs)} moves, "
                 + $"{Count(report.Retracts + report.FirmwareRetracts)} retractions"],
             ["  Extruded", report.HasAmounts ? $"{Mm(report.EUsed)} of E, net {Mm(report.ENet)}" : "no amounts of E"],

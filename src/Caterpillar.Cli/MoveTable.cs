@@ -57,7 +57,7 @@ internal sealed class MoveTable
         Number(move.Deposited);
         Number(move.Speed);
         Word(Roles[(int)move.Role]);
-        Integer(move.Layer);
+        Integer(toolpath.NumberOfLayer(move) ?? -1);
         Integer(move.Tool);
         Number(move.Length);
         if (move.Arc is { } arc)

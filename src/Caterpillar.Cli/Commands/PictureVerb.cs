@@ -76,11 +76,12 @@ internal sealed class PictureVerb : Verb
     {
         var only = arguments.GetValue(_layer);
         if ((only ?? arguments.GetValue(_upTo)) is not { } last) return new MoveFilter();
-        return toolpath.Layers.Any(l => l.Index == last)
+        var layers = toolpath.NumbersOfLayers();
+        return layers.Contains(last)
             ? new MoveFilter { FirstLayer = only, LastLayer = last }
-            : throw new CliException(ExitCode.BadInput, toolpath.Layers.Count == 0
+            : throw new CliException(ExitCode.BadInput, layers.Count == 0
                 ? "The file has no layers."
-                : $"There is no layer {last}; the file has layers {toolpath.Layers.Min(l => l.Index)} to {toolpath.Layers.Max(l => l.Index)}.");
+                : $"There is no layer {last}; the file has layers {layers[0]} to {layers[^1]}.");
     }
 
     private static View ViewOf(string text)

@@ -73,7 +73,7 @@ public static class Picture
             var length = move.Length;
             if (length == 0) continue;
             var width = print && toolpath.VolumeOf(move) is { } volume && volume > 0 ? Math.Sqrt(volume / length * 4 / Math.PI) : options.DefaultWidth;
-            var color = print ? ColorOf(move, toolpath.Count, options.ColorBy, ranges) : Palette.Travel;
+            var color = print ? ColorOf(toolpath, move, options.ColorBy, ranges) : Palette.Travel;
             chords.Clear();
             Chords(move, chords);
             for (var i = 1; i < chords.Count; i++) canvas.Strand(chords[i - 1], chords[i], print ? width : 0, color);
@@ -99,7 +99,7 @@ public static class Picture
             || (options.Travel && move.Kind is MoveKind.Travel or MoveKind.Wipe or MoveKind.MovingRestore))
             && options.Filter.Matches(toolpath, move);
 
-    private static (Bounds Box, double Slow, double Fast, int LastLayer) Ranges(Toolpath toolpath, PictureOptions options)
+    private static ColorRanges Ranges(Toolpath toolpath, PictureOptions options)
     {
         var box = Bounds.Empty;
         double slow = double.MaxValue, fast = 0;
@@ -110,16 +110,17 @@ public static class Picture
             slow = Math.Min(slow, move.Speed);
             fast = Math.Max(fast, move.Speed);
         }
-        return (box, slow, fast, toolpath.Layers.Count - 1);
+        var layers = toolpath.NumbersOfLayers();
+        return layers.Count == 0 ? new ColorRanges(box, slow, fast, 0, 0) : new ColorRanges(box, slow, fast, layers[0], layers[layers.Count - 1]);
     }
 
-    private static Rgb ColorOf(Move move, int count, ColorBy by, (Bounds Box, double Slow, double Fast, int LastLayer) ranges) => by switch
+    private static Rgb ColorOf(Toolpath toolpath, Move move, ColorBy by, ColorRanges ranges) => by switch
     {
         ColorBy.Role => Palette.Of(move.Role),
         ColorBy.Height => Palette.At((move.End.Z - ranges.Box.Min.Z) / Math.Max(ranges.Box.Size.Z, 1e-9)),
         ColorBy.Speed => Palette.At((move.Speed - ranges.Slow) / Math.Max(ranges.Fast - ranges.Slow, 1e-9)),
-        ColorBy.Layer => Palette.At(move.Layer / Math.Max(ranges.LastLayer, 1.0)),
-        _ => Palette.At(move.Index / Math.Max(count - 1.0, 1)),
+        ColorBy.Layer => Palette.At(((toolpath.NumberOfLayer(move) ?? 0) - ranges.FirstLayer) / Math.Max(ranges.LastLayer - ranges.FirstLayer, 1.0)),
+        _ => Palette.At(move.Index / Math.Max(toolpath.Count - 1.0, 1)),
     };
 
     private static void Chords(Move move, List<Vec3> chords)
@@ -142,4 +143,6 @@ public static class Picture
         for (var y = Math.Ceiling(bed.Min.Y / 10) * 10; y <= bed.Max.Y; y += 10)
             canvas.Strand(new Vec3(bed.Min.X, y, bed.Min.Z), new Vec3(bed.Max.X, y, bed.Min.Z), 0, line);
     }
+
+    private readonly record struct ColorRanges(Bounds Box, double Slow, double Fast, int FirstLayer, int LastLayer);
 }

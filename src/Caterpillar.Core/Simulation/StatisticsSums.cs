@@ -14,6 +14,9 @@ internal sealed class StatisticsSums
     private readonly Sum[] _roles = new Sum[Enum.GetValues(typeof(Role)).Length];
     private readonly SortedDictionary<int, Sum> _tools = [];
     private readonly Sum?[] _layers;
+
+    // Objects that are printed together share their layers: the first entry of each.
+    private readonly int[] _firstEntries;
     private readonly Sum _print = new(), _travel = new(), _extruder = new();
     private int _retractions, _flowMove = -1;
     private double _flow, _speed;
@@ -25,6 +28,8 @@ internal sealed class StatisticsSums
         _timeline = timeline;
         _toolpath = timeline.Toolpath;
         _layers = new Sum?[_toolpath.Layers.Count];
+        _firstEntries = new int[_layers.Length];
+        for (var i = 1; i < _layers.Length; i++) _firstEntries[i] = _toolpath.Layers[i].Index == _toolpath.Layers[i - 1].Index ? _firstEntries[i - 1] : i;
         for (var i = 0; i < _roles.Length; i++) _roles[i] = new Sum();
     }
 
@@ -88,7 +93,7 @@ internal sealed class StatisticsSums
         var first = _toolpath.FirstOf(block);
         var at = _toolpath.StartOf(block);
         Sum? tool = null;
-        int toolNumber = -1, layerNumber = -1;
+        var toolNumber = -1;
         double? factor = null;
         for (var i = 0; i < c.Count; i++)
         {
@@ -119,8 +124,7 @@ internal sealed class StatisticsSums
             }
             if (c.Layer[i] >= 0)
             {
-                layerNumber = c.Layer[i];
-                var layer = _layers[layerNumber] ??= new Sum { Start = start };
+                var layer = _layers[_firstEntries[c.Layer[i]]] ??= new Sum { Start = start };
                 layer.Add(over - start, kind == MoveKind.Print ? length : 0, c.Deposited[i], factor);
             }
             at = end;

@@ -87,7 +87,7 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 
     public override string ToString() => Value is null
         ? "No Toolpath"
-        : $"Toolpath ({NumberFormatter.Format(Value.Count)} moves, {NumberFormatter.Format(Value.Layers.Count)} layers, "
+        : $"Toolpath ({NumberFormatter.Format(Value.Count)} moves, {NumberFormatter.Format(Value.CountLayers())} layers, "
             + $"{NumberFormatter.Format(Totals.PrintLength / 1000, 2)} m printed)";
 
     private protected override Bounds Bounds => Totals.PrintBounds;

@@ -71,5 +71,5 @@ public sealed class DecodedGCode
 
     /// <summary>For a panel: moves, layers and dialect.</summary>
     public override string ToString()
-        => Basics.NumberFormatter.Format(Toolpath.Count) + " moves, " + Basics.NumberFormatter.Format(Toolpath.Layers.Count) + " layers, " + Dialect.Title;
+        => Basics.NumberFormatter.Format(Toolpath.Count) + " moves, " + Basics.NumberFormatter.Format(Toolpath.CountLayers()) + " layers, " + Dialect.Title;
 }

@@ -6,7 +6,7 @@ using Caterpillar.Dialects;
 namespace Caterpillar.GCode;
 
 /// <summary>The extruders of the machine: what each of them has extruded and retracted.</summary>
-internal sealed class Extruders(DialectRules rules, MachineState state, DecodeCounters counters)
+internal sealed class Extruders(DialectRules rules, InterpreterState state, DecodeCounters counters)
 {
     private readonly SortedDictionary<int, Extruder> _byTool = [];
     private Extruder _current = new();
@@ -40,12 +40,12 @@ internal sealed class Extruders(DialectRules rules, MachineState state, DecodeCo
         if (current.Retracted >= e)
         {
             current.Retracted -= e;
-            if (current.Retracted < MachineState.NoChange) current.Retracted = 0;
+            if (current.Retracted < InterpreterState.NoChange) current.Retracted = 0;
             return 0;
         }
         var rest = e - current.Retracted;
         current.Retracted = 0;
-        return rest < MachineState.NoChange ? 0 : rest * state.Extrusion.Flow;
+        return rest < InterpreterState.NoChange ? 0 : rest * state.Extrusion.Flow;
     }
 
     /// <summary>E falls by a positive amount.</summary>

@@ -38,7 +38,7 @@ internal sealed class GCodeInterpreter
     public CommentInterpreter Comments { get; }
 
     /// <summary>The state of the machine; it changes with the next line. <see cref="Save()"/> copies it.</summary>
-    public MachineState State => _machine.State;
+    public InterpreterState State => _machine.State;
 
     /// <summary>Moves of the last line that was read by <see cref="ReadLine(ParsedLine, byte[], int, out int)"/>.</summary>
     public ToolpathColumns LastMoves => _machine.Moves.Columns;
@@ -120,12 +120,12 @@ internal sealed class GCodeInterpreter
         return LastMoves.Count;
     }
 
-    public MachineState Save() => _machine.Save(new MachineState());
+    public InterpreterState Save() => _machine.Save(new InterpreterState());
 
     /// <inheritdoc cref="Machine.Save"/>
-    public MachineState Save(MachineState copy) => _machine.Save(copy);
+    public InterpreterState Save(InterpreterState copy) => _machine.Save(copy);
 
-    public void Restore(MachineState saved) => _machine.Restore(saved);
+    public void Restore(InterpreterState saved) => _machine.Restore(saved);
 
     /// <summary>The finished toolpath, with the mm³ for one unit of E of each tool.</summary>
     public Toolpath ToToolpath(double?[] volumePerE)

@@ -15,6 +15,7 @@ internal sealed class LayerCollector
     private double _markThickness;
     private double _previousZ = double.NaN;
     private bool _used;
+    private int _marks;
 
     /// <summary>Layer of the moves from here on, or −1.</summary>
     public int Current { get; private set; } = -1;
@@ -41,7 +42,11 @@ internal sealed class LayerCollector
         _number = number ?? (again ? _number : _number + 1);
         _markZ = double.IsNaN(z) && again ? _markZ : z;
         _markThickness = thickness > 0 ? thickness : again ? _markThickness : 0;
-        if (!again) _ofMark.Clear();
+        if (!again)
+        {
+            _ofMark.Clear();
+            _marks++;
+        }
         _used = false;
         Select();
     }
@@ -75,13 +80,13 @@ internal sealed class LayerCollector
         if (!flat)
         {
             // A spiral: the height where the layer ends.
-            if (double.IsNaN(_markZ)) _drafts[Current] = _drafts[Current] with { Z = z };
+            _drafts[Current] = _drafts[Current] with { Z = double.IsNaN(_markZ) ? z : _drafts[Current].Z, IsPrinted = true };
             return;
         }
         if (double.IsNaN(_markZ)) _markZ = z;
         _previousZ = _markZ;
         NeedsZ = false;
-        _drafts[Current] = _drafts[Current] with { Z = _markZ };
+        _drafts[Current] = _drafts[Current] with { Z = _markZ, IsPrinted = true };
     }
 
     /// <summary>A flat strand at another height than the one before, in a file without marks.</summary>
@@ -92,9 +97,37 @@ internal sealed class LayerCollector
         {
             layer = _drafts.Count;
             _byHeight.Add(key, layer);
-            _drafts.Add(new Draft(layer, z, 0, Object));
+            _drafts.Add(new Draft(layer, z, 0, Object, 0, true));
         }
         Current = layer;
+    }
+
+    /// <summary>
+    /// Leaves out layers of objects that only have travels, which belong to an object that is printed in the same layer. To be called once, after the last
+    /// move.
+    /// </summary>
+    /// <returns>The layer that takes the place of each, or null where all stay.</returns>
+    public int[]? MergeEmpty()
+    {
+        var places = new int[_drafts.Count];
+        var kept = new List<Draft>(_drafts.Count);
+        for (var i = 0; i < places.Length; i++)
+        {
+            places[i] = -1;
+            if (_drafts[i].IsPrinted || Printed(i) < 0)
+            {
+                places[i] = kept.Count;
+                kept.Add(_drafts[i]);
+            }
+        }
+        if (kept.Count == _drafts.Count) return null;
+        for (var i = 0; i < places.Length; i++)
+        {
+            if (places[i] < 0) places[i] = places[Printed(i)];
+        }
+        _drafts.Clear();
+        _drafts.AddRange(kept);
+        return places;
     }
 
     public Layer[] ToLayers()
@@ -115,6 +148,20 @@ internal sealed class LayerCollector
         }
         if (!Marked) Rank(layers);
         return layers;
+    }
+
+    // The layer after this one, or else before it, that has strands and began with the same mark; or −1.
+    private int Printed(int draft)
+    {
+        for (var i = draft + 1; i < _drafts.Count && _drafts[i].Mark == _drafts[draft].Mark; i++)
+        {
+            if (_drafts[i].IsPrinted) return i;
+        }
+        for (var i = draft - 1; i >= 0 && _drafts[i].Mark == _drafts[draft].Mark; i--)
+        {
+            if (_drafts[i].IsPrinted) return i;
+        }
+        return -1;
     }
 
     // Without marks the number of a layer is its rank from below.
@@ -143,10 +190,10 @@ internal sealed class LayerCollector
             _ofMark.Add(Object, layer);
             _drafts.Add(default);
         }
-        _drafts[layer] = new Draft(_number, _markZ, _markThickness, Object);
+        _drafts[layer] = new Draft(_number, _markZ, _markThickness, Object, _marks, _drafts[layer].IsPrinted);
         Current = layer;
         NeedsZ = true;
     }
 
-    private readonly record struct Draft(int Number, double Z, double Thickness, string Object);
+    private readonly record struct Draft(int Number, double Z, double Thickness, string Object, int Mark, bool IsPrinted);
 }

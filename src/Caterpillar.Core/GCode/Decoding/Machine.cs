@@ -24,7 +24,7 @@ internal sealed class Machine
     /// <summary>The words that extrude.</summary>
     public ExtrusionAxis Axis { get; }
 
-    public MachineState State { get; } = new();
+    public InterpreterState State { get; } = new();
 
     public LineDiagnostics Diagnostics { get; } = new();
 
@@ -42,14 +42,14 @@ internal sealed class Machine
     public int LastModeLine { get; private set; }
 
     /// <summary>Copies the state into another one, and returns that.</summary>
-    public MachineState Save(MachineState copy)
+    public InterpreterState Save(InterpreterState copy)
     {
         copy.CopyFrom(State);
         copy.EByTool = Extruders.Positions();
         return copy;
     }
 
-    public void Restore(MachineState saved)
+    public void Restore(InterpreterState saved)
     {
         Extruders.Restore(saved.EByTool, saved.Tool);
         State.CopyFrom(saved);

@@ -54,6 +54,13 @@ internal sealed class MoveColumns
         Forget(Columns);
     }
 
+    /// <summary>Other numbers for the layers of all moves.</summary>
+    public void RenumberLayers(int[] places)
+    {
+        foreach (var block in _blocks) Renumber(block.Columns, places);
+        Renumber(Columns, places);
+    }
+
     /// <summary>The arc of the last move, where it is one.</summary>
     public Arc? LastArc => _arcMoves.Count > 0 && _arcMoves[_arcMoves.Count - 1] == Columns.Count - 1 ? _arcs[_arcs.Count - 1] : null;
 
@@ -107,6 +114,14 @@ internal sealed class MoveColumns
     private static void Forget(ToolpathColumns columns)
     {
         for (var i = 0; i < columns.Count; i++) columns.Layer[i] = -1;
+    }
+
+    private static void Renumber(ToolpathColumns columns, int[] places)
+    {
+        for (var i = 0; i < columns.Count; i++)
+        {
+            if (columns.Layer[i] >= 0) columns.Layer[i] = places[columns.Layer[i]];
+        }
     }
 
     private void Seal()

@@ -12,10 +12,10 @@ internal sealed class MoveRecorder
     // Beyond these a number is no length in mm: such a move is left out and reported.
     public const double LargestLength = 1e10;
     public const double LargestE = 1e9;
-    private const double NoChange = MachineState.NoChange;
+    private const double NoChange = InterpreterState.NoChange;
     private const double LargestSquare = LargestLength * LargestLength;
 
-    private readonly MachineState _state;
+    private readonly InterpreterState _state;
     private readonly Extruders _extruders;
     private readonly LineDiagnostics _diagnostics;
     private readonly DecodeCounters _counters;
@@ -69,7 +69,11 @@ internal sealed class MoveRecorder
     }
 
     /// <summary>The finished toolpath.</summary>
-    public Toolpath ToToolpath(ToolpathTool[] tools) => new(_moves.ToBlocks(), Layers.ToLayers(), _events, tools, _start, MoveSource.Lines);
+    public Toolpath ToToolpath(ToolpathTool[] tools)
+    {
+        if (Layers.MergeEmpty() is { } places) _moves.RenumberLayers(places);
+        return new(_moves.ToBlocks(), Layers.ToLayers(), _events, tools, _start, MoveSource.Lines);
+    }
 
     /// <summary>A straight move to a position as written, with a change of E, by G0 or G1.</summary>
     public void Line(double x, double y, double z, double e, int code)

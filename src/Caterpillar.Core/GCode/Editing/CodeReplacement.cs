@@ -69,7 +69,7 @@ internal sealed class CodeReplacement
         foreach (var line in _end) _context.Command(line);
     }
 
-    private void WriteModeOfE(MachineState expected)
+    private void WriteModeOfE(InterpreterState expected)
     {
         var rule = _context.Rules.RelativeE;
         if (rule != RelativeERule.OnlyG90G91)

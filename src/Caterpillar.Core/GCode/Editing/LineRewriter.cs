@@ -13,7 +13,7 @@ namespace Caterpillar.GCode;
 /// </summary>
 internal sealed class LineRewriter(LineStyle style, DialectRules rules, ExtrusionAxis axis, ExtrusionAxis source, bool rewriteAll)
 {
-    private const double NoChange = MachineState.NoChange;
+    private const double NoChange = InterpreterState.NoChange;
     private readonly byte _extruder = axis.FirstLetter;
     private readonly List<Edit> _edits = [];
     private ParsedLine _line = new();
@@ -27,7 +27,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
     /// Makes a move of a scanned line; <paramref name="command"/> is the G of a straight move, or −1 for that of the line, <paramref name="carried"/> what
     /// rounding of E has left.
     /// </summary>
-    public void Rewrite(ParsedLine line, FileLine bytes, TargetMove move, MachineState state, int command, double carried)
+    public void Rewrite(ParsedLine line, FileLine bytes, TargetMove move, InterpreterState state, int command, double carried)
     {
         _line = line;
         _edits.Clear();
@@ -84,7 +84,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
 
     private bool MayStay(byte[] text, int word) => !rewriteAll && Own(text, _line, word) <= Limit(_line.Letters[word]);
 
-    private void Motion(TargetMove move, MachineState state, int straight)
+    private void Motion(TargetMove move, InterpreterState state, int straight)
     {
         if (rules.Commands is CommandsRule.First or CommandsRule.Last) KeepMotionOnly();
         var code = move.Arc is { } arc ? rules.ArcCode(arc.Plane, arc.Sweep < 0) : straight;
@@ -128,7 +128,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
     }
 
     // Rotary axes; where A, B and C extrude there are none.
-    private void Turn(byte[] text, Turns target, MachineState state)
+    private void Turn(byte[] text, Turns target, InterpreterState state)
     {
         var (now, shift) = (state.Rotary.Written, state.Rotary.Shift);
         if (target == default && now == default && shift == default) return;
@@ -137,7 +137,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         Axis(text, 'C', target.C - shift.C, now.C, 1, state.Modes.Relative);
     }
 
-    private void Centers(TargetMove move, MachineState state, double unit)
+    private void Centers(TargetMove move, InterpreterState state, double unit)
     {
         if (move.Arc is not { } arc)
         {
@@ -185,7 +185,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         }
     }
 
-    private void Extruder(byte[] text, TargetMove move, MachineState state, double carried)
+    private void Extruder(byte[] text, TargetMove move, InterpreterState state, double carried)
     {
         var unit = state.Modes.UnitOfE(rules);
         // An extruder of another letter goes.
@@ -201,7 +201,7 @@ internal sealed class LineRewriter(LineStyle style, DialectRules rules, Extrusio
         else if (Math.Abs(_line.Values[word] - value) > NoChange || !MayStay(text, word)) Replace(word, value, Decimals(style.DecimalsE, unit));
     }
 
-    private void Feed(byte[] text, TargetMove move, MachineState state, double unit)
+    private void Feed(byte[] text, TargetMove move, InterpreterState state, double unit)
     {
         if (!(move.Speed > 0)) return;
         var word = _line.Find('F');

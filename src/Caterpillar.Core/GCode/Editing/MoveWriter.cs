@@ -23,7 +23,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
     private readonly double _toleranceE = context.Target is null ? NoChange : 0.5001 * NumberFormatter.FromUnits(1, context.Style.DecimalsE);
 
     // The state before the current line; one for all lines.
-    private readonly MachineState _before = new();
+    private readonly InterpreterState _before = new();
 
     // What rounding has left of E, for each tool.
     private readonly Dictionary<int, double> _carried = [];
@@ -130,7 +130,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         InsertMove(move);
     }
 
-    private void InsertChords(TargetMove move, Arc arc, MachineState before)
+    private void InsertChords(TargetMove move, Arc arc, InterpreterState before)
     {
         var start = before.Head.Machine;
         var end = move.End;
@@ -164,7 +164,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         => conversion.MustRewrite() || (context.Target is { LimitsDecimals: true } && _rewriter.IsTooFine(_line, line.Text));
 
     // Lines of state that let the rest of the file stay as it is: G92 E where E is absolute, F where it is inherited.
-    private bool StateMissing(TargetMove move, MachineState before)
+    private bool StateMissing(TargetMove move, InterpreterState before)
     {
         var done = false;
         var original = context.Read.LastMoves;
@@ -220,7 +220,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         return x.Plane == y.Plane && off.Length <= 2 * _tolerance && Math.Abs(x.Sweep - y.Sweep) < 1;
     }
 
-    private bool CanArc(TargetMove move, MachineState state)
+    private bool CanArc(TargetMove move, InterpreterState state)
     {
         var rules = context.Rules;
         var head = state.Head;

@@ -11,7 +11,7 @@ namespace Caterpillar.GCode;
 /// </summary>
 internal sealed class SpliceContext
 {
-    public const double NoChange = MachineState.NoChange;
+    public const double NoChange = InterpreterState.NoChange;
 
     public SpliceContext(DecodedGCode decoding, ConvertTarget? target, Stream stream)
     {

@@ -68,7 +68,7 @@ public static class SetupFormat
     }
 
     private static TemplateValues OfLayer(TemplateValues values, Toolpath toolpath, int layer)
-        => values.With("layer", layer).With("layer_z_mm", toolpath.Layers[layer].Z);
+        => values.With("layer", toolpath.Layers[layer].Index).With("layer_z_mm", toolpath.Layers[layer].Z);
 
     private static IReadOnlyList<string> Lines(Printer printer, string key, IReadOnlyList<string> lines, TemplateValues values, DiagnosticList problems)
     {

@@ -92,7 +92,7 @@ public sealed class TemplateValues
                 start = end;
             }
         }
-        numbers["layer_count"] = toolpath.Layers.Count;
+        numbers["layer_count"] = toolpath.CountLayers();
         numbers["print_min_x_mm"] = bounds.Min.X;
         numbers["print_min_y_mm"] = bounds.Min.Y;
         numbers["print_min_z_mm"] = bounds.Min.Z;

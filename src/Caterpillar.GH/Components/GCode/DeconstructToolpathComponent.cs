@@ -40,11 +40,14 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
         GH_Structure<GH_String> kinds = new(), roles = new();
         var sources = new GH_Structure<GH_Integer>();
         var root = run.PathOf(0);
+        // Numbers of rafts may begin below 0, branches do not.
+        var numbers = toolpath.NumbersOfLayers();
+        var lowest = numbers.Count > 0 ? Math.Min(numbers[0], 0) : 0;
         var layer = 0;
         var path = root.AppendElement(layer);
         foreach (var move in toolpath.Moves())
         {
-            if (move.Layer >= 0 && move.Layer != layer) path = root.AppendElement(layer = move.Layer);
+            if (toolpath.NumberOfLayer(move) is { } number && number - lowest != layer) path = root.AppendElement(layer = number - lowest);
             points.Append(new GH_Point(RhinoGeometry.ToPoint(move.End, units)), path);
             amounts.Append(new GH_Number(move.E), path);
             speeds.Append(new GH_Number(move.Speed), path);

@@ -6,9 +6,9 @@ using Caterpillar.Geometry;
 namespace Caterpillar.GCode;
 
 /// <summary>The geometry of G2 and G3 as each firmware reads it.</summary>
-internal sealed class ArcReader(DialectRules rules, MachineState state)
+internal sealed class ArcReader(DialectRules rules, InterpreterState state)
 {
-    private const double NoChange = MachineState.NoChange;
+    private const double NoChange = InterpreterState.NoChange;
 
     private bool IsClockwise => (state.Modes.Motion == 2) != (rules.MirroredZx && state.Modes.Plane == ArcPlane.ZX);
 

@@ -11,7 +11,7 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
     private const int LongestName = 60;
     private const int LongestText = 400;
     private readonly DialectRules _rules = machine.Rules;
-    private readonly MachineState _state = machine.State;
+    private readonly InterpreterState _state = machine.State;
 
     public void Take(byte[] text, ParsedLine line)
     {

@@ -9,7 +9,7 @@ internal sealed class ExtruderWords(Machine machine)
     private const double LargestE = MoveRecorder.LargestE;
     private readonly DialectRules _rules = machine.Rules;
     private readonly ExtrusionAxis _axis = machine.Axis;
-    private readonly MachineState _state = machine.State;
+    private readonly InterpreterState _state = machine.State;
 
     /// <summary>The change of E that a line asks for; 0 without a word.</summary>
     public double Change(ParsedLine line) => TryGet(line, out var word) ? Change(word) : 0;
@@ -33,7 +33,7 @@ internal sealed class ExtruderWords(Machine machine)
         {
             var other = modes.LastRelative ? word : word - extrusion.Marlin2E;
             extrusion.Marlin2E += other;
-            if (Math.Abs(other) >= MachineState.NoChange) machine.Counters.EMarlin2 += other;
+            if (Math.Abs(other) >= InterpreterState.NoChange) machine.Counters.EMarlin2 += other;
         }
         return change;
     }

@@ -8,7 +8,7 @@ namespace Caterpillar.GCode;
 internal sealed class MachineCommands(Machine machine, ModeCommands modes, EventCommands events, CommentInterpreter comments)
 {
     private readonly DialectRules _rules = machine.Rules;
-    private readonly MachineState _state = machine.State;
+    private readonly InterpreterState _state = machine.State;
 
     public void Take(byte[] text, ParsedLine line)
     {

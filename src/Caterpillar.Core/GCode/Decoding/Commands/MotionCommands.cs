@@ -11,7 +11,7 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
     // Firmware takes no more in one command.
     private const int MaxCircles = 100;
     private readonly DialectRules _rules = machine.Rules;
-    private readonly MachineState _state = machine.State;
+    private readonly InterpreterState _state = machine.State;
     private readonly MoveRecorder _moves = machine.Moves;
     private readonly ArcReader _arcs = new(machine.Rules, machine.State);
     private readonly bool _readsTurns = machine.Axis == ExtrusionAxis.E || machine.Axis == ExtrusionAxis.None || machine.Axis == ExtrusionAxis.Switched;

@@ -11,7 +11,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
 {
     private const double Largest = MoveRecorder.LargestLength;
     private readonly DialectRules _rules = machine.Rules;
-    private readonly MachineState _state = machine.State;
+    private readonly InterpreterState _state = machine.State;
     private readonly MoveRecorder _moves = machine.Moves;
 
     /// <summary>G28 and its like where they home.</summary>

@@ -46,5 +46,5 @@ internal struct HeadPosition
     public readonly bool HasShiftOf(in HeadPosition other)
         => Near(ShiftX, other.ShiftX) && Near(ShiftY, other.ShiftY) && Near(ShiftZ, other.ShiftZ);
 
-    private static bool Near(double a, double b) => Math.Abs(a - b) <= MachineState.NoChange;
+    private static bool Near(double a, double b) => Math.Abs(a - b) <= InterpreterState.NoChange;
 }

@@ -14,5 +14,6 @@ internal readonly record struct RotaryPosition(Turns Written, Turns Shift)
 internal readonly record struct Turns(double A, double B, double C)
 {
     public bool IsNear(Turns other)
-        => Math.Abs(A - other.A) <= MachineState.NoChange && Math.Abs(B - other.B) <= MachineState.NoChange && Math.Abs(C - other.C) <= MachineState.NoChange;
+        => Math.Abs(A - other.A) <= InterpreterState.NoChange && Math.Abs(B - other.B) <= InterpreterState.NoChange
+            && Math.Abs(C - other.C) <= InterpreterState.NoChange;
 }

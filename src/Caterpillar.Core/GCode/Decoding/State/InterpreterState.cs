@@ -6,7 +6,7 @@ namespace Caterpillar.GCode;
 /// <summary>
 /// The state of the machine between two lines: all that decides how the next line is read. Its parts are values, so that a copy is a snapshot.
 /// </summary>
-internal sealed class MachineState
+internal sealed class InterpreterState
 {
     /// <summary>mm (or degrees) below which nothing has changed.</summary>
     public const double NoChange = 1e-9;
@@ -31,7 +31,7 @@ internal sealed class MachineState
     /// <summary>The position of E for each tool, where the firmware keeps one for each.</summary>
     public KeyValuePair<int, double>[] EByTool = [];
 
-    public void CopyFrom(MachineState from)
+    public void CopyFrom(InterpreterState from)
     {
         Head = from.Head;
         Modes = from.Modes;
@@ -48,7 +48,7 @@ internal sealed class MachineState
     }
 
     /// <summary>True when lines are read alike in both states; where E stays relative, its position does not matter.</summary>
-    public bool ReadsLike(MachineState other, bool positionOfEMatters)
+    public bool ReadsLike(InterpreterState other, bool positionOfEMatters)
         => Head.ReadsLike(other.Head) && (System.Math.Abs(Extrusion.E - other.Extrusion.E) <= NoChange || !positionOfEMatters)
             && Feed.Speed == other.Feed.Speed && Tool == other.Tool && Modes.ReadsLike(other.Modes)
             && Extrusion.IsSwitchedOn == other.Extrusion.IsSwitchedOn && Rotary == other.Rotary && Work.ReadsLike(other.Work)
@@ -56,4 +56,4 @@ internal sealed class MachineState
 }
 
 /// <summary>The state before a chunk of the document, and how many lines and events come before it.</summary>
-internal readonly record struct Checkpoint(int Line, MachineState State, int Events);
+internal readonly record struct Checkpoint(int Line, InterpreterState State, int Events);
