@@ -15,8 +15,8 @@ internal static class InfillKeys
 
     private static readonly (string Word, InfillPattern Value)[] Patterns =
     [
-        ("lines", Machines.InfillPattern.Lines), ("grid", Machines.InfillPattern.Grid), ("triangles", Machines.InfillPattern.Triangles),
-        ("cubic", Machines.InfillPattern.Cubic),
+        ("lines", Machines.InfillPattern.Lines), ("monotonic", Machines.InfillPattern.Monotonic), ("grid", Machines.InfillPattern.Grid),
+        ("triangles", Machines.InfillPattern.Triangles), ("cubic", Machines.InfillPattern.Cubic),
         ("gyroid", Machines.InfillPattern.Gyroid), ("honeycomb", Machines.InfillPattern.Honeycomb), ("concentric", Machines.InfillPattern.Concentric),
         ("hilbert", Machines.InfillPattern.Hilbert), ("formula", Machines.InfillPattern.Formula),
     ];

@@ -7,10 +7,9 @@ namespace Caterpillar.Slicing;
 /// <summary>Collects walls: spacings become widths, and points that change nothing are left away.</summary>
 internal sealed class WallOutput(WallRules rules)
 {
-    private const double WidthTolerance = 0.003;
-
-    // Of what lies inside, where a hundredth of a millimeter is not seen.
-    private const double InnerTolerance = 0.01;
+    // Shares of the nominal width by which the width may be off. The side of the outer wall is the surface of the part.
+    private const double OuterWidthShare = 0.015;
+    private const double InnerWidthShare = 0.02;
 
     public List<WallPath> Paths { get; } = [];
 
@@ -22,7 +21,7 @@ internal sealed class WallOutput(WallRules rules)
     public void Loops(Region line, int index, double width, RegionEngine engine)
     {
         // Offsetting leaves corners of rounding size, which a printer need not see.
-        foreach (var contour in line.Simplified(rules.Tolerance, engine).Contours)
+        foreach (var contour in line.Simplified(ToleranceOf(index), engine).Contours)
         {
             var widths = new double[contour.Count];
             for (var i = 0; i < widths.Length; i++) widths[i] = width;
@@ -47,11 +46,16 @@ internal sealed class WallOutput(WallRules rules)
         }
     }
 
+    private double ToleranceOf(int index) => index == 0 ? rules.Tolerance : Math.Max(rules.Tolerance, rules.InnerTolerance);
+
     private void Add(IReadOnlyList<Vec3> points, IReadOnlyList<double> widths, bool closed, int index, bool isStrand)
     {
-        var (kept, keptWidths) = PathThinning.Thin(
-            points, widths, closed, index == 0 && !isStrand ? rules.Tolerance : Math.Max(rules.Tolerance, InnerTolerance), WidthTolerance);
+        var visible = index == 0 && !isStrand;
+        var tolerance = ToleranceOf(visible ? 0 : 1);
+        var widthTolerance = visible ? OuterWidthShare * rules.OuterWidth : InnerWidthShare * rules.InnerWidth;
+        var (kept, keptWidths) = PathThinning.Thin(points, widths, closed, tolerance, widthTolerance);
         if (kept.Length < 2 || (closed && kept.Length < 3)) return;
-        Paths.Add(new WallPath(kept, keptWidths, closed, index, isStrand));
+        var path = new WallPath(kept, keptWidths, closed, index, isStrand);
+        Paths.Add(kept.Length == points.Count ? path : path.WithVolume(WallPath.VolumeOf(points, widths, closed, rules), rules));
     }
 }

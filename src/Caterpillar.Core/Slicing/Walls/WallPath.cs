@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -15,11 +16,30 @@ internal sealed record WallPath(Vec3[] Points, double[] Widths, bool Closed, int
     public int SegmentCount => Closed ? Points.Length : Points.Length - 1;
 
     /// <summary>Volume in mm³.</summary>
-    public double Volume(WallRules rules)
+    public double Volume(WallRules rules) => VolumeOf(Points, Widths, Closed, rules);
+
+    /// <summary>Volume in mm³ of a bead along points, mm, with a width in mm at each of them.</summary>
+    public static double VolumeOf(IReadOnlyList<Vec3> points, IReadOnlyList<double> widths, bool closed, WallRules rules)
     {
         var sum = 0.0;
-        for (var i = 0; i < SegmentCount; i++) sum += SegmentArea(i, rules) * (Points[i + 1 == Points.Length ? 0 : i + 1] - Points[i]).LengthXY;
+        for (var i = closed ? 0 : 1; i < points.Count; i++)
+        {
+            var before = i == 0 ? points.Count - 1 : i - 1;
+            sum += (rules.Area(widths[before]) + rules.Area(widths[i])) / 2 * (points[i] - points[before]).LengthXY;
+        }
         return sum;
+    }
+
+    /// <summary>The same course with a volume in mm³ that is only little different: all areas change by the same share.</summary>
+    public WallPath WithVolume(double volume, WallRules rules)
+    {
+        var own = Volume(rules);
+        if (!(own > 0) || own == volume) return this;
+        var share = volume / own;
+        return this with { Widths = Array.ConvertAll(Widths, Scaled) };
+
+        // Within the limits, or at least no farther out than it was.
+        double Scaled(double w) => Math.Min(Math.Max(rules.Width(rules.Spacing(w) * share), Math.Min(w, rules.MinWidth)), Math.Max(w, rules.MaxWidth));
     }
 
     /// <summary>The beads of the segments: one for all where the width is the same everywhere, else one for each.</summary>

@@ -31,14 +31,20 @@ internal sealed record WallRules
     /// <summary>The widest bead that prints well.</summary>
     public double MaxWidth { get; init; } = 0.8;
 
-    /// <summary>How far walls may deviate from their exact course, so that vertices are saved.</summary>
+    /// <summary>How far outer walls may deviate from their exact course, so that vertices are saved.</summary>
     public double Tolerance { get; init; } = 0.002;
+
+    /// <summary>The same of walls that are not seen.</summary>
+    public double InnerTolerance { get; init; } = 0.0125;
 
     /// <summary>The walls of print settings, in a layer of a thickness.</summary>
     public static WallRules Of(PrintSettings settings, double thickness) => new()
     {
         Count = settings.WallCount, OuterWidth = settings.LineWidth, InnerWidth = settings.LineWidth, Thickness = thickness, Shape = settings.BeadShape,
-        MinWidth = settings.LineWidth * 0.45, MaxWidth = settings.LineWidth * 1.8,
+        VariableWidth = settings.VariableWallWidth,
+        MinWidth = settings.MinWallWidth > 0 ? Math.Min(settings.MinWallWidth, settings.LineWidth) : settings.LineWidth * 0.45,
+        MaxWidth = settings.MaxWallWidth > 0 ? Math.Max(settings.MaxWallWidth, settings.LineWidth) : settings.LineWidth * 1.8,
+        InnerTolerance = settings.SimplifyTolerance,
     };
 
     public double OuterSpacing => Spacing(OuterWidth);
