@@ -12,6 +12,9 @@ namespace Caterpillar.Slicing;
 /// </summary>
 internal sealed class OverhangSplitter
 {
+    // mm; no printer follows a change of speed over a shorter piece.
+    private const double Shortest = 0.05;
+
     private readonly ValueList<OverhangClass> _classes;
     private readonly PrintSettings _settings;
     private readonly Region _below;
@@ -106,7 +109,7 @@ internal sealed class OverhangSplitter
             foreach (var (to, old) in pieces)
             {
                 // What is supported by a smaller region is not looked at again.
-                if (old == kind - 1) Cut(from, to, old, kind, next);
+                if (old == kind - 1) Cut(from, to, old, kind, Shortest / a.DistanceTo(b), next);
                 else next.Add((to, old));
                 from = to;
             }
@@ -115,18 +118,17 @@ internal sealed class OverhangSplitter
         return pieces;
     }
 
-    private void Cut(double from, double to, int old, int kind, List<(double To, int Kind)> next)
+    private void Cut(double from, double to, int old, int kind, double least, List<(double To, int Kind)> next)
     {
-        const double Least = 1e-9;
         foreach (var part in _parts)
         {
             double start = Math.Max(part.From, from), end = Math.Min(part.To, to);
-            if (end - start < Least) continue;
-            if (start - from > Least) next.Add((start, old));
+            if (end - start < least) continue;
+            if (start - from > least) next.Add((start, old));
             next.Add((end, kind));
             from = end;
         }
-        if (to - from > Least || next.Count == 0) next.Add((to, old));
+        if (to - from > least || next.Count == 0) next.Add((to, old));
         else next[next.Count - 1] = (to, next[next.Count - 1].Kind);
     }
 

@@ -11,6 +11,9 @@ internal sealed class WallOutput(WallRules rules)
     private const double OuterWidthShare = 0.015;
     private const double InnerWidthShare = 0.02;
 
+    // mm; shorter moves would be lost when they are written.
+    private const double Shortest = 0.004;
+
     public List<WallPath> Paths { get; } = [];
 
     public List<ThinPlace> TooThin { get; } = [];
@@ -25,7 +28,8 @@ internal sealed class WallOutput(WallRules rules)
         {
             var widths = new double[contour.Count];
             for (var i = 0; i < widths.Length; i++) widths[i] = width;
-            Paths.Add(new WallPath(contour.Raw, widths, Closed: true, index, IsStrand: false));
+            var (kept, keptWidths) = PathThinning.WithoutShort(contour.Raw, widths, closed: true, Shortest);
+            if (kept.Length >= 3) Paths.Add(new WallPath(kept, keptWidths, Closed: true, index, IsStrand: false));
         }
     }
 
@@ -54,6 +58,7 @@ internal sealed class WallOutput(WallRules rules)
         var tolerance = ToleranceOf(visible ? 0 : 1);
         var widthTolerance = visible ? OuterWidthShare * rules.OuterWidth : InnerWidthShare * rules.InnerWidth;
         var (kept, keptWidths) = PathThinning.Thin(points, widths, closed, tolerance, widthTolerance);
+        (kept, keptWidths) = PathThinning.WithoutShort(kept, keptWidths, closed, Shortest);
         if (kept.Length < 2 || (closed && kept.Length < 3)) return;
         var path = new WallPath(kept, keptWidths, closed, index, isStrand);
         Paths.Add(kept.Length == points.Count ? path : path.WithVolume(WallPath.VolumeOf(points, widths, closed, rules), rules));
