@@ -4,18 +4,24 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 
-/// <summary>A path for sorting, and how it may be changed.</summary>
-internal readonly struct SortItem(PrintPath path, bool reverse, bool rotate)
+/// <summary>A path for sorting, and how it may be changed; or several that stay together, of which this is the first.</summary>
+internal readonly struct SortItem(PrintPath path, bool reverse, bool rotate, PrintPath? tail = null)
 {
     public readonly PrintPath Path = path;
 
-    public readonly bool Reverse = reverse && !path.IsClosed;
+    /// <summary>The last of the paths that stay together.</summary>
+    public readonly PrintPath? Tail = tail;
+
+    /// <summary>Whether an order that goes past it in the other direction is about as long.</summary>
+    public bool CanTurn => Tail is null ? Reverse || Path.IsClosed : Path.IsClosed && Tail.IsClosed;
+
+    public readonly bool Reverse = reverse && !path.IsClosed && tail is null;
 
     public readonly bool Rotate = rotate && path.IsClosed;
 
     public Vec3 Entry(PathPlacement at) => at.Reversed ? Path.End : Path.RawPoints[at.Vertex];
 
-    public Vec3 Exit(PathPlacement at) => at.Reversed ? Path.Start : Path.IsClosed ? Path.RawPoints[at.Vertex] : Path.End;
+    public Vec3 Exit(PathPlacement at) => Tail is not null ? TailExit(at) : at.Reversed ? Path.Start : Path.IsClosed ? Path.RawPoints[at.Vertex] : Path.End;
 
     /// <summary>The end, or the vertex of a loop, that is nearest to a point; the first among equals.</summary>
     public PathPlacement NearestEntry(int index, Vec3 from)
@@ -50,6 +56,9 @@ internal readonly struct SortItem(PrintPath path, bool reverse, bool rotate)
         }
         return new PathPlacement(index, false, best);
     }
+
+    // Loops that may start anywhere start side by side.
+    private Vec3 TailExit(PathPlacement at) => !Tail!.IsClosed ? Tail.End : Rotate ? Path.RawPoints[at.Vertex] : Tail.Start;
 
     public PrintPath Placed(PathPlacement at) => at.Reversed ? Path.Reversed() : at.Vertex > 0 ? Path.StartingAt(at.Vertex) : Path;
 }

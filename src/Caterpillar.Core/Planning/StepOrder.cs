@@ -104,13 +104,31 @@ internal static class StepOrder
     private static Vec3? SortGroup(
         IReadOnlyList<Step> steps, int[] run, int from, int to, OrderedStep[] ordered, ref int count, Vec3? at, SortOptions options, CancellationToken cancel)
     {
-        var items = new SortItem[to - from];
-        for (var i = 0; i < items.Length; i++) items[i] = Item((PathStep)steps[run[from + i]], options);
+        // Paths that stay together are one item; heads are where they begin.
+        var heads = new List<int>();
+        for (var i = from; i < to; i++)
+        {
+            if (i == from || !((PathStep)steps[run[i]]).Joined) heads.Add(i);
+        }
+        heads.Add(to);
+        var items = new SortItem[heads.Count - 1];
+        for (var i = 0; i < items.Length; i++)
+        {
+            var last = heads[i + 1] - 1;
+            items[i] = Item((PathStep)steps[run[heads[i]]], options, last > heads[i] ? ((PathStep)steps[run[last]]).Path : null);
+        }
         foreach (var place in PathSorter.Find(items, options with { Start = at }, cancel))
         {
-            var source = run[from + place.Index];
-            ordered[count++] = new OrderedStep(steps[source], items[place.Index].Placed(place), source);
-            at = items[place.Index].Exit(place);
+            var head = heads[place.Index];
+            ordered[count++] = new OrderedStep(steps[run[head]], items[place.Index].Placed(place), run[head]);
+            at = ordered[count - 1].Path!.End;
+            for (var i = head + 1; i < heads[place.Index + 1]; i++)
+            {
+                var item = Item((PathStep)steps[run[i]], options);
+                var path = item.Placed(item.NearestEntry(0, at.Value));
+                ordered[count++] = new OrderedStep(steps[run[i]], path, run[i]);
+                at = path.End;
+            }
         }
         return at;
     }
@@ -125,6 +143,7 @@ internal static class StepOrder
             var rank = Rank(steps[run[from]]);
             for (var i = from; i < to && Rank(steps[run[i]]) == rank; i++)
             {
+                if (((PathStep)steps[run[i]]).Joined) continue;
                 items.Add(Item((PathStep)steps[run[i]], options));
                 owners.Add(island);
             }
@@ -132,8 +151,8 @@ internal static class StepOrder
         return new IslandEntries(items.ToArray(), owners.ToArray(), islands.Count);
     }
 
-    private static SortItem Item(PathStep step, SortOptions options)
-        => new(step.Path, options.Reverse && !step.KeepStart, options.Rotate && !step.KeepStart);
+    private static SortItem Item(PathStep step, SortOptions options, PrintPath? tail = null)
+        => new(step.Path, options.Reverse && !step.KeepStart, options.Rotate && !step.KeepStart, tail);
 
     private static int Rank(Step step) => ((PathStep)step).Group!.Value.Rank;
 

@@ -31,7 +31,7 @@ internal sealed class TourImprover
         _start = start;
         _place = new int[order.Length];
         for (var i = 0; i < order.Length; i++) _place[order[i].Index] = i;
-        _reversible = Array.TrueForAll(items, i => i.Reverse || i.Path.IsClosed);
+        _reversible = Array.TrueForAll(items, i => i.CanTurn);
         // Long sections cost time to reverse and gain no more than short ones.
         _reach = order.Length <= 10_000 ? order.Length : 1_000;
         _near = NearPaths();
@@ -162,7 +162,7 @@ internal sealed class TourImprover
         }
     }
 
-    private PathPlacement Reversed(PathPlacement place) => _items[place.Index].Path.IsClosed ? place : place with { Reversed = !place.Reversed };
+    private PathPlacement Reversed(PathPlacement place) => !_items[place.Index].Reverse ? place : place with { Reversed = !place.Reversed };
 
     private void RotateLoops()
     {

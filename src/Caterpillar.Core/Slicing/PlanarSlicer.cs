@@ -63,12 +63,14 @@ public static class PlanarSlicer
     private static SlicedLayer[] Finish(IEnumerable<SlicedLayer> layers, LayerWork[] works, PrintSettings settings, DiagnosticList problems)
     {
         var vases = new Dictionary<Body, (VaseSpiral Spiral, int Last)>();
+        var seams = new Dictionary<Body, SeamPlacer>();
         var kept = new List<SlicedLayer>();
         var next = 0;
         foreach (var layer in layers)
         {
             var work = works[next++];
-            var finished = layer;
+            if (!seams.TryGetValue(work.Body, out var placer)) seams.Add(work.Body, placer = new SeamPlacer(work.Body));
+            var finished = placer.Next(work, layer);
             if (work.VaseLoop is not null)
             {
                 if (!vases.TryGetValue(work.Body, out var vase)) vase = (new VaseSpiral(), 0);

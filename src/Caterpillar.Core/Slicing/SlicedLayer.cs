@@ -7,5 +7,9 @@ namespace Caterpillar.Slicing;
 /// <summary>One layer of one object: what it covers and the paths that print it.</summary>
 /// <param name="Layer">Its place: number, height, thickness and object.</param>
 /// <param name="Region">What it covers, mm.</param>
-/// <param name="Steps">Its paths: by island, inner walls, outer walls, then infill; grouped, so that planning may sort them.</param>
-public sealed record SlicedLayer(Layer Layer, Region Region, IReadOnlyList<PathStep> Steps);
+/// <param name="Steps">Its paths: by island, walls by contour, then infill; grouped, so that planning may sort them.</param>
+public sealed record SlicedLayer(Layer Layer, Region Region, IReadOnlyList<PathStep> Steps)
+{
+    /// <summary>The loops of each contour, until their seams are chosen.</summary>
+    internal IReadOnlyList<WallChain> Chains { get; init; } = [];
+}

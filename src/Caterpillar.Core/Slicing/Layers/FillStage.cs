@@ -25,16 +25,17 @@ internal static class FillStage
     public static SlicedLayer Run(LayerWork layer, LayerTools tools)
     {
         var steps = new List<PathStep>();
+        var chains = new List<WallChain>();
         if (layer.VaseLoop is not null) return new SlicedLayer(layer.Layer, layer.Region, steps);
         var skins = new SkinFinder(layer, tools.Engine);
         var thick = ThickInfill.Of(layer, tools.Engine);
         for (var i = 0; i < layer.Islands.Length; i++)
         {
             var island = layer.Islands[i];
-            WallSteps.Add(layer, island, i, tools.Engine, steps);
+            WallSteps.Add(layer, island, i, tools.Engine, steps, chains);
             new AreaFiller(layer, island, i, tools, steps).Fill(skins.Find(island.Inside), thick);
         }
         if (layer.OpenLines.Count > 0) WallSteps.AddOpen(layer, steps);
-        return new SlicedLayer(layer.Layer, layer.Region, steps);
+        return new SlicedLayer(layer.Layer, layer.Region, steps) { Chains = chains };
     }
 }

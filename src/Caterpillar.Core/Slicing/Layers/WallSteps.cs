@@ -5,23 +5,43 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>The walls of an island as steps: from the inside out, strands of thin places with the walls that they continue.</summary>
+/// <summary>The walls of an island as steps: the loops of each contour one after the other, in the order of the settings.</summary>
 internal static class WallSteps
 {
-    public static void Add(LayerWork layer, IslandWork island, int number, RegionEngine engine, List<PathStep> steps)
+    public static void Add(LayerWork layer, IslandWork island, int number, RegionEngine engine, List<PathStep> steps, List<WallChain> chains)
     {
-        var (rules, settings) = (layer.Rules.Walls, layer.Rules.Settings);
+        var settings = layer.Rules.Settings;
         var overhangs = OverhangSplitter.For(layer, island, engine);
+        var group = new StepGroup(layer.Number, number, StepRank.Walls);
         for (var i = 0; i < island.Walls.Count; i++)
         {
-            var wall = island.Walls[i];
-            if (settings.FuzzySkin > 0 && wall is { Index: 0, Closed: true } && layer.Index > 0) wall = FuzzySkin.Apply(wall, settings, layer.Number, i);
-            var role = wall.Index == 0 ? Role.OuterWall : wall.IsStrand ? Role.GapFill : Role.InnerWall;
-            var path = PrintPath.Own(Lifted(wall.Points, layer.Plan.Top), wall.Beads(rules), wall.Closed).With(role, layer.Layer);
-            if (overhangs is not null) path = overhangs.Split(path);
-            var rank = StepRank.Walls + Math.Max(0, rules.Count - wall.Index);
-            steps.Add(new PathStep(path, new StepGroup(layer.Number, number, rank)) { Region = island.Region });
+            if (WallChains.IsLoop(island.Walls[i])) continue;
+            var path = Path(layer, island.Walls[i], i);
+            steps.Add(new PathStep(overhangs?.Split(path) ?? path, group) { Region = island.Region });
         }
+        foreach (var chain in WallChains.Find(island.Walls))
+        {
+            var hangsOver = false;
+            var paths = new PrintPath[chain.Count];
+            for (var i = 0; i < paths.Length; i++)
+            {
+                var path = Path(layer, island.Walls[chain[i]], chain[i]);
+                paths[i] = overhangs?.Split(path) ?? path;
+                hangsOver |= !ReferenceEquals(paths[i], path);
+            }
+            var outerFirst = WallChains.OuterFirst(settings, layer.Index, hangsOver);
+            chains.Add(new WallChain(steps.Count, paths.Length, outerFirst ? steps.Count : steps.Count + paths.Length - 1));
+            for (var i = 0; i < paths.Length; i++)
+                steps.Add(new PathStep(paths[outerFirst ? i : paths.Length - 1 - i], group) { Region = island.Region, Joined = i > 0 });
+        }
+    }
+
+    private static PrintPath Path(LayerWork layer, WallPath wall, int number)
+    {
+        var settings = layer.Rules.Settings;
+        if (settings.FuzzySkin > 0 && wall is { Index: 0, Closed: true } && layer.Index > 0) wall = FuzzySkin.Apply(wall, settings, layer.Number, number);
+        var role = wall.Index == 0 ? Role.OuterWall : wall.IsStrand ? Role.GapFill : Role.InnerWall;
+        return PrintPath.Own(Lifted(wall.Points, layer.Plan.Top), wall.Beads(layer.Rules.Walls), wall.Closed).With(role, layer.Layer);
     }
 
     /// <summary>Contours that do not close, as single walls.</summary>

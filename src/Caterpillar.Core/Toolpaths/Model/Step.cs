@@ -44,11 +44,14 @@ public sealed class PathStep : Step
     /// <summary>The start and direction of the path are fixed (a chosen seam): sorting may only change its position in the order.</summary>
     public bool KeepStart { get; init; }
 
+    /// <summary>Printed right after the step before it, which has the same group: sorting moves both as one.</summary>
+    public bool Joined { get; init; }
+
     /// <summary>The region that its layer covers, seen from above: travels inside it stay over the part. Null if unknown.</summary>
     public Region? Region { get; init; }
 
     /// <summary>The same step with another path.</summary>
-    public PathStep With(PrintPath path) => new(path, Group) { KeepStart = KeepStart, Region = Region };
+    public PathStep With(PrintPath path) => new(path, Group) { KeepStart = KeepStart, Joined = Joined, Region = Region };
 }
 
 /// <summary>The intent of a drawn travel.</summary>

@@ -1,0 +1,70 @@
+using System;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>A place on a closed path.</summary>
+/// <param name="Segment">Number of the segment.</param>
+/// <param name="T">From its start (0) to its end (1).</param>
+/// <param name="Point">mm.</param>
+internal readonly record struct LoopPlace(int Segment, double T, Vec3 Point)
+{
+    // A seam this close to a vertex lies at it, mm: no tiny segments.
+    private const double Snap = 0.02;
+
+    /// <summary>The place nearest to a point, seen from above; the first among equals.</summary>
+    public static LoopPlace Nearest(Vec3[] loop, Vec3 to)
+    {
+        var best = new LoopPlace(0, 0, loop[0]);
+        var least = double.PositiveInfinity;
+        for (var i = 0; i < loop.Length; i++)
+        {
+            Vec3 a = loop[i], b = loop[i + 1 == loop.Length ? 0 : i + 1];
+            double dx = b.X - a.X, dy = b.Y - a.Y, px = to.X - a.X, py = to.Y - a.Y;
+            var square = dx * dx + dy * dy;
+            var t = square > 0 ? Math.Min(1, Math.Max(0, (px * dx + py * dy) / square)) : 0;
+            double ex = px - t * dx, ey = py - t * dy;
+            var distance = ex * ex + ey * ey;
+            if (distance >= least) continue;
+            least = distance;
+            best = new LoopPlace(i, t, Vec3.Lerp(a, b, t));
+        }
+        return best;
+    }
+
+    public static LoopPlace AtVertex(Vec3[] loop, int vertex) => new(vertex, 0, loop[vertex]);
+
+    /// <summary>The place at a length along the loop from its first vertex, mm.</summary>
+    public static LoopPlace AtLength(Vec3[] loop, double length)
+    {
+        for (var i = 0; i < loop.Length; i++)
+        {
+            Vec3 a = loop[i], b = loop[i + 1 == loop.Length ? 0 : i + 1];
+            var step = a.DistanceTo(b);
+            if (length < step) return new LoopPlace(i, length / step, Vec3.Lerp(a, b, length / step));
+            length -= step;
+        }
+        return AtVertex(loop, 0);
+    }
+
+    /// <summary>The loop starting here, with a new vertex if none is near.</summary>
+    public PrintPath Start(PrintPath loop)
+    {
+        var points = loop.RawPoints;
+        var next = Segment + 1 == points.Length ? 0 : Segment + 1;
+        if (Point.DistanceTo(points[Segment]) <= Snap) return loop.StartingAt(Segment);
+        if (Point.DistanceTo(points[next]) <= Snap) return loop.StartingAt(next);
+        var moved = new Vec3[points.Length + 1];
+        var beads = new Bead[moved.Length];
+        moved[0] = Point;
+        beads[0] = loop.BeadOf(Segment);
+        for (var i = 1; i < moved.Length; i++)
+        {
+            var from = (Segment + i) % points.Length;
+            moved[i] = points[from];
+            beads[i] = loop.BeadOf(from);
+        }
+        return loop.WithGeometry(moved, beads, closed: true);
+    }
+}

@@ -1,0 +1,183 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Expressions;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Chooses where the loops of a body begin, layer after layer from below: a seam follows the one below it, so this is the one pass over finished layers
+/// that hands something on.
+/// </summary>
+internal sealed class SeamPlacer(Body body)
+{
+    // How far a loop may have moved away from the seam below it, mm, or as a share of its length.
+    private const double Reach = 2;
+    private const double ReachShare = 0.1;
+
+    private List<Seam> _below = [];
+
+    // The seam of an outer wall, and on which side of it the part lies.
+    private readonly record struct Seam(Vec3 Point, bool IsHole);
+
+    /// <summary>The next layer, its loops beginning at their seams.</summary>
+    public SlicedLayer Next(LayerWork work, SlicedLayer layer)
+    {
+        var settings = work.Rules.Settings;
+        if (layer.Chains.Count == 0) return layer;
+        var chains = layer.Chains;
+        var places = new LoopPlace?[chains.Count];
+        var loops = new Vec3[chains.Count][];
+        for (var i = 0; i < loops.Length; i++) loops[i] = layer.Steps[chains[i].Outer].Path.RawPoints;
+        Choose(loops, places, work);
+        var steps = new List<PathStep>(layer.Steps);
+        for (var i = 0; i < places.Length; i++)
+        {
+            if (places[i] is not { } place) continue;
+            var chain = chains[i];
+            for (var k = chain.First; k < chain.First + chain.Count; k++)
+            {
+                // Inner walls begin beside the seam: the travel over them is hardly longer than one to the seam alone.
+                var path = k == chain.Outer ? place.Start(steps[k].Path) : LoopPlace.Nearest(steps[k].Path.RawPoints, place.Point).Start(steps[k].Path);
+                if (k == chain.Outer && work.Index > 0) path = ScarfSeam.Apply(path, work.Plan.Thickness, settings);
+                steps[k] = new PathStep(path, steps[k].Group) { KeepStart = true, Joined = steps[k].Joined, Region = steps[k].Region };
+            }
+        }
+        return layer with { Steps = steps };
+    }
+
+    private void Choose(Vec3[][] loops, LoopPlace?[] places, LayerWork work)
+    {
+        var settings = work.Rules.Settings;
+        var arm = 2 * work.Rules.Width;
+        var matches = settings.SeamPosition is SeamPosition.Aligned or SeamPosition.Corner ? Matches(loops) : null;
+        var seams = new List<Seam>(loops.Length);
+        for (var i = 0; i < loops.Length; i++)
+        {
+            var loop = loops[i];
+            Vec3? below = matches is not null && matches[i] >= 0 ? _below[matches[i]].Point : null;
+            places[i] = Painted(loop, work) ?? settings.SeamPosition switch
+            {
+                SeamPosition.Nearest => null,
+                SeamPosition.Rear => LoopPlace.Nearest(loop, Rear()),
+                SeamPosition.Point => LoopPlace.Nearest(loop, settings.SeamPoint),
+                SeamPosition.Random => Anywhere(loop, settings.SeamSeed, work.Index, i),
+                SeamPosition.Corner => BestCorner(loop, below, arm),
+                _ => below is { } seam ? Above(loop, seam, arm) : BestCorner(loop, null, arm),
+            };
+            if (places[i] is { } place) seams.Add(new Seam(place.Point, IsHole(loop)));
+        }
+        _below = seams;
+    }
+
+    // The painted place nearest to a loop that passes through it.
+    private static LoopPlace? Painted(Vec3[] loop, LayerWork work)
+    {
+        LoopPlace? best = null;
+        var least = double.PositiveInfinity;
+        var middle = work.Plan.Top - work.Plan.Thickness / 2;
+        foreach (var mark in work.Rules.Settings.SeamMarks)
+        {
+            if (Math.Abs(mark.Place.Z - middle) > mark.Radius) continue;
+            var place = LoopPlace.Nearest(loop, mark.Place);
+            var square = (place.Point.WithZ(middle) - mark.Place).LengthSquared;
+            if (square > mark.Radius * mark.Radius || square >= least) continue;
+            least = square;
+            best = place;
+        }
+        return best;
+    }
+
+    // A point far away at the back, so that the nearest place is the rearmost, in the middle of the body where several are.
+    private Vec3 Rear()
+    {
+        var box = body.Model.Mesh.Bounds;
+        return new Vec3(box.Center.X, box.Max.Y + 10 * (1 + box.Size.X + box.Size.Y));
+    }
+
+    private static LoopPlace Anywhere(Vec3[] loop, int seed, int layer, int number)
+    {
+        var length = 0.0;
+        for (var i = 0; i < loop.Length; i++) length += loop[i].DistanceTo(loop[i + 1 == loop.Length ? 0 : i + 1]);
+        return LoopPlace.AtLength(loop, length * new SeededRandom(unchecked((seed * 31 + layer) * 1009 + number)).NextDouble());
+    }
+
+    // The corner that hides a seam best; the one nearest to the seam below, or to the back, among those as good. A smooth loop has its seam at the back.
+    private LoopPlace BestCorner(Vec3[] loop, Vec3? below, double arm)
+    {
+        const double Good = 0.15, Same = 0.1;
+        var near = below ?? Rear();
+        var best = -1;
+        double bestScore = 0, bestSquare = 0;
+        for (var i = 0; i < loop.Length; i++)
+        {
+            var score = Math.Floor(LoopCorner.Score(loop, i, arm) / Same);
+            var square = (loop[i] - near).LengthSquared;
+            if (best >= 0 && (score < bestScore || (score == bestScore && square >= bestSquare))) continue;
+            (best, bestScore, bestSquare) = (i, score, square);
+        }
+        return bestScore * Same >= Good ? LoopPlace.AtVertex(loop, best) : LoopPlace.Nearest(loop, near);
+    }
+
+    // Right above the seam below, or in a good corner close by.
+    private static LoopPlace Above(Vec3[] loop, Vec3 below, double arm)
+    {
+        const double Near = 1, Least = 0.2;
+        var place = LoopPlace.Nearest(loop, below);
+        var bestValue = 0.0;
+        for (var i = 0; i < loop.Length; i++)
+        {
+            var distance = (loop[i] - place.Point).LengthXY;
+            if (distance >= Near) continue;
+            var value = LoopCorner.Score(loop, i, arm) - Least - 0.5 * distance / Near;
+            if (value <= bestValue) continue;
+            bestValue = value;
+            place = LoopPlace.AtVertex(loop, i);
+        }
+        return place;
+    }
+
+    // For each loop the seam below that it goes on with, or −1. Each seam goes on with one loop, the nearest pairs first.
+    private int[] Matches(Vec3[][] loops)
+    {
+        var pairs = new List<(double Square, int Seam, int Loop)>();
+        var matches = new int[loops.Length];
+        for (var i = 0; i < loops.Length; i++)
+        {
+            matches[i] = -1;
+            var box = Bounds.Of(loops[i]);
+            var reach = Math.Max(Reach, ReachShare * 2 * (box.Size.X + box.Size.Y));
+            var isHole = IsHole(loops[i]);
+            for (var k = 0; k < _below.Count; k++)
+            {
+                if (_below[k].IsHole != isHole || WallChains.SquareTo(box, _below[k].Point) > reach * reach) continue;
+                var square = Square(LoopPlace.Nearest(loops[i], _below[k].Point).Point - _below[k].Point);
+                if (square <= reach * reach) pairs.Add((square, k, i));
+            }
+        }
+        pairs.Sort();
+        var taken = new bool[_below.Count];
+        foreach (var (_, seam, loop) in pairs)
+        {
+            if (taken[seam] || matches[loop] >= 0) continue;
+            taken[seam] = true;
+            matches[loop] = seam;
+        }
+        return matches;
+    }
+
+    private static double Square(Vec3 v) => v.X * v.X + v.Y * v.Y;
+
+    private static bool IsHole(Vec3[] loop)
+    {
+        var sum = 0.0;
+        for (var i = 1; i + 1 < loop.Length; i++)
+        {
+            Vec3 a = loop[i] - loop[0], b = loop[i + 1] - loop[0];
+            sum += a.X * b.Y - a.Y * b.X;
+        }
+        return sum < 0;
+    }
+}

@@ -1,0 +1,159 @@
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Slicing;
+
+public class SeamTests
+{
+    private static readonly PrintSettings Bare = new()
+    {
+        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, SimplifyTolerance = 0, TopLayers = 0, BottomLayers = 0, InfillPercent = 0,
+        WallCount = 2, MinLayerTime = 0,
+    };
+
+    private static readonly Vec3[] Ell = [new(0, 0), new(20, 0), new(20, 8), new(8, 8), new(8, 20), new(0, 20)];
+
+    private static TriMesh EllSolid => TriMesh.Merge([Solids.Block(0, 0, 0, 20, 8, 4), Solids.Block(0, 0, 0, 8, 20, 4)]);
+
+    private static Vec3[] Seams(IEnumerable<SlicedLayer> layers)
+        => layers.SelectMany(l => l.Steps).Where(s => s.Path.Role is Role.OuterWall or Role.OverhangWall).Select(s => s.Path.Start.WithZ(0)).ToArray();
+
+    private static PrintSettings At(SeamPosition position) => Bare with { SeamPosition = position };
+
+    [Test]
+    public void Aligned_seams_lie_in_the_same_corner_of_all_layers()
+    {
+        var seams = Seams(Solids.Slice(At(SeamPosition.Aligned), Solids.Block(0, 0, 0, 20, 20, 4)));
+        Assert.That(seams, Has.Length.EqualTo(20));
+        Assert.That(seams.Distinct().ToArray(), Has.Length.EqualTo(1));
+        Assert.That(new[] { new Vec3(0.2, 19.8), new Vec3(19.8, 19.8) }.Min(c => c.DistanceTo(seams[0])), Is.LessThan(1e-3), "a corner at the back");
+    }
+
+    [TestCase(SeamPosition.Aligned)]
+    [TestCase(SeamPosition.Corner)]
+    public void A_concave_corner_hides_the_seam(SeamPosition position)
+        => Assert.That(Seams(Solids.Slice(At(position), EllSolid)).Select(s => s.DistanceTo(new Vec3(7.8, 7.8))), Is.All.LessThan(1e-3));
+
+    [Test]
+    public void Seams_at_the_back_lie_in_the_middle_of_a_straight_back()
+        => Assert.That(Seams(Solids.Slice(At(SeamPosition.Rear), Solids.Block(0, 0, 0, 20, 20, 4))).Select(s => s.DistanceTo(new Vec3(10, 19.8))),
+            Is.All.LessThan(1e-2));
+
+    [Test]
+    public void Seams_lie_on_the_side_of_a_point()
+        => Assert.That(
+            Seams(Solids.Slice(At(SeamPosition.Point) with { SeamPoint = new Vec3(-50, 5) }, Solids.Block(0, 0, 0, 20, 20, 4)))
+                .Select(s => s.DistanceTo(new Vec3(0.2, 5))),
+            Is.All.LessThan(1e-2));
+
+    [Test]
+    public void Random_seams_depend_on_the_seed_alone()
+    {
+        Vec3[] Of(int seed) => Seams(Solids.Slice(At(SeamPosition.Random) with { SeamSeed = seed }, Solids.Block(0, 0, 0, 20, 20, 4)));
+        var seams = Of(1);
+        Assert.That(seams, Is.EqualTo(Of(1)));
+        Assert.That(seams, Is.Not.EqualTo(Of(2)));
+        Assert.That(seams.Distinct().Count(), Is.GreaterThan(15));
+        foreach (var side in new[] { seams.Count(s => s.X < 1), seams.Count(s => s.X > 19), seams.Count(s => s.Y < 1), seams.Count(s => s.Y > 19) })
+            Assert.That(side, Is.GreaterThan(0), "every side has some");
+    }
+
+    [Test]
+    public void Loops_begin_at_painted_places_and_elsewhere_as_usual()
+    {
+        var marks = new ValueList<SeamMark>(new SeamMark(new Vec3(20, 12, 2), 1));
+        var layers = Solids.Slice(At(SeamPosition.Rear) with { SeamMarks = marks }, Solids.Block(0, 0, 0, 20, 20, 4));
+        foreach (var layer in layers)
+        {
+            var middle = layer.Layer.Z - 0.1;
+            // The wall passes the center of the ball at 0.2 mm.
+            var painted = 0.2 * 0.2 + (middle - 2) * (middle - 2) < 1;
+            Assert.That(Seams([layer])[0].DistanceTo(painted ? new Vec3(19.8, 12) : new Vec3(10, 19.8)), Is.LessThan(1e-2), $"{layer.Layer.Z}");
+        }
+    }
+
+    [Test]
+    public void Seams_that_may_lie_anywhere_are_left_to_planning()
+    {
+        Assert.That(Solids.Slice(At(SeamPosition.Nearest), EllSolid).SelectMany(l => l.Steps).Select(s => s.KeepStart), Is.All.False);
+        Assert.That(Solids.Slice(At(SeamPosition.Aligned), EllSolid).SelectMany(l => l.Steps).Select(s => s.KeepStart), Is.All.True);
+    }
+
+    [Test]
+    public void Inner_walls_begin_beside_the_seam()
+    {
+        foreach (var layer in Solids.Slice(At(SeamPosition.Aligned), EllSolid))
+        {
+            var paths = Solids.Paths(layer);
+            Assert.That(paths.Select(p => p.Role), Is.EqualTo(new[] { Role.InnerWall, Role.OuterWall }));
+            Assert.That(paths[0].Start.DistanceTo(paths[1].Start), Is.LessThan(0.6));
+        }
+    }
+
+    [Test]
+    public void Seams_do_not_depend_on_the_number_of_threads()
+    {
+        var model = new NamedMesh("test", TriMesh.Merge([EllSolid, Solids.Cone(0, 8, 9, 2)]));
+        Vec3[] Of(int threads) => Seams(PlanarSlicer.Slice([model], At(SeamPosition.Aligned), threads).Value!.Layers);
+        Assert.That(Of(4), Is.EqualTo(Of(1)));
+    }
+
+    [Test]
+    public void Two_objects_keep_their_own_seams()
+    {
+        NamedMesh[] models = [new("a", Solids.Block(0, 0, 0, 10, 10, 2)), new("b", Solids.Block(20, 0, 0, 30, 10, 2))];
+        var layers = PlanarSlicer.Slice(models, At(SeamPosition.Aligned)).Value!.Layers;
+        foreach (var name in new[] { "a", "b" })
+            Assert.That(Seams(layers.Where(l => l.Layer.Object == name)).Distinct().ToArray(), Has.Length.EqualTo(1), name);
+    }
+
+    [Test]
+    public void A_scarf_begins_in_the_second_layer()
+    {
+        var layers = Solids.Slice(At(SeamPosition.Aligned) with { ScarfLength = 10 }, EllSolid);
+        Assert.That(Solids.Paths(layers[0], Role.OuterWall).Single().IsClosed);
+        foreach (var layer in layers.Skip(1))
+        {
+            var wall = Solids.Paths(layer, Role.OuterWall).Single();
+            Assert.That(wall.IsClosed, Is.False);
+            Assert.That(wall.Start.Z, Is.EqualTo(layer.Layer.Z - 0.18).Within(1e-9));
+            Assert.That(wall.Start.WithZ(0).DistanceTo(new Vec3(7.8, 7.8)), Is.LessThan(1e-3));
+        }
+        Assert.That(Solids.Volume(layers), Is.EqualTo(Solids.Volume(Solids.Slice(Bare, EllSolid))).Within(0.01).Percent);
+    }
+
+    [TestCase("meshes/torus.obj")]
+    [TestCase("meshes/spot.obj")]
+    [TestCase("meshes/homer.stl")]
+    [TestCase("meshes/fandisk.stl")]
+    public void Aligned_seams_of_real_parts_hardly_jump(string file)
+    {
+        var mesh = MeshReader.Read(TestData.Shared(file)).Value!;
+        var result = PlanarSlicer.Slice(mesh, new PrintSettings { InfillPercent = 0, TopLayers = 0, BottomLayers = 0, LayerHeight = 0.3, MinLayerTime = 0 });
+        var jumps = new List<double>();
+        Vec3[]? below = null;
+        foreach (var layer in result.Value!.Layers)
+        {
+            var seams = Seams([layer]);
+            if (below is { Length: > 0 }) jumps.AddRange(seams.Select(s => below.Min(b => b.DistanceTo(s))));
+            below = seams;
+        }
+        jumps.Sort();
+        Assert.That(jumps[jumps.Count / 2], Is.LessThan(0.2));
+    }
+
+    [TestCase("seam_position=somewhere", "seam_position")]
+    [TestCase("seam_marks_mm=1,2,3,0", "seam_marks_mm")]
+    [TestCase("seam_marks_mm=1,2,3", "seam_marks_mm")]
+    [TestCase("seam_point_mm=1", "seam_point_mm")]
+    [TestCase("scarf_length_mm=0.05", "scarf_length_mm")]
+    [TestCase("scarf_steps=1", "scarf_steps")]
+    [TestCase("wall_order=sideways", "wall_order")]
+    public void Bad_values_name_their_key(string set, string key)
+        => Assert.That(new PrintSetup().With(set).Diagnostics.Single().ToString(), Does.Contain(key));
+}
