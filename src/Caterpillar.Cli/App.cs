@@ -17,6 +17,8 @@ internal static class App
         AppContext.SetSwitch("System.IO.Compression.UseStrictValidation", true);
         var root = new Command("caterpillar", "Turns designs into 3D-printer motion, and G-code back into toolpaths.") { new HelpOption(),
             new VersionOption() };
+        var general = new GeneralOptions();
+        general.AddTo(root);
         foreach (var verb in Verbs.All()) root.Subcommands.Add(verb);
         try
         {
@@ -25,6 +27,7 @@ internal static class App
                 $"There is no option {unknown}; for a file of this name write ./{unknown}");
             if (parsed.CommandResult.Command is Verb verb && parsed.Action is null && parsed.Errors.Count == 0)
             {
+                general.Apply(parsed, session);
                 OutputGuard.Check(verb, parsed);
                 return verb.Run(parsed, session);
             }
@@ -45,6 +48,17 @@ internal static class App
             session.Messages.WriteLine(LongWords.Shorten(Sentence(disk)));
             return ExitCode.BadInput;
         }
+        catch (DiagnosticException problem)
+        {
+            session.Print(problem.Diagnostics);
+            return ExitCode.BadInput;
+        }
+        catch (Exception full) when (IsOutOfMemory(full))
+        {
+            session.Messages.WriteLine($"This takes more memory than the limit of {MemoryLimit.Text(session.Memory.Bytes)}; nothing was written. "
+                + Session.MoreMemory);
+            return ExitCode.BadInput;
+        }
         catch (Exception bug)
         {
             session.Messages.WriteLine("This is an internal error; please report it together with the input that caused it:");
@@ -52,6 +66,9 @@ internal static class App
             return ExitCode.Bug;
         }
     }
+
+    private static bool IsOutOfMemory(Exception problem)
+        => problem is OutOfMemoryException || (problem is AggregateException several && several.Flatten().InnerExceptions.Any(IsOutOfMemory));
 
     // The parser takes an unknown option for the value of an argument where that accepts any text.
     private static string? UnknownOption(ParseResult parsed)

@@ -25,7 +25,7 @@ internal static class Meshes
         {
             var bytes = session.ReadBytes(files[i]);
             var part = progress.Part((double)i / files.Count, (i + 1.0) / files.Count);
-            var read = MeshReader.Read(bytes, Session.NameOf(files[i]), part, session.Cancel);
+            var read = MeshReader.Read(bytes, Session.NameOf(files[i]), new MeshReadOptions { Memory = session.Memory }, part, session.Cancel);
             diagnostics.AddRange(read.Diagnostics);
             if (read.Value is null)
             {

@@ -3,6 +3,7 @@ using System.IO;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Threading;
+using Caterpillar.Basics;
 using Caterpillar.Machines;
 
 namespace Caterpillar.Cli;
@@ -21,9 +22,16 @@ internal static class Program
         {
             Cancel = stop.Token,
             IsTerminal = !Console.IsErrorRedirected,
+            EnforceMemory = Enforce,
             Profiles = new ProfileLibrary(Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData), "Caterpillar", "printers")),
         };
         return App.Run(args, session);
+    }
+
+    private static void Enforce(MemoryLimit limit)
+    {
+        AppContext.SetData("GCHeapHardLimit", (ulong)limit.Bytes);
+        GC.RefreshMemoryLimit();
     }
 
     // True for the first request to stop.

@@ -16,6 +16,9 @@ namespace Caterpillar.Cli;
 /// <summary>What a verb works with: streams, profiles, cancellation, progress and messages.</summary>
 internal sealed class Session
 {
+    /// <summary>The advice after what took too much.</summary>
+    public const string MoreMemory = "--memory-limit 8GB, or any other size, lets the work take more.";
+
     private readonly Func<Stream> _input;
     private readonly Func<Stream> _output;
 
@@ -35,6 +38,15 @@ internal sealed class Session
     public bool IsTerminal { get; init; }
 
     public ProfileLibrary Profiles { get; init; } = new();
+
+    /// <summary>Only what is wrong is said.</summary>
+    public bool Quiet { get; set; }
+
+    /// <summary>How much memory the work may take.</summary>
+    public MemoryLimit Memory { get; set; } = MemoryLimit.Default;
+
+    /// <summary>Makes the runtime keep the limit where an estimate fails; null where others live in the process.</summary>
+    public Action<MemoryLimit>? EnforceMemory { get; init; }
 
     /// <summary>The bytes of a file, or of standard input for <c>-</c>.</summary>
     public byte[] ReadBytes(string file)
@@ -91,7 +103,11 @@ internal sealed class Session
     /// <summary>Prints diagnostics, one line each.</summary>
     public void Print(IEnumerable<Diagnostic> diagnostics)
     {
-        foreach (var diagnostic in diagnostics) Messages.WriteLine(diagnostic.ToString());
+        foreach (var diagnostic in diagnostics)
+        {
+            Messages.WriteLine(diagnostic.ToString());
+            if (diagnostic.Code == MemoryLimit.Code) Messages.WriteLine(MoreMemory);
+        }
     }
 
     /// <summary>Prints the diagnostics and returns the value.</summary>

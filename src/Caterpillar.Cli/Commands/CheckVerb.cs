@@ -38,6 +38,7 @@ internal sealed class CheckVerb : Verb
             Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
             FilamentDiameter = setup.Material.FilamentDiameter,
             Threads = arguments.GetValue(_threads),
+            Memory = session.Memory,
         };
         var all = new List<Diagnostic>();
         foreach (var file in arguments.GetValue(_files)!)

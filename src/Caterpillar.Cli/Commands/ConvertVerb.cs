@@ -69,7 +69,8 @@ internal sealed class ConvertVerb : Verb
         var document = Read(file, session);
         var decoding = session.ValueOrFail(session.WithProgress("Reading",
             p => GCodeDecoder.Decode(document,
-                new DecodeOptions { Dialect = from, FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, p,
+                new DecodeOptions { Dialect = from, Memory = session.Memory,
+                    FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, p,
                 session.Cancel)));
         var edited = _edits.Edit(decoding.Toolpath, Tolerance(arguments), arguments, session);
         if (arguments.GetValue(_arcs) == "fit") edited = edited.FitArcs(new ArcFitOptions { Tolerance = Tolerance(arguments) });
@@ -105,11 +106,11 @@ internal sealed class ConvertVerb : Verb
     private static GCodeDocument Read(string file, Session session)
     {
         using var stream = session.OpenRead(file);
-        return session.ValueOrFail(GCodeDocument.Read(stream, Session.NameOf(file), session.Cancel));
+        return session.ValueOrFail(GCodeDocument.Read(stream, Session.NameOf(file), session.Memory, session.Cancel));
     }
 
     private DecodedGCode Again(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
-        => GCodeDecoder.Decode(text, new DecodeOptions { Dialect = dialect,
+        => GCodeDecoder.Decode(text, new DecodeOptions { Dialect = dialect, Memory = session.Memory,
             FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, null, session.Cancel).Value!;
 
     // Checked only if a printer is named: the one that the file was made for is unknown.

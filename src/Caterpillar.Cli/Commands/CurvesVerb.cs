@@ -75,10 +75,12 @@ internal sealed class CurvesVerb : Verb
         setup = setup with { Settings = setup.Settings with { SortPaths = sort != SortRule.None } };
         var options = _division.Of(arguments, _strand.Of(arguments, setup)) with
         {
+            Memory = session.Memory,
             Sorting = sort switch { SortRule.None => CurveSorting.None, SortRule.Layer or SortRule.Z => CurveSorting.All, _ => CurveSorting.WithinLayers },
         };
         var reading = new CurveReadOptions
         {
+            Memory = session.Memory,
             WidthReference = setup.Printer.NozzleDiameter,
             HeightReference = setup.Settings.LayerHeight,
             SpeedReference = setup.Settings.PrintSpeed,
@@ -86,7 +88,7 @@ internal sealed class CurvesVerb : Verb
         };
         var (steps, count) = Steps(file, reading, options, arguments.GetValue(_move), setup, session);
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;
-        var plan = Planned(steps, setup, new PlanOptions { Policy = policy, Sort = new SortOptions(sort) }, session);
+        var plan = Planned(steps, setup, new PlanOptions { Policy = policy, Sort = new SortOptions(sort), Memory = session.Memory }, session);
         var toolpath = plan.Toolpath;
         foreach (var mapping in mappings) toolpath = mapping.Apply(toolpath, null, session.Cancel);
         var written = _write.WriteGCode(arguments, session, toolpath, setup, target, limit);

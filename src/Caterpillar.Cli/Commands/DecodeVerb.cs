@@ -59,6 +59,7 @@ internal sealed class DecodeVerb : Verb
             Rule = arguments.GetValue(_rule) == "rising" ? ExtrusionRule.Rising : ExtrusionRule.Balance,
             FilamentDiameter = Diameter(arguments, session),
             Threads = arguments.GetValue(_threads),
+            Memory = session.Memory,
         };
         var json = arguments.GetValue(_json);
         var decoded = new List<(string File, DecodedGCode DecodedGCode, DecodeReport Report)>();

@@ -55,13 +55,15 @@ internal sealed class PictureVerb : Verb
         var view = ViewOf(arguments.GetValue(_view)!);
         using var stream = session.OpenRead(file);
         var toolpath = session.ValueOrFail(session.WithProgress("Decoding",
-            progress => GCodeDecoder.DecodeStream(stream, null, Session.NameOf(file), progress, session.Cancel))).Toolpath;
+            progress => GCodeDecoder.DecodeStream(stream, new DecodeOptions { Memory = session.Memory }, Session.NameOf(file), progress, session.Cancel)))
+                .Toolpath;
         var options = new PictureOptions
         {
             Width = width,
             Height = width * 3 / 4,
             View = view,
             ColorBy = arguments.GetValue(_color),
+            Memory = session.Memory,
             Travel = arguments.GetValue(_travel),
             Filter = Filter(arguments, toolpath),
         };

@@ -78,7 +78,7 @@ internal sealed class SectionsVerb : Verb
     private static Result<SectionReport> Measure(
         byte[] bytes, string name, string model, double[]? heights, double every, SectionOptions options, IProgress<double>? progress, Session session)
     {
-        var read = MeshReader.Read(bytes, name, progress.Part(0, 0.5), session.Cancel);
+        var read = MeshReader.Read(bytes, name, new MeshReadOptions { Memory = session.Memory }, progress.Part(0, 0.5), session.Cancel);
         if (read.Value is null) return new Result<SectionReport>(null, read.Diagnostics);
         var mesh = TriMesh.Merge(read.Value.Select(m => m.Mesh));
         var report = SectionReport.Of(model, mesh, heights ?? Middles(mesh.Bounds.Max.Z, every), options, progress.Part(0.5, 1), session.Cancel);

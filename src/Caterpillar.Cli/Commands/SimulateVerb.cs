@@ -48,6 +48,7 @@ internal sealed class SimulateVerb : Verb
             Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
             FilamentDiameter = _setup.Resolve(arguments, session).Material.FilamentDiameter,
             Threads = arguments.GetValue(_threads),
+            Memory = session.Memory,
         };
         DecodedGCode decoded;
         using (var stream = GzipReader.Open(session.OpenRead(file)))

@@ -53,7 +53,8 @@ internal sealed class SliceVerb : Verb
         _placing.Check(arguments);
         var setup = _setup.Resolve(arguments, session);
         var (steps, layers) = Sliced(files, arguments, setup, session);
-        var plan = session.ValueOrFail(session.WithProgress("Planning", progress => Planner.PlanWithReport(steps, setup, null, progress, session.Cancel)));
+        var plan = session.ValueOrFail(session.WithProgress("Planning",
+            progress => Planner.PlanWithReport(steps, setup, new PlanOptions { Memory = session.Memory }, progress, session.Cancel)));
         var written = _write.WriteGCode(arguments, session, plan.Toolpath, setup, output);
         if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson(files, output, [new("layers", layers)], plan, written)));
         return ExitCode.Done;
@@ -68,9 +69,9 @@ internal sealed class SliceVerb : Verb
         var settings = own.For(read, sources);
         // Copies follow in the order of the originals.
         var models = _placing.Placed(read, arguments, setup, session).Select((m, i) => new SliceModel(m, settings[i % settings.Count])).ToArray();
-        var threads = arguments.GetValue(_threads);
+        var options = new SliceOptions { Threads = arguments.GetValue(_threads), Memory = session.Memory };
         var result = session.ValueOrFail(session.WithProgress("Slicing",
-            progress => PlanarSlicer.SliceEach(models, setup.Settings, threads, progress, session.Cancel)));
+            progress => PlanarSlicer.SliceEach(models, setup.Settings, options, progress, session.Cancel)));
         return (result.ToSteps(), result.Layers.Count);
     }
 }

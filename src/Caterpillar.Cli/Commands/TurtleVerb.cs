@@ -67,7 +67,8 @@ internal sealed class TurtleVerb : Verb
             progress => session.ValueOrFail(script.Run(options, variables, arguments.GetValue(_seed), null, progress, session.Cancel)));
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;
         var toolpath = session.WithProgress("Planning",
-            progress => session.ValueOrFail(Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = policy }, progress, session.Cancel)));
+            progress => session.ValueOrFail(Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = policy, Memory = session.Memory }, progress,
+                session.Cancel)));
         if (toolpath.Count == 0) throw new CliException(ExitCode.BadInput, $"{Session.NameOf(file)}: the program draws nothing.");
         return _write.Write(arguments, session, toolpath, setup, target);
     }

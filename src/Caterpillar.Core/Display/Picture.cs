@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Threading;
+using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -44,6 +45,9 @@ public sealed record PictureOptions
     /// <summary>The bed to draw, or empty.</summary>
     public Bounds Bed { get; init; }
 
+    /// <summary>How much memory the picture may take while it is drawn.</summary>
+    public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
+
     public Rgb Background { get; init; } = new(250, 250, 248);
 }
 
@@ -51,10 +55,14 @@ public sealed record PictureOptions
 public static class Picture
 {
     /// <summary>A picture of the toolpath; an empty one for a toolpath that prints nothing.</summary>
+    /// <exception cref="DiagnosticException">It takes more memory than the options allow.</exception>
     public static RasterImage Draw(Toolpath toolpath, PictureOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         options ??= new PictureOptions();
+        // Four points of color and depth for each point of the picture.
+        options.Memory.Check(40.0 * options.Width * options.Height, $"A picture of {NumberFormatter.Format(options.Width)} × "
+            + $"{NumberFormatter.Format(options.Height)} pixels");
         var canvas = new StrandCanvas(options.Width * 2, options.Height * 2, options.Background, options.View);
         var ranges = Ranges(toolpath, options);
         if (ranges.Box.IsEmpty) return canvas.Finish();

@@ -1,4 +1,5 @@
 using System;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -53,6 +54,9 @@ public sealed record CurveOptions
 
     /// <summary>What planning may sort; by default curves are printed in their order.</summary>
     public CurveSorting Sorting { get; init; }
+
+    /// <summary>How much memory the points may take until they are written; more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
     /// <summary>The settings of a profile: width, height, shape and subdivision distance.</summary>
     public static CurveOptions From(PrintSettings settings)

@@ -10,8 +10,8 @@ namespace Caterpillar.Drawings;
 /// <summary>User-defined toolpaths (Caterpillar 2019, section 3.3): any 3D curves, printed exactly as drawn and in the given order.</summary>
 public static class CurvePaths
 {
-    // Points of all curves together; each takes some hundred bytes until it is written.
-    private const int MaxPoints = 20_000_000;
+    // A point with its bead, its move, and their copies until they are written.
+    private const double BytesPerPoint = 250;
 
     /// <summary>
     /// The steps that print curves in their order. Curves without length are ignored with a warning. Errors (codes <c>curves.*</c>) are strands with negative
@@ -60,10 +60,10 @@ public static class CurvePaths
             var path = maker.Make(curve, curve.Source ?? new SourceLocation(Step: i));
             if (path is null) continue;
             points += path.RawPoints.Length;
-            if (points > MaxPoints)
+            if (options.Memory.Refuse(points * BytesPerPoint, $"A division into more than {NumberFormatter.Format(points)} points", curve.Source,
+                "Use a larger distance, tolerance or angle.") is { } tooMuch)
             {
-                diagnostics.Add(Severity.Error, "curves.too_fine",
-                    $"The division asks for more than {NumberFormatter.Format(MaxPoints)} points in all: use a larger distance, tolerance or angle.");
+                diagnostics.Add(tooMuch);
                 break;
             }
             paths.Add(options.FitArcs > 0 ? PathArcs.Fit(path, new ArcFitOptions { Tolerance = options.FitArcs }) : path);

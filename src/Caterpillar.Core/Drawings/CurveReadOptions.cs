@@ -1,3 +1,5 @@
+using Caterpillar.Basics;
+
 namespace Caterpillar.Drawings;
 
 /// <summary>What percentages in curve files refer to; 0 if unknown, so that percentages are errors.</summary>
@@ -14,4 +16,7 @@ public sealed record CurveReadOptions
 
     /// <summary>mm per unit of CSV, JSON and OBJ, which state none (JSON may: <c>"units"</c>).</summary>
     public double UnitLength { get; init; } = 1;
+
+    /// <summary>How much memory the unpacked file may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 }

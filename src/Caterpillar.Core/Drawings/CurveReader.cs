@@ -31,10 +31,11 @@ public static class CurveReader
     {
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
         if (name is null) throw new ArgumentNullException(nameof(name));
+        options ??= new CurveReadOptions();
         var diagnostics = new DiagnosticList();
-        var plain = GzipBytes.Unpack(bytes, name, "curves.packed", diagnostics, cancel);
+        var plain = GzipBytes.Unpack(bytes, name, "curves.packed", diagnostics, options.Memory, cancel);
         if (plain is null) return new Result<IReadOnlyList<UserCurve>>(null, diagnostics.ToList());
-        var source = new CurveSource(plain, name, options ?? new CurveReadOptions(), diagnostics, progress, cancel);
+        var source = new CurveSource(plain, name, options, diagnostics, progress, cancel);
         switch (FormatOf(plain, name))
         {
             case Format.Svg:

@@ -13,11 +13,12 @@ internal static class GzipBytes
     /// <param name="name">Name for messages.</param>
     /// <param name="code">Code of the diagnostics.</param>
     /// <param name="diagnostics">Receives the diagnostics.</param>
+    /// <param name="memory">What the bytes may take.</param>
     /// <param name="cancel">Cancels the work.</param>
-    public static byte[]? Unpack(byte[] bytes, string name, string code, DiagnosticList diagnostics, CancellationToken cancel)
+    public static byte[]? Unpack(byte[] bytes, string name, string code, DiagnosticList diagnostics, MemoryLimit memory, CancellationToken cancel)
     {
         if (!GzipReader.IsPacked(bytes, bytes.Length)) return bytes;
-        using var memory = new MemoryStream();
+        using var plain = new MemoryStream();
         using var stream = new GzipReader(new MemoryStream(bytes, false));
         try
         {
@@ -25,8 +26,15 @@ internal static class GzipBytes
             for (int read; (read = stream.Read(block, 0, block.Length)) > 0;)
             {
                 cancel.ThrowIfCancellationRequested();
-                if (memory.Length + read > int.MaxValue - 1024) throw new InvalidDataException("It decompresses to more than 2 GB.");
-                memory.Write(block, 0, read);
+                if (plain.Length + read > int.MaxValue - 1024) throw new InvalidDataException("It decompresses to more than 2 GB.");
+                // Growing doubles the buffer, and the result is a copy.
+                if (plain.Length + read > plain.Capacity
+                    && memory.Refuse(4.0 * plain.Capacity, "The unpacked file", new SourceLocation(name)) is { } tooMuch)
+                {
+                    diagnostics.Add(tooMuch);
+                    return null;
+                }
+                plain.Write(block, 0, read);
             }
         }
         catch (InvalidDataException broken)
@@ -35,6 +43,6 @@ internal static class GzipBytes
             return null;
         }
         if (stream.HasTrailingBytes) diagnostics.Add(GzipReader.TrailingBytes(code, name));
-        return memory.ToArray();
+        return plain.ToArray();
     }
 }

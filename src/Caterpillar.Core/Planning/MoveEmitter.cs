@@ -21,11 +21,12 @@ internal sealed class MoveEmitter
     private Layer? _layer;
     private int _layerIndex = -1;
 
-    public MoveEmitter(PlanRules rules, Vec3? start, PlanReport counts)
+    public MoveEmitter(PlanRules rules, PlanOptions options, PlanReport counts)
     {
+        var start = options.Start;
         _rules = rules;
         _counts = counts;
-        _builder = new ToolpathBuilder(MoveSource.Steps, start);
+        _builder = new ToolpathBuilder(MoveSource.Steps, start) { Memory = options.Memory };
         _retracted = new double[rules.Tools.Length];
         IsPlaced = start is not null;
     }

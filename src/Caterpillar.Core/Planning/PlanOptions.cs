@@ -1,3 +1,4 @@
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Planning;
@@ -24,4 +25,7 @@ public sealed record PlanOptions
 
     /// <summary>Position of the head at the start of the plan, mm; null if the start code does not state it.</summary>
     public Vec3? Start { get; init; }
+
+    /// <summary>How much memory the moves may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 }

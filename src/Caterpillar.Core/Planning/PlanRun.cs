@@ -17,6 +17,11 @@ internal static class PlanRun
         if (diagnostics.HasErrors) return new Result<Plan>(null, diagnostics.ToList());
         if (steps.Count == 0) diagnostics.Add(Severity.Warning, "plan.empty", "There is nothing to plan.");
 
+        if (TooMuch(steps, options.Memory) is { } tooMuch)
+        {
+            diagnostics.Add(tooMuch);
+            return new Result<Plan>(null, diagnostics.ToList());
+        }
         var sort = rules.AddsNothing ? new SortOptions(SortRule.None) : options.Sort with { Start = options.Start };
         var ordered = StepOrder.Find(steps, sort, progress.Part(0, 0.5), cancel);
         var counts = new PlanReport();
@@ -31,6 +36,14 @@ internal static class PlanRun
                 counts.EmptySegments);
         progress?.Report(1);
         return new Result<Plan>(new Plan(toolpath, counts), diagnostics.ToList());
+    }
+
+    // Every segment becomes a move.
+    private static Diagnostic? TooMuch(IReadOnlyList<Step> steps, MemoryLimit memory)
+    {
+        double moves = 0;
+        foreach (var step in steps) moves += step is PathStep path ? path.Path.RawPoints.Length : 1;
+        return memory.Refuse(moves * ToolpathBlock.BytesPerMove, $"A toolpath of {NumberFormatter.Format(moves, 0)} moves");
     }
 
     private static void CheckTool(Step step, int index, int tools, DiagnosticList diagnostics)

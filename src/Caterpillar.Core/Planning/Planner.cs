@@ -39,7 +39,14 @@ public static class Planner
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         options ??= new PlanOptions();
         if (!setup.Settings.SortPaths) options = options with { Sort = options.Sort with { Rule = SortRule.None } };
-        return PlanRun.Run(steps, Rules(setup, options.Policy), options, progress, cancel);
+        try
+        {
+            return PlanRun.Run(steps, Rules(setup, options.Policy), options, progress, cancel);
+        }
+        catch (DiagnosticException tooMuch)
+        {
+            return new Result<Plan>(null, tooMuch.Diagnostics);
+        }
     }
 
     internal static PlanRules Rules(PrintSetup setup, PlanPolicy policy)

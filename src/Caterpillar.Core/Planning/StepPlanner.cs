@@ -29,7 +29,7 @@ internal sealed class StepPlanner
         _steps = steps;
         _diagnostics = diagnostics;
         _counts = counts;
-        _emitter = new MoveEmitter(rules, options.Start, counts);
+        _emitter = new MoveEmitter(rules, options, counts);
         var returns = !rules.AddsNothing && Array.Exists(steps, s => s.Step is TravelStep { Intent: TravelIntent.Return });
         if (returns) _returnPath = new ReturnPath();
         if (returns || (rules.Lift == LiftRule.Corridor && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);

@@ -14,6 +14,9 @@ namespace Caterpillar.Slicing;
 /// </summary>
 public static class PlanarSlicer
 {
+    /// <summary>The most models of one print.</summary>
+    public const int MaxModels = 10_000;
+
     /// <summary>Slices meshes at the positions where they are printed (Z = 0 is the bed).</summary>
     /// <param name="models">The objects; each keeps its own layers.</param>
     /// <param name="settings">Layers, walls, skins and infill.</param>
@@ -35,9 +38,34 @@ public static class PlanarSlicer
     /// <inheritdoc cref="Slice(IReadOnlyList{NamedMesh}, PrintSettings, int, IProgress{double}, CancellationToken)"/>
     public static Result<SliceResult> SliceEach(
         IReadOnlyList<SliceModel> models, PrintSettings common, int threads = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
+        => SliceEach(models, common, new SliceOptions { Threads = threads }, progress, cancel);
+
+    /// <summary>The same with options; more than <see cref="MaxModels"/> are the error <c>slice.too_many_models</c>.</summary>
+    /// <inheritdoc cref="SliceEach(IReadOnlyList{SliceModel}, PrintSettings, int, IProgress{double}, CancellationToken)"/>
+    public static Result<SliceResult> SliceEach(
+        IReadOnlyList<SliceModel> models, PrintSettings common, SliceOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (models is null) throw new ArgumentNullException(nameof(models));
         if (common is null) throw new ArgumentNullException(nameof(common));
+        if (options is null) throw new ArgumentNullException(nameof(options));
+        if (models.Count > MaxModels)
+            return new(null, [new Diagnostic(Severity.Error, "slice.too_many_models",
+                $"{NumberFormatter.Format(models.Count)} models are more than can be printed at once; the most is {NumberFormatter.Format(MaxModels)}.")]);
+        try
+        {
+            return Sliced(models, common, options, progress, cancel);
+        }
+        catch (DiagnosticException tooMuch)
+        {
+            return new Result<SliceResult>(null, tooMuch.Diagnostics);
+        }
+    }
+
+    private static Result<SliceResult> Sliced(
+        IReadOnlyList<SliceModel> models, PrintSettings common, SliceOptions options, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var threads = options.Threads;
+        var affordable = new SliceMemory(options.Memory);
         var problems = new DiagnosticList();
         // One for each model, so not in the list that counts.
         var broken = new List<Diagnostic>();
@@ -46,14 +74,14 @@ public static class PlanarSlicer
         for (var i = 0; i < models.Count; i++)
         {
             var body = new Body(models[i].Mesh, i);
-            Cut(body, models[i].Settings, threads, problems, broken, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
+            Cut(body, models[i].Settings, threads, affordable, problems, broken, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
             bodies.Add(body);
         }
         if (broken.Any(d => d.Severity == Severity.Error)) return new Result<SliceResult>(null, [.. problems.ToList(), .. broken]);
         var ordered = common.PrintSequence == PrintSequence.ByObject
             ? bodies.OrderBy(b => b.Model.Mesh.Bounds.Max.Z).ThenBy(b => b.Number).SelectMany(b => b.Layers).ToArray()
             : bodies.SelectMany(b => b.Layers).OrderBy(l => l.Plan.Top).ThenBy(l => l.Body.Number).ToArray();
-        var kept = Finish(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1)), ordered, common, problems);
+        var kept = Finish(affordable.Watch(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1))), ordered, common, problems);
         if (kept.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.nothing", "Nothing to print: the models have no closed contour as wide as a line on any layer.");
         return new Result<SliceResult>(kept.Length > 0 ? new SliceResult(kept) : null, [.. problems.ToList(), .. broken]);
@@ -99,7 +127,7 @@ public static class PlanarSlicer
     }
 
     private static void Cut(
-        Body body, PrintSettings settings, int threads, DiagnosticList problems, List<Diagnostic> broken,
+        Body body, PrintSettings settings, int threads, SliceMemory memory, DiagnosticList problems, List<Diagnostic> broken,
         IProgress<double>? progress, CancellationToken cancel)
     {
         var mesh = body.Model.Mesh;
@@ -112,6 +140,7 @@ public static class PlanarSlicer
         var planned = new LayerPlan(mesh, settings).Layers();
         foreach (var problem in planned.Diagnostics) problems.Add(problem with { Source = problem.Source ?? body.Source });
         if (planned.Value is not { } plan) return;
+        memory.Plan(body, plan);
         var lift = Raft.Lift(settings);
         var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, threads, broken, progress, cancel);
         var rules = new Dictionary<double, SliceRules>();

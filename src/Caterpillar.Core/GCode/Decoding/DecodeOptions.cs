@@ -1,4 +1,5 @@
 using System;
+using Caterpillar.Basics;
 using Caterpillar.Dialects;
 using Caterpillar.Machines;
 
@@ -27,6 +28,9 @@ public sealed record DecodeOptions
 
     /// <summary>Threads; 0 for all cores. The result does not depend on it.</summary>
     public int Threads { get; init; }
+
+    /// <summary>How much memory the moves and the text may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
     internal int Degree => Threads > 0 ? Threads : Math.Max(Environment.ProcessorCount, 1);
 }

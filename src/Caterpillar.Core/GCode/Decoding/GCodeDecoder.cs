@@ -7,6 +7,7 @@ using Caterpillar.Basics;
 using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
@@ -37,6 +38,10 @@ public static class GCodeDecoder
         {
             return Broken(tooLong, document.Name);
         }
+        catch (DiagnosticException tooMuch)
+        {
+            return new Result<DecodedGCode>(null, tooMuch.Diagnostics);
+        }
     }
 
     /// <summary>Reads and decodes a file (plain, gzip, or binary G-code) and keeps its text, so that it can be edited or converted and written again.</summary>
@@ -46,7 +51,8 @@ public static class GCodeDecoder
         CancellationToken cancel = default)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
-        var read = GCodeDocument.ReadFile(path, cancel);
+        using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
+        var read = GCodeDocument.Read(stream, Path.GetFileName(path), options?.Memory ?? MemoryLimit.Default, cancel);
         return read.Value is { } document ? Decode(document, options, progress, cancel) : new Result<DecodedGCode>(null, read.Diagnostics);
     }
 
@@ -86,6 +92,10 @@ public static class GCodeDecoder
         {
             return Broken(broken, name);
         }
+        catch (DiagnosticException tooMuch)
+        {
+            return new Result<DecodedGCode>(null, tooMuch.Diagnostics);
+        }
     }
 
     private static Result<DecodedGCode> DecodeSource(GCodeSource source, DecodeOptions options, string name, IProgress<double>? progress,
@@ -120,6 +130,12 @@ public static class GCodeDecoder
         return Run(null, All(), axis, source.Done, name, options, progress, cancel, searched, source.Notes, () => source.PackedTail(cancel));
     }
 
+    private static void Afford(long moves, long text, MemoryLimit memory, string name)
+    {
+        var bytes = text + (double)moves * ToolpathBlock.BytesPerMove;
+        if (bytes > memory.Bytes) memory.Check(bytes, $"The first {NumberFormatter.Format(moves)} moves", name.Length > 0 ? new SourceLocation(name) : null);
+    }
+
     private static Result<DecodedGCode> Broken(InvalidDataException broken, string name) => new(null, [GCodeDocument.Broken(broken, name)]);
 
     private static Result<DecodedGCode> Run(
@@ -149,6 +165,7 @@ public static class GCodeDecoder
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
                 checkpoints?.Add(new Checkpoint(lines, interpreter.Save(), interpreter.LastEvents.Count));
                 interpreter.Run(parser, lines);
+                Afford(interpreter.Machine.Moves.Count, document?.Length ?? 0, options.Memory, name);
                 lines = GCodeDocument.AddLines(lines, parser.Lines);
                 bytes = done;
                 if (progress is not null && share(done) is >= 0 and var part) progress.Report(part);

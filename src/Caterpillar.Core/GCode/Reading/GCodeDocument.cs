@@ -54,10 +54,11 @@ public sealed class GCodeDocument
     /// UTF-16 the text is kept.
     /// </summary>
     /// <exception cref="InvalidDataException">The bytes are a broken gzip or binary G-code file, or a line is longer than 512 MB.</exception>
+    /// <exception cref="DiagnosticException">Unpacked they take more than half of the machine's memory.</exception>
     public static GCodeDocument FromBytes(byte[] bytes, string name = "")
     {
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
-        if (GCodeSource.IsPacked(bytes, bytes.Length)) return Unpack(new MemoryStream(bytes, false), name, default);
+        if (GCodeSource.IsPacked(bytes, bytes.Length)) return Unpack(new MemoryStream(bytes, false), name, MemoryLimit.Default, default);
         var chunks = new List<GCodeChunk>(bytes.Length / GCodeChunk.Target + 1);
         Cut(bytes, bytes.Length, chunks);
         return new GCodeDocument(chunks.ToArray(), name);
@@ -79,11 +80,21 @@ public sealed class GCodeDocument
     /// <inheritdoc cref="ReadFile" path="/returns"/>
     /// <exception cref="IOException">The stream cannot be read.</exception>
     public static Result<GCodeDocument> Read(Stream stream, string name = "", CancellationToken cancel = default)
+        => Read(stream, name, MemoryLimit.Default, cancel);
+
+    /// <summary>The same with a limit of memory; a text that takes more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    /// <inheritdoc cref="Read(Stream, string, CancellationToken)"/>
+    public static Result<GCodeDocument> Read(Stream stream, string name, MemoryLimit memory, CancellationToken cancel = default)
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
+        if (memory is null) throw new ArgumentNullException(nameof(memory));
         try
         {
-            return new Result<GCodeDocument>(Unpack(stream, name, cancel), []);
+            return new Result<GCodeDocument>(Unpack(stream, name, memory, cancel), []);
+        }
+        catch (DiagnosticException tooMuch)
+        {
+            return new Result<GCodeDocument>(null, tooMuch.Diagnostics);
         }
         catch (InvalidDataException broken)
         {
@@ -177,11 +188,17 @@ public sealed class GCodeDocument
     internal static Diagnostic Broken(InvalidDataException broken, string name)
         => new(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message, name.Length > 0 ? new SourceLocation(name) : null);
 
-    private static GCodeDocument Unpack(Stream stream, string name, CancellationToken cancel)
+    private static GCodeDocument Unpack(Stream stream, string name, MemoryLimit memory, CancellationToken cancel)
     {
         using var source = new GCodeSource(stream);
         var chunks = new List<GCodeChunk>();
-        foreach (var chunk in ChunkReader.Read(source.Text, BufferSize, cancel)) chunks.Add(chunk);
+        var length = 0L;
+        foreach (var chunk in ChunkReader.Read(source.Text, BufferSize, cancel))
+        {
+            chunks.Add(chunk);
+            length += chunk.Length;
+            memory.Check(length, "The text", name.Length > 0 ? new SourceLocation(name) : null);
+        }
         return new GCodeDocument(chunks.ToArray(), name, source.Notes());
     }
 

@@ -25,23 +25,28 @@ public static class MeshReader
         return Read(File.ReadAllBytes(path), path, progress, cancel);
     }
 
-    /// <summary>Reads the bytes of a file; <paramref name="name"/> is used in messages, and its extension may determine the format.</summary>
-    public static Result<IReadOnlyList<NamedMesh>> Read(byte[] bytes, string name, IProgress<double>? progress = null, CancellationToken cancel = default)
+    /// <summary>The same with options.</summary>
+    /// <inheritdoc cref="Read(byte[], string, IProgress{double}?, CancellationToken)"/>
+    public static Result<IReadOnlyList<NamedMesh>> Read(
+        byte[] bytes, string name, MeshReadOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
         if (name is null) throw new ArgumentNullException(nameof(name));
+        if (options is null) throw new ArgumentNullException(nameof(options));
         var diagnostics = new DiagnosticList();
-        var meshes = new List<NamedMesh>();
-        var plain = GzipBytes.Unpack(bytes, name, "mesh.packed", diagnostics, cancel);
-        var good = plain is not null && ReadPlain(new MeshSource(plain, name, diagnostics, progress, cancel), meshes);
-        if (good && meshes.All(m => m.Mesh.TriangleCount == 0))
+        try
         {
-            diagnostics.Add(Severity.Error, "mesh.empty", "There are no triangles in the file.", new SourceLocation(name));
+            return ReadAll(bytes, name, diagnostics, options.Memory, progress, cancel);
         }
-        progress?.Report(1);
-        var value = good && !diagnostics.HasErrors ? meshes.Where(m => m.Mesh.TriangleCount > 0).ToArray() : null;
-        return new Result<IReadOnlyList<NamedMesh>>(value, diagnostics.ToList());
+        catch (DiagnosticException tooMuch)
+        {
+            return new Result<IReadOnlyList<NamedMesh>>(null, [.. diagnostics.ToList(), .. tooMuch.Diagnostics]);
+        }
     }
+
+    /// <summary>Reads the bytes of a file; <paramref name="name"/> is used in messages, and its extension may determine the format.</summary>
+    public static Result<IReadOnlyList<NamedMesh>> Read(byte[] bytes, string name, IProgress<double>? progress = null, CancellationToken cancel = default)
+        => Read(bytes, name, new MeshReadOptions(), progress, cancel);
 
     /// <summary>Reads a file and merges everything in it into one mesh.</summary>
     /// <exception cref="IOException">The file cannot be read from the disk.</exception>
@@ -59,6 +64,21 @@ public static class MeshReader
         var plain = WithoutGz(name.Substring(slash + 1));
         var dot = plain.LastIndexOf('.');
         return dot > 0 ? plain.Substring(0, dot) : plain;
+    }
+
+    private static Result<IReadOnlyList<NamedMesh>> ReadAll(
+        byte[] bytes, string name, DiagnosticList diagnostics, MemoryLimit memory, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var meshes = new List<NamedMesh>();
+        var plain = GzipBytes.Unpack(bytes, name, "mesh.packed", diagnostics, memory, cancel);
+        var good = plain is not null && ReadPlain(new MeshSource(plain, name, diagnostics, memory, progress, cancel), meshes);
+        if (good && meshes.All(m => m.Mesh.TriangleCount == 0))
+        {
+            diagnostics.Add(Severity.Error, "mesh.empty", "There are no triangles in the file.", new SourceLocation(name));
+        }
+        progress?.Report(1);
+        var value = good && !diagnostics.HasErrors ? meshes.Where(m => m.Mesh.TriangleCount > 0).ToArray() : null;
+        return new Result<IReadOnlyList<NamedMesh>>(value, diagnostics.ToList());
     }
 
     private static bool ReadPlain(MeshSource source, List<NamedMesh> meshes)

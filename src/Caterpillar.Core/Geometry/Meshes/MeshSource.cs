@@ -5,8 +5,16 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>The bytes of a mesh file while it is read, with its name for messages, and the diagnostics.</summary>
-internal sealed class MeshSource(byte[] bytes, string name, DiagnosticList diagnostics, IProgress<double>? progress, CancellationToken cancel)
+internal sealed class MeshSource(
+    byte[] bytes, string name, DiagnosticList diagnostics, MemoryLimit memory, IProgress<double>? progress, CancellationToken cancel)
 {
+    // What a triangle, its half of a vertex and their neighbors take until the mesh is clean.
+    private const double BytesPerTriangle = 160;
+
+    // What a mesh takes besides.
+    private const double BytesPerMesh = 1500;
+
+
     public byte[] Bytes { get; } = bytes;
 
     public int Length => Bytes.Length;
@@ -22,6 +30,17 @@ internal sealed class MeshSource(byte[] bytes, string name, DiagnosticList diagn
     {
         Cancel.ThrowIfCancellationRequested();
         if (all > 0) progress?.Report(Math.Min(1, (double)done / all));
+    }
+
+    /// <summary>Stops where the meshes, with so many triangles in all, would take too much memory.</summary>
+    /// <exception cref="DiagnosticException">They would.</exception>
+    public void Afford(long triangles, long meshes = 1)
+    {
+        var bytes = Length + triangles * BytesPerTriangle + meshes * BytesPerMesh;
+        if (bytes <= memory.Bytes) return;
+        var of = triangles > 0 ? $" of {NumberFormatter.Format(triangles)} triangles" : "";
+        var items = meshes > 1 ? $"{NumberFormatter.Format(meshes)} meshes{of}" : $"A mesh{of}";
+        memory.Check(bytes, items, new SourceLocation(Name));
     }
 
     /// <summary>An error at a byte of a text file; the location is given as line and column.</summary>

@@ -89,7 +89,11 @@ internal sealed class ObjReader
             else _source.ErrorInText("mesh.syntax", "A vertex needs three numbers.", _cursor.At);
             return false;
         }
-        if (_vertices == _ids.Length) Array.Resize(ref _ids, _vertices * 2);
+        if (_vertices == _ids.Length)
+        {
+            _source.Afford(2L * _vertices);
+            Array.Resize(ref _ids, _vertices * 2);
+        }
         _ids[_vertices++] = _builder.AddVertex(x, y, z);
         return true;
     }
@@ -145,7 +149,11 @@ internal sealed class ObjReader
 
     private void Push(int a, int b, int c)
     {
-        if (_used + 3 > _corners.Length) Array.Resize(ref _corners, _corners.Length * 2);
+        if (_used + 3 > _corners.Length)
+        {
+            _source.Afford(2L * _used / 3);
+            Array.Resize(ref _corners, _corners.Length * 2);
+        }
         _corners[_used] = a;
         _corners[_used + 1] = b;
         _corners[_used + 2] = c;

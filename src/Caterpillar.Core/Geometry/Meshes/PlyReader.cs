@@ -73,6 +73,7 @@ internal sealed class PlyReader
         var (x, y, z) = (element.Find("x"), element.Find("y"), element.Find("z"));
         if (x < 0 || y < 0 || z < 0) return _data.Error("mesh.syntax", "The vertices lack x, y or z.");
         var count = (int)element.Count;
+        _source.Afford(2L * count);
         _builder = new MeshBuilder(count, Math.Min(2 * (count / 2 + 16), _source.Length / 12));
         _ids = new int[count];
         var point = new double[3];
@@ -119,6 +120,7 @@ internal sealed class PlyReader
                 _polygon[k] = _ids[(int)index];
             }
             if (corners < 3) shorts++;
+            if (corners > 1000 || (i & 0xFFFF) == 0) _source.Afford((long)_builder.TriangleCount + corners);
             for (var k = 2; k < corners; k++) _builder.AddTriangle(_polygon[0], _polygon[k - 1], _polygon[k]);
             if (!SkipProperties(element, list + 1, element.Properties.Count)) return false;
         }

@@ -47,6 +47,7 @@ internal static class StlReader
     private static void ReadFacets(MeshSource source, int count, List<NamedMesh> meshes)
     {
         var bytes = source.Bytes;
+        source.Afford(count);
         // A closed mesh has about half as many vertices as triangles.
         var builder = new MeshBuilder(count / 2 + 16, count);
         for (var i = 0; i < count; i++)

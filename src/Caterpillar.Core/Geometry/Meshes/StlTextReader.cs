@@ -42,7 +42,11 @@ internal static class StlTextReader
         var open = false;
         for (var words = 0; cursor.SkipSpace(); words++)
         {
-            if ((words & 0xFFFF) == 0) source.Pulse(cursor.At, source.Length);
+            if ((words & 0xFFFF) == 0)
+            {
+                source.Pulse(cursor.At, source.Length);
+                source.Afford(builder.TriangleCount);
+            }
             var start = cursor.SkipWord();
             if (cursor.WordIs(start, "vertex"))
             {

@@ -42,7 +42,7 @@ internal sealed class ThreeMfReader
             source.Note(Severity.Error, "mesh.syntax", "The XML of the model is damaged.", new SourceLocation(source.Name, e.LineNumber, e.LinePosition));
             return false;
         }
-        catch (Exception e) when (e is not OperationCanceledException and not OutOfMemoryException)
+        catch (Exception e) when (e is not OperationCanceledException and not OutOfMemoryException and not DiagnosticException)
         {
             // The runtimes throw different kinds on damaged archives.
             source.Note(Severity.Error, "mesh.packed", "The zip archive is damaged or incomplete.");
@@ -59,6 +59,7 @@ internal sealed class ThreeMfReader
             return false;
         }
         if (Model(root) is not { } model) return false;
+        _source.Afford(0, model.Items.Count);
         for (var i = 0; i < model.Items.Count; i++)
         {
             _source.Pulse(i, model.Items.Count);
@@ -103,6 +104,7 @@ internal sealed class ThreeMfReader
                 _source.Note(Severity.Error, "mesh.too_large", $"The items have more than {NumberFormatter.Format(MaxTriangles)} triangles.", place);
                 return false;
             }
+            _source.Afford(_triangles, _uses);
             parts.Add((mesh, map));
         }
         foreach (var component in item.Components)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
@@ -28,6 +29,9 @@ public sealed class ToolpathBuilder
     /// <summary>Position of the head after the moves so far, mm.</summary>
     public Vec3 Position { get; private set; }
 
+    /// <summary>How much memory the moves may take.</summary>
+    public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
+
     /// <summary>Number of moves so far.</summary>
     public int Count => _sealed + _columns.Count;
 
@@ -42,6 +46,7 @@ public sealed class ToolpathBuilder
     public void AddEvent(PrinterEvent what) => _events.Add(new MoveEvent(Count, what ?? throw new ArgumentNullException(nameof(what))));
 
     /// <summary>Adds a move. The parameters are those of <see cref="Move"/>.</summary>
+    /// <exception cref="DiagnosticException">The moves take more than <see cref="Memory"/>.</exception>
     public void Add(Vec3 end, double e, double deposited, double speed, MoveKind kind, Role role, int layer, int tool, int source, Arc? arc = null)
     {
         if (_columns.Count == _columns.Capacity) Grow();
@@ -92,6 +97,8 @@ public sealed class ToolpathBuilder
             _columns = _columns.Copy(Math.Min(_columns.Capacity * 4, ToolpathBlock.Capacity));
             return;
         }
+        Memory.Check((double)(Count + ToolpathBlock.Capacity) * ToolpathBlock.BytesPerMove, "A toolpath of more than " + NumberFormatter.Format(Count)
+            + " moves");
         Seal();
         _columns = new ToolpathColumns(ToolpathBlock.Capacity);
     }

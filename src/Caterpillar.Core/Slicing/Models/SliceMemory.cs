@@ -1,0 +1,38 @@
+using System.Collections.Generic;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Estimates what the layers of a print take, first by their number, then by what is in them.</summary>
+internal sealed class SliceMemory(MemoryLimit limit)
+{
+    // A layer with its section, region, islands and steps; a point of a strand with its bead, until it is planned.
+    private const double BytesPerLayer = 4000;
+    private const double BytesPerPoint = 120;
+
+    private long _layers;
+
+    /// <exception cref="DiagnosticException">All layers planned so far would take too much.</exception>
+    public void Plan(Body body, PlannedLayer[] layers)
+    {
+        _layers += layers.Length;
+        limit.Check(_layers * BytesPerLayer, NumberFormatter.Format(_layers) + " layers", body.Source, "Thicker layers take less.");
+    }
+
+    /// <summary>The same layers, counted as they come.</summary>
+    /// <exception cref="DiagnosticException">What is in them takes too much.</exception>
+    public IEnumerable<SlicedLayer> Watch(IEnumerable<SlicedLayer> layers)
+    {
+        long points = 0;
+        var done = 0;
+        foreach (var layer in layers)
+        {
+            done++;
+            foreach (var step in layer.Steps) points += step.Path.RawPoints.Length;
+            if (points * BytesPerPoint > limit.Bytes)
+                limit.Check(points * BytesPerPoint, $"The first {NumberFormatter.Format(done)} of {NumberFormatter.Format(_layers)} layers", null,
+                    "Wider spacing, wider lines or thicker layers take less.");
+            yield return layer;
+        }
+    }
+}
