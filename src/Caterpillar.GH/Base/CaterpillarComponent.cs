@@ -18,6 +18,9 @@ public abstract class CaterpillarComponent : GH_Component
 {
     private const string VersionKey = "CaterpillarVersion";
     private readonly SolveCache _cache = new();
+
+    // Filled while Grasshopper's constructor registers the ports.
+    private readonly HashSet<int> _required = [];
     private Version? _newer;
     private bool _canceled;
 
@@ -32,8 +35,16 @@ public abstract class CaterpillarComponent : GH_Component
     /// <summary>True if an output can be previewed.</summary>
     public sealed override bool IsPreviewCapable => Params.Output.OfType<IGH_PreviewObject>().Any(p => p.IsPreviewCapable) || DrawsItself;
 
-    /// <summary>Empty while hidden; Grasshopper's own does not check.</summary>
-    public override Rg.BoundingBox ClippingBox => Hidden ? Rg.BoundingBox.Empty : base.ClippingBox;
+    /// <summary>Of the outputs that are shown; empty while hidden, which Grasshopper's own does not check.</summary>
+    public override Rg.BoundingBox ClippingBox
+    {
+        get
+        {
+            var box = Rg.BoundingBox.Empty;
+            foreach (var output in Shown) box.Union(output.ClippingBox);
+            return box;
+        }
+    }
 
     /// <summary>True if an output can be baked; Grasshopper's own checks the inputs.</summary>
     public sealed override bool IsBakeCapable => Params.Output.OfType<IGH_BakeAwareObject>().Any(p => p.IsBakeCapable);
@@ -43,10 +54,30 @@ public abstract class CaterpillarComponent : GH_Component
     /// <summary>True for components that draw a preview of their own.</summary>
     private protected virtual bool DrawsItself => false;
 
+    private IEnumerable<IGH_PreviewObject> Shown
+        => Hidden || Locked ? [] : Params.Output.OfType<IGH_PreviewObject>().Where(p => !p.Hidden && p.IsPreviewCapable);
+
+    public override void DrawViewportWires(IGH_PreviewArgs args)
+    {
+        foreach (var output in Shown) output.DrawViewportWires(args);
+    }
+
+    public override void DrawViewportMeshes(IGH_PreviewArgs args)
+    {
+        foreach (var output in Shown) output.DrawViewportMeshes(args);
+    }
+
     /// <summary>Does nothing if nothing can be baked; the menu item does not check.</summary>
     public sealed override void BakeGeometry(RhinoDoc doc, ObjectAttributes att, List<Guid> obj_ids)
     {
         if (IsBakeCapable) base.BakeGeometry(doc, att, obj_ids);
+    }
+
+    /// <summary>Forgets the message too: without inputs there is no solve that would replace it.</summary>
+    public override void ClearData()
+    {
+        Message = "";
+        base.ClearData();
     }
 
     public override void RemovedFromDocument(GH_Document document)
@@ -68,14 +99,22 @@ public abstract class CaterpillarComponent : GH_Component
         return base.Read(reader);
     }
 
+    /// <summary>True for an input without a default that is not optional.</summary>
+    internal bool IsRequired(int input) => _required.Contains(input);
+
     private protected abstract void Inputs(InputPorts ports);
 
     private protected abstract void Outputs(OutputPorts ports);
 
+    /// <summary>What happens for each item even if its other inputs turn out to be bad.</summary>
+    private protected virtual void Prepare(Run run)
+    {
+    }
+
     /// <summary>Solves one item. Throws <see cref="InputProblem"/> (or lets the library's argument exceptions through) if the item can't be used.</summary>
     private protected abstract void Solve(Run run);
 
-    protected sealed override void RegisterInputParams(GH_InputParamManager pManager) => Inputs(new InputPorts(pManager));
+    protected sealed override void RegisterInputParams(GH_InputParamManager pManager) => Inputs(new InputPorts(pManager, _required));
 
     protected sealed override void RegisterOutputParams(GH_OutputParamManager pManager) => Outputs(new OutputPorts(pManager));
 
@@ -99,6 +138,8 @@ public abstract class CaterpillarComponent : GH_Component
         var run = new Run(this, DA, _cache);
         try
         {
+            Prepare(run);
+            run.CheckSources();
             Solve(run);
         }
         catch (OperationCanceledException)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.GH.Params;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
@@ -6,9 +7,12 @@ using Grasshopper.Kernel.Parameters;
 namespace Caterpillar.GH.Base;
 
 /// <summary>Declares the inputs of a component. Descriptions are full sentences that name the unit.</summary>
-internal sealed class InputPorts(GH_Component.GH_InputParamManager manager)
+internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet<int> required)
 {
     private const GH_ParamAccess Item = GH_ParamAccess.item;
+
+    // The parameter that is added next comes with a default.
+    private bool _hasDefault;
 
     public void Number(string name, string nick, string description, double? fallback = null, GH_ParamAccess access = Item)
         => Add(Default(new Param_Number(), fallback), name, nick, description, access);
@@ -66,12 +70,15 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager)
     public void Add(IGH_Param param, string name, string nick, string description, GH_ParamAccess access = Item, bool optional = false)
     {
         if (optional) param.Optional = true;
-        manager.AddParameter(param, name, nick, description, access);
+        var index = manager.AddParameter(param, name, nick, description, access);
+        if (!param.Optional && !_hasDefault) required.Add(index);
+        _hasDefault = false;
     }
 
-    private static TParam Default<TParam>(TParam param, object? value)
+    private TParam Default<TParam>(TParam param, object? value)
         where TParam : IGH_Param
     {
+        _hasDefault = value is not null;
         if (value is null) return param;
         switch (param)
         {

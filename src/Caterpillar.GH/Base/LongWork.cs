@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.Runtime.ExceptionServices;
 using System.Threading;
 using System.Threading.Tasks;
@@ -19,15 +20,14 @@ internal static class LongWork
         using var cancel = new CancellationTokenSource();
         var progress = new Latest();
         var task = Task.Run(() => work(progress, cancel.Token));
-        var waited = 0;
+        var waited = Stopwatch.StartNew();
         var shown = false;
         try
         {
             while (!Wait(task))
             {
                 if (!cancel.IsCancellationRequested && GH_Document.IsEscapeKeyDown()) cancel.Cancel();
-                waited += StepMilliseconds;
-                if (!shown && waited >= MeterAfterMilliseconds)
+                if (!shown && waited.ElapsedMilliseconds >= MeterAfterMilliseconds)
                 {
                     StatusBar.ShowProgressMeter(0, 100, label, true, true);
                     shown = true;

@@ -18,8 +18,7 @@ public abstract class ProfileComponent(string name, string nickname, string desc
     public override void AddedToDocument(GH_Document document)
     {
         base.AddedToDocument(document);
-        _watcher?.Dispose();
-        _watcher = new ProfileWatcher(() => RhinoApp.InvokeOnUiThread(new Action(Expire)));
+        Watch();
     }
 
     public override void RemovedFromDocument(GH_Document document)
@@ -30,9 +29,20 @@ public abstract class ProfileComponent(string name, string nickname, string desc
 
     public override void DocumentContextChanged(GH_Document document, GH_DocumentContext context)
     {
-        if (context is GH_DocumentContext.Close or GH_DocumentContext.Unloaded) Unwatch();
+        if (context is GH_DocumentContext.Close or GH_DocumentContext.Unloaded)
+        {
+            Unwatch();
+        }
+        else if (_watcher is null)
+        {
+            // Back on the canvas: profiles may have changed meanwhile.
+            Watch();
+            Expire();
+        }
         base.DocumentContextChanged(document, context);
     }
+
+    private void Watch() => _watcher ??= new ProfileWatcher(() => RhinoApp.InvokeOnUiThread(new Action(Expire)));
 
     private void Unwatch()
     {

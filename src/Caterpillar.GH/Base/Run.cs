@@ -13,7 +13,7 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Base;
 
 /// <summary>One item of a solve: its inputs, its outputs and its messages.</summary>
-internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCache cache)
+internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access, SolveCache cache)
 {
     private DocumentUnits? _units;
 
@@ -34,6 +34,33 @@ internal sealed class Run(GH_Component component, IGH_DataAccess access, SolveCa
             _units = units;
             return units;
         }
+    }
+
+    /// <summary>
+    /// Checks that every connected port that could do without gets something: what failed upstream must not turn into a default. Required items are checked
+    /// where they are read. Of a required list some may be null, of an optional one none, as it would mean something else without them.
+    /// </summary>
+    /// <exception cref="InputProblem">A connected port gets nothing.</exception>
+    public void CheckSources()
+    {
+        for (var i = 0; i < component.Params.Input.Count; i++)
+        {
+            var port = component.Params.Input[i];
+            if (port.SourceCount > 0 && !Arrives(i, port.Access, component.IsRequired(i)))
+                throw new InputProblem($"{port.Name}: nothing arrives from what is connected.");
+        }
+    }
+
+    private bool Arrives(int input, GH_ParamAccess kind, bool required)
+    {
+        if (kind == GH_ParamAccess.list)
+        {
+            var goos = new List<IGH_Goo?>();
+            access.GetDataList(input, goos!);
+            return goos.Count > 0 && (required ? !goos.TrueForAll(g => g is null) : !goos.Contains(null));
+        }
+        IGH_Goo? goo = null;
+        return required || (access.GetData(input, ref goo) && goo is not null);
     }
 
     /// <summary>A required item.</summary>

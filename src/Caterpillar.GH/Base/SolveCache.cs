@@ -9,8 +9,8 @@ namespace Caterpillar.GH.Base;
 /// </summary>
 internal sealed class SolveCache
 {
-    private List<(object?[] Key, object Value)> _last = [];
-    private List<(object?[] Key, object Value)> _current = [];
+    private Dictionary<Key, object> _last = [];
+    private Dictionary<Key, object> _current = [];
 
     /// <summary>A solve begins.</summary>
     public void Begin() => _current = [];
@@ -29,32 +29,45 @@ internal sealed class SolveCache
     }
 
     /// <summary>The value of a key from this or the last solve, or a new one.</summary>
-    public T Get<T>(object?[] key, Func<T> make)
+    public T Get<T>(object?[] parts, Func<T> make)
         where T : class
     {
-        if (Find<T>(_current, key) is { } same) return same;
-        var value = Find<T>(_last, key) ?? make();
-        _current.Add((key, value));
+        var key = new Key(typeof(T), parts);
+        if (_current.TryGetValue(key, out var same)) return (T)same;
+        var value = _last.TryGetValue(key, out var kept) ? (T)kept : make();
+        _current.Add(key, value);
         return value;
     }
 
-    private static T? Find<T>(List<(object?[] Key, object Value)> entries, object?[] key)
-        where T : class
+    /// <summary>The parts of a key and the type of its value; the hash is computed once.</summary>
+    private sealed class Key(Type type, object?[] parts) : IEquatable<Key>
     {
-        foreach (var entry in entries)
-        {
-            if (entry.Value is T value && Same(entry.Key, key)) return value;
-        }
-        return null;
-    }
+        private readonly int _hash = Hash(parts, type.GetHashCode());
+        private readonly Type _type = type;
+        private readonly object?[] _parts = parts;
 
-    private static bool Same(object?[] a, object?[] b)
-    {
-        if (a.Length != b.Length) return false;
-        for (var i = 0; i < a.Length; i++)
+        public bool Equals(Key? other) => other is not null && _hash == other._hash && _type == other._type && Same(_parts, other._parts);
+
+        public override bool Equals(object? obj) => Equals(obj as Key);
+
+        public override int GetHashCode() => _hash;
+
+        private static bool Same(object?[] a, object?[] b)
         {
-            if (a[i] is object?[] x && b[i] is object?[] y ? !Same(x, y) : !Equals(a[i], b[i])) return false;
+            if (a.Length != b.Length) return false;
+            for (var i = 0; i < a.Length; i++)
+            {
+                if (ReferenceEquals(a[i], b[i])) continue;
+                if (a[i] is object?[] x && b[i] is object?[] y ? !Same(x, y) : !Equals(a[i], b[i])) return false;
+            }
+            return true;
         }
-        return true;
+
+        private static int Hash(object?[] parts, int seed)
+        {
+            var hash = seed;
+            foreach (var part in parts) hash = unchecked(31 * hash + (part is object?[] list ? Hash(list, list.Length) : part?.GetHashCode() ?? 0));
+            return hash;
+        }
     }
 }

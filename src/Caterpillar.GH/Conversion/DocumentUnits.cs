@@ -12,7 +12,10 @@ internal readonly struct DocumentUnits
     }
 
     /// <summary>Those of the active document; mm if there is none.</summary>
-    public static DocumentUnits Current => new(RhinoDoc.ActiveDoc is { } document ? document.ModelUnitSystem : UnitSystem.Millimeters);
+    public static DocumentUnits Current => RhinoDoc.ActiveDoc is { } document ? Of(document) : new(UnitSystem.Millimeters);
+
+    /// <summary>Those of a document.</summary>
+    public static DocumentUnits Of(RhinoDoc document) => new(document.ModelUnitSystem);
 
     /// <summary>mm per document unit.</summary>
     public double ToMillimeters { get; }

@@ -39,36 +39,45 @@ internal static class RhinoGeometry
             new Vec3(t.M03, t.M13, t.M23) * (s * units.ToMillimeters));
     }
 
-    /// <summary>A path as a polyline; a closed one ends at its start.</summary>
-    public static Rg.PolylineCurve ToCurve(PrintPath path, DocumentUnits units)
+    /// <summary>A path as a polyline; a closed one ends at its start. Null if it has no length.</summary>
+    public static Rg.PolylineCurve? ToCurve(PrintPath path, DocumentUnits units)
     {
-        var points = new List<Rg.Point3d> { ToPoint(path.Start, units) };
-        for (var i = 0; i < path.SegmentCount; i++) AddSegment(points, path.Points[i], path.EndOf(i), path.ArcOf(i), units);
-        return new Rg.PolylineCurve(points);
+        var lines = new List<Rg.Line>();
+        AddLines(lines, path, units);
+        return PolylineMaker.Of(lines);
     }
 
-    /// <summary>The printed runs of a toolpath as polylines, in order.</summary>
-    public static List<Rg.PolylineCurve> ToCurves(Toolpath toolpath, DocumentUnits units)
+    /// <summary>The segments of a path, arcs as chords.</summary>
+    public static void AddLines(List<Rg.Line> lines, PrintPath path, DocumentUnits units)
     {
-        var curves = new List<Rg.PolylineCurve>();
-        var points = new List<Rg.Point3d>();
-        foreach (var move in toolpath.Moves())
-        {
-            if (move.Kind != MoveKind.Print || move.Length == 0)
-            {
-                if (move.Length > 0) Close();
-                continue;
-            }
-            if (points.Count == 0) points.Add(ToPoint(move.Start, units));
-            AddSegment(points, move.Start, move.End, move.Arc, units);
-        }
-        Close();
-        return curves;
+        for (var i = 0; i < path.SegmentCount; i++) AddLines(lines, path.Points[i], path.EndOf(i), path.ArcOf(i), units);
+    }
 
-        void Close()
+    /// <summary>What a toolpath prints, arcs as chords.</summary>
+    public static void AddLines(List<Rg.Line> lines, Toolpath toolpath, DocumentUnits units)
+    {
+        for (var i = 0; i < toolpath.Count; i++)
         {
-            if (points.Count > 1) curves.Add(new Rg.PolylineCurve(points));
-            points.Clear();
+            var move = toolpath[i];
+            if (move.Kind == MoveKind.Print) AddLines(lines, move.Start, move.End, move.Arc, units);
+        }
+    }
+
+    /// <summary>One segment, an arc as chords; nothing if it has no length.</summary>
+    public static void AddLines(List<Rg.Line> lines, Vec3 start, Vec3 end, Arc? arc, DocumentUnits units)
+    {
+        if (arc is not { } turn)
+        {
+            if (start != end) lines.Add(new Rg.Line(ToPoint(start, units), ToPoint(end, units)));
+            return;
+        }
+        var chords = turn.ChordCount(start, ChordTolerance);
+        var last = ToPoint(start, units);
+        for (var k = 1; k <= chords; k++)
+        {
+            var next = ToPoint(k == chords ? end : turn.PointAt(start, end, (double)k / chords), units);
+            lines.Add(new Rg.Line(last, next));
+            last = next;
         }
     }
 
@@ -84,21 +93,11 @@ internal static class RhinoGeometry
     }
 
     /// <summary>A closed contour as a polyline that ends at its start.</summary>
-    public static Rg.PolylineCurve ToCurve(Polyline contour, double z, DocumentUnits units)
+    public static Rg.PolylineCurve? ToCurve(Polyline contour, double z, DocumentUnits units)
     {
         var points = new List<Rg.Point3d>(contour.Count + 1);
         foreach (var p in contour.Points) points.Add(ToPoint(p.WithZ(z), units));
         if (contour.IsClosed && contour.Count > 0) points.Add(points[0]);
-        return new Rg.PolylineCurve(points);
-    }
-
-    private static void AddSegment(List<Rg.Point3d> points, Vec3 start, Vec3 end, Arc? arc, DocumentUnits units)
-    {
-        if (arc is { } turn)
-        {
-            var chords = turn.ChordCount(start, ChordTolerance);
-            for (var k = 1; k < chords; k++) points.Add(ToPoint(turn.PointAt(start, end, (double)k / chords), units));
-        }
-        points.Add(ToPoint(end, units));
+        return PolylineMaker.Of(points);
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.GH.Base;
@@ -23,27 +24,34 @@ internal static class RhinoMesh
         return geometry switch
         {
             Rg.Mesh mesh => mesh,
+            Rg.Box box => FromBox(box),
             Rg.Brep brep => Joined(Rg.Mesh.CreateFromBrep(brep, parameters)),
             Rg.Extrusion extrusion => Joined(Rg.Mesh.CreateFromBrep(extrusion.ToBrep(false), parameters)),
             Rg.Surface surface => Joined([Rg.Mesh.CreateFromSurface(surface, parameters)]),
             Rg.SubD subd => Joined([Rg.Mesh.CreateFromSubD(subd, 4)]),
-            _ => throw new InputProblem($"A {geometry.GetType().Name} has no surface to slice: use a mesh, Brep, SubD, extrusion or surface."),
+            _ => throw new InputProblem($"A {geometry.GetType().Name} has no surface to slice: use a mesh, box, Brep, SubD, extrusion or surface."),
         };
     }
 
     /// <summary>The triangles of a mesh; quadrilaterals are split along their shorter diagonal. Document units become mm.</summary>
-    /// <exception cref="InputProblem">The mesh is empty or not valid.</exception>
+    /// <remarks>A face with two corners at one place makes a mesh invalid for Rhino; here it is harmless, and the library drops it.</remarks>
+    /// <exception cref="InputProblem">The mesh is empty, a face has no such corner, or a point is not finite.</exception>
     public static TriMesh ToTriangles(Rg.Mesh mesh, DocumentUnits units)
     {
         if (mesh.Faces.Count == 0) throw new InputProblem("A mesh without faces can't be sliced.");
-        if (!mesh.IsValid) throw new InputProblem("A mesh is not valid: Rhino's command Check tells why.");
         var points = mesh.Vertices.ToPoint3dArray();
         var vertices = new Vec3[points.Length];
-        for (var i = 0; i < points.Length; i++) vertices[i] = RhinoGeometry.ToVec(points[i], units);
+        for (var i = 0; i < points.Length; i++)
+        {
+            if (!points[i].IsValid) throw new InputProblem($"Point {NumberFormatter.Format(i)} of a mesh is not finite.");
+            vertices[i] = RhinoGeometry.ToVec(points[i], units);
+        }
         var triangles = new List<int>(3 * mesh.Faces.Count);
         for (var i = 0; i < mesh.Faces.Count; i++)
         {
             var f = mesh.Faces[i];
+            if (Math.Min(Math.Min(f.A, f.B), Math.Min(f.C, f.D)) < 0 || Math.Max(Math.Max(f.A, f.B), Math.Max(f.C, f.D)) >= points.Length)
+                throw new InputProblem($"Face {NumberFormatter.Format(i)} of a mesh has a corner that is none of its points.");
             if (f.IsTriangle)
             {
                 triangles.AddRange([f.A, f.B, f.C]);
@@ -60,22 +68,35 @@ internal static class RhinoMesh
         return TriMesh.Create(vertices, triangles);
     }
 
-    /// <summary>The triangles of several meshes as one surface; null for none.</summary>
-    /// <exception cref="InputProblem">A mesh is empty or not valid.</exception>
-    public static TriMesh? ToTriangles(IReadOnlyList<Rg.Mesh> meshes, DocumentUnits units)
+    /// <summary>Several surfaces as one; null for none.</summary>
+    public static TriMesh? Joined(IReadOnlyList<TriMesh> parts)
     {
-        if (meshes.Count == 0) return null;
-        if (meshes.Count == 1) return ToTriangles(meshes[0], units);
+        if (parts.Count <= 1) return parts.Count == 0 ? null : parts[0];
         var vertices = new List<Vec3>();
         var triangles = new List<int>();
-        foreach (var mesh in meshes)
+        foreach (var part in parts)
         {
-            var part = ToTriangles(mesh, units);
             var first = vertices.Count;
             vertices.AddRange(part.Vertices);
             foreach (var index in part.Indices) triangles.Add(first + index);
         }
         return TriMesh.Create(vertices, triangles);
+    }
+
+    private static Rg.Mesh FromBox(Rg.Box box)
+    {
+        box.MakeValid();
+        if (!box.IsValid) throw new InputProblem("A box is not valid.");
+        var mesh = new Rg.Mesh();
+        mesh.Vertices.UseDoublePrecisionVertices = true;
+        mesh.Vertices.AddVertices(box.GetCorners());
+        mesh.Faces.AddFace(0, 3, 2, 1);
+        mesh.Faces.AddFace(4, 5, 6, 7);
+        mesh.Faces.AddFace(0, 1, 5, 4);
+        mesh.Faces.AddFace(1, 2, 6, 5);
+        mesh.Faces.AddFace(2, 3, 7, 6);
+        mesh.Faces.AddFace(3, 0, 4, 7);
+        return mesh;
     }
 
     private static Rg.Mesh Joined(Rg.Mesh?[]? parts)

@@ -34,8 +34,9 @@ public sealed class BeadGoo : GH_Goo<Bead>
 
     public override bool CastFrom(object source)
     {
-        if (source is BeadGoo goo) source = goo.Value;
-        if (source is not Bead bead) return false;
+        var bare = Wrapped.Bare(source);
+        if (bare is BeadGoo { _isSet: true } goo) bare = goo.Value;
+        if (bare is not Bead bead) return false;
         Value = bead;
         _isSet = true;
         return true;

@@ -7,14 +7,13 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Goos;
 
 /// <summary>
-/// Goo that is drawn as one thin wire in the given color; not drawn if it is very large. Its curves in document units are computed once for each
-/// unit.
+/// Goo that is drawn as one thin wire in the given color; not drawn if it is very large. Its lines in document units are computed once for each unit.
+/// Parameters of the plug-in draw all of theirs in one call instead.
 /// </summary>
-public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData
+public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IWires
     where T : class
 {
-    private IReadOnlyList<Rg.PolylineCurve>? _curves;
-    private double _curveScale;
+    private WireSet? _wires;
 
     public override bool IsValid => Value is not null;
 
@@ -24,10 +23,15 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData
 
     public Rg.BoundingBox ClippingBox => Boundingbox;
 
+    Bounds IWires.Bounds => Value is null ? Bounds.Empty : Bounds;
+
+    int IWires.SegmentCount => Value is null ? 0 : SegmentCount;
+
     /// <summary>Bounds of what is printed, mm.</summary>
     private protected abstract Bounds Bounds { get; }
 
-    private protected abstract bool IsVeryLarge { get; }
+    /// <summary>Number of segments or moves, arcs counted as one.</summary>
+    private protected abstract int SegmentCount { get; }
 
     public override object? ScriptVariable() => Value;
 
@@ -43,23 +47,21 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData
 
     public void DrawViewportWires(GH_PreviewWireArgs args)
     {
-        if (Value is null || IsVeryLarge) return;
-        foreach (var curve in Curves()) args.Pipeline.DrawCurve(curve, args.Color, 1);
+        var units = DocumentUnits.Current;
+        if (_wires is null || !_wires.Fits(units)) _wires = new WireSet([this], units);
+        _wires.Draw(args.Pipeline, args.Color);
     }
 
     public void DrawViewportMeshes(GH_PreviewMeshArgs args)
     {
     }
 
-    private protected abstract IReadOnlyList<Rg.PolylineCurve> CurvesIn(DocumentUnits units);
+    void IWires.AddTo(List<Rg.Line> lines, DocumentUnits units)
+    {
+        if (Value is not null) AddWires(lines, units);
+    }
+
+    private protected abstract void AddWires(List<Rg.Line> lines, DocumentUnits units);
 
     private protected abstract IGH_GeometricGoo Image(Affine map);
-
-    private protected IReadOnlyList<Rg.PolylineCurve> Curves()
-    {
-        var units = DocumentUnits.Current;
-        if (_curves is null || _curveScale != units.ToMillimeters) _curves = CurvesIn(units);
-        _curveScale = units.ToMillimeters;
-        return _curves;
-    }
 }

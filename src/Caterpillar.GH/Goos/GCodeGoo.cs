@@ -25,7 +25,7 @@ public sealed class GCodeGoo : ValueGoo<GCodeDocument>
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;
-        if ((source as string ?? (source as GH_String)?.Value) is not { } text) return false;
+        if (Wrapped.Text(source) is not { } text) return false;
         Value = GCodeDocument.FromText(text);
         return true;
     }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -12,7 +13,7 @@ using Rhino.DocObjects;
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A print path on a wire: moves, turns and scales like a curve, and is one for native components.</summary>
-public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData
+public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData, IBakes
 {
     public PrintPathGoo()
     {
@@ -77,10 +78,13 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData
 
     public override bool CastFrom(object source)
     {
-        if (source is PrintPathGoo goo) source = goo.Value;
-        if (source is not PrintPath path) return false;
-        Value = path;
-        return true;
+        switch (Wrapped.Bare(source))
+        {
+            case PrintPathGoo goo: Value = goo.Value; break;
+            case PrintPath path: Value = path; break;
+            default: return false;
+        }
+        return Value is not null;
     }
 
     // By reference as in GH_Goo; GH_GeometricGoo shows the same method with an out parameter, which is the same to the runtime.
@@ -98,8 +102,17 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData
 
     public bool BakeGeometry(RhinoDoc doc, ObjectAttributes att, out Guid obj_guid)
     {
-        obj_guid = Value is null || doc is null ? Guid.Empty : doc.Objects.AddCurve(Curves()[0], att);
-        return obj_guid != Guid.Empty;
+        var ids = new List<Guid>();
+        if (doc is not null) BakeTo(new Baker(doc, att ?? new ObjectAttributes(), ids));
+        obj_guid = ids.Count > 0 ? ids[0] : Guid.Empty;
+        return ids.Count > 0;
+    }
+
+    void IBakes.BakeTo(Baker baker) => BakeTo(baker);
+
+    private void BakeTo(Baker baker)
+    {
+        if (Value is not null) baker.Add(Value);
     }
 
     public override string ToString()
@@ -112,9 +125,9 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData
 
     private protected override Bounds Bounds => Value.Bounds;
 
-    private protected override bool IsVeryLarge => Value.Points.Count > PreviewLimits.Points;
+    private protected override int SegmentCount => Value.SegmentCount;
 
-    private protected override IReadOnlyList<Rg.PolylineCurve> CurvesIn(DocumentUnits units) => [RhinoGeometry.ToCurve(Value, units)];
+    private protected override void AddWires(List<Rg.Line> lines, DocumentUnits units) => RhinoGeometry.AddLines(lines, Value, units);
 
     private protected override IGH_GeometricGoo Image(Affine map) => With(Value.Transformed(map));
 }

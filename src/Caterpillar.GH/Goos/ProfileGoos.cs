@@ -114,8 +114,7 @@ public abstract class ProfileGoo<T> : ValueGoo<T>
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;
-        var name = source as string ?? (source as GH_String)?.Value;
-        if (name is null || Find(Profiles.Library, name).Value is not { } found) return false;
+        if (Wrapped.Text(source) is not { } name || Find(Profiles.Library, name).Value is not { } found) return false;
         Value = found;
         return true;
     }

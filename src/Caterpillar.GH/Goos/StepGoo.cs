@@ -23,7 +23,7 @@ public sealed class StepGoo : ValueGoo<Step>
 
     public override bool CastFrom(object source)
     {
-        switch (source)
+        switch (Wrapped.Bare(source))
         {
             case PrintPathGoo { Value: not null } goo: Value = goo.ToStep(); return true;
             case PrintPath path: Value = path; return true;

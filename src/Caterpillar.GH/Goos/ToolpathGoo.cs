@@ -1,17 +1,21 @@
+using System;
 using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
+using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Types;
+using Rhino;
+using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A toolpath on a wire. Native Move, Orient and Scale work on it; its preview is one thin wire along what is printed.</summary>
-public sealed class ToolpathGoo : DrawnGoo<Toolpath>
+public sealed class ToolpathGoo : DrawnGoo<Toolpath>, IGH_BakeAwareData, IBakes
 {
     private ToolpathTotals? _totals;
 
@@ -61,6 +65,22 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     /// <summary>An edit of it.</summary>
     public ToolpathGoo With(Toolpath edited) => new(this, edited);
 
+    /// <summary>Bakes every strand; the id is that of the first.</summary>
+    public bool BakeGeometry(RhinoDoc doc, ObjectAttributes att, out Guid obj_guid)
+    {
+        var ids = new List<Guid>();
+        if (doc is not null) BakeTo(new Baker(doc, att ?? new ObjectAttributes(), ids));
+        obj_guid = ids.Count > 0 ? ids[0] : Guid.Empty;
+        return ids.Count > 0;
+    }
+
+    void IBakes.BakeTo(Baker baker) => BakeTo(baker);
+
+    private void BakeTo(Baker baker)
+    {
+        if (Value is not null) baker.Add(Value, beads: false);
+    }
+
     /// <summary>Deforms the layers; start and end code stay.</summary>
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)
     {
@@ -71,10 +91,13 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 
     public override bool CastFrom(object source)
     {
-        if (source is ToolpathGoo goo) source = goo.Value;
-        if (source is not Toolpath toolpath) return false;
-        Value = toolpath;
-        return true;
+        switch (Wrapped.Bare(source))
+        {
+            case ToolpathGoo goo: Value = goo.Value; break;
+            case Toolpath toolpath: Value = toolpath; break;
+            default: return false;
+        }
+        return Value is not null;
     }
 
     // By reference as in GH_Goo; GH_GeometricGoo shows the same method with an out parameter, which is the same to the runtime.
@@ -92,9 +115,9 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 
     private protected override Bounds Bounds => Totals.PrintBounds;
 
-    private protected override bool IsVeryLarge => Value.Count > PreviewLimits.Moves;
+    private protected override int SegmentCount => Value.Count;
 
-    private protected override IReadOnlyList<Rg.PolylineCurve> CurvesIn(DocumentUnits units) => RhinoGeometry.ToCurves(Value, units);
+    private protected override void AddWires(List<Rg.Line> lines, DocumentUnits units) => RhinoGeometry.AddLines(lines, Value, units);
 
     private protected override IGH_GeometricGoo Image(Affine map) => With(Value.Transform(map));
 }

@@ -24,7 +24,7 @@ public sealed class TurtleProgramGoo : ValueGoo<TurtleProgram>
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;
-        if ((source as string ?? (source as GH_String)?.Value) is not { } text || TurtleScript.Compile(text).Value is not { } script) return false;
+        if (Wrapped.Text(source) is not { } text || TurtleScript.Compile(text).Value is not { } script) return false;
         Value = TurtleProgram.FromScript(script);
         return true;
     }

@@ -24,8 +24,9 @@ public abstract class ValueGoo<T> : GH_Goo<T>
 
     public override bool CastFrom(object source)
     {
-        if (source is not T && source is ValueGoo<T> goo) source = goo.Value;
-        if (source is not T value) return false;
+        var bare = Wrapped.Bare(source);
+        if (bare is not T && bare is ValueGoo<T> goo) bare = goo.Value;
+        if (bare is not T value) return false;
         Value = value;
         return true;
     }

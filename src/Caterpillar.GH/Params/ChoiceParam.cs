@@ -3,20 +3,31 @@ using System.Collections.Generic;
 using System.Drawing;
 using System.Globalization;
 using System.Linq;
+using Caterpillar.GH.Goos;
+using GH_IO.Serialization;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Params;
 
-/// <summary>An integer with named values that also takes the names as text, whatever their case and spaces.</summary>
+/// <summary>
+/// An integer with named values that also takes the names as text, whatever their case and spaces. Extracted from a component it keeps the names, in the
+/// file too; one that has none takes those of the choices it is connected to.
+/// </summary>
 public sealed class ChoiceParam : Param_Integer
 {
-    private readonly Dictionary<string, int> _values = new(StringComparer.OrdinalIgnoreCase);
+    private const string CountKey = "ChoiceCount";
+    private const string NameKey = "ChoiceName";
+    private const string ValueKey = "ChoiceValue";
+    private readonly List<KeyValuePair<string, int>> _choices = [];
 
     public override Guid ComponentGuid => new("0affb938-c607-4099-91df-066bc62dce25");
 
     public override GH_Exposure Exposure => GH_Exposure.hidden;
+
+    /// <summary>Names and numbers of the choices, in the order of the menu.</summary>
+    internal IReadOnlyList<KeyValuePair<string, int>> Choices => _choices;
 
     protected override Bitmap? Icon => Plugin.Icons.Load(nameof(ChoiceParam));
 
@@ -29,16 +40,46 @@ public sealed class ChoiceParam : Param_Integer
         return param;
     }
 
+    public override bool Write(GH_IWriter writer)
+    {
+        writer.SetInt32(CountKey, _choices.Count);
+        for (var i = 0; i < _choices.Count; i++)
+        {
+            writer.SetString(NameKey, i, _choices[i].Key);
+            writer.SetInt32(ValueKey, i, _choices[i].Value);
+        }
+        return base.Write(writer);
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        if (!base.Read(reader)) return false;
+        var count = 0;
+        // A port of a component has the choices of this version; a floating parameter those of the file.
+        if (_choices.Count > 0 || !reader.TryGetInt32(CountKey, ref count)) return true;
+        ClearNamedValues();
+        for (var i = 0; i < count; i++) AddChoice(reader.GetString(NameKey, i), reader.GetInt32(ValueKey, i));
+        return true;
+    }
+
     protected override GH_Integer? PreferredCast(object data)
     {
-        var text = data as string ?? (data as GH_String)?.Value;
-        return text is not null && _values.TryGetValue(Joined(text), out var value) ? new GH_Integer(value) : null;
+        if (Wrapped.Text(data) is not { } text) return null;
+        var name = Joined(text);
+        foreach (var choice in Known())
+        {
+            if (string.Equals(Joined(choice.Key), name, StringComparison.OrdinalIgnoreCase)) return new GH_Integer(choice.Value);
+        }
+        return null;
     }
+
+    private IEnumerable<KeyValuePair<string, int>> Known()
+        => _choices.Count > 0 ? _choices : Recipients.OfType<ChoiceParam>().Select(r => r._choices).FirstOrDefault(c => c.Count > 0) ?? [];
 
     private void AddChoice(string name, int value)
     {
         AddNamedValue(name, value);
-        _values[Joined(name)] = value;
+        _choices.Add(new KeyValuePair<string, int>(name, value));
     }
 
     private static string Joined(string name) => string.Concat(name.Where(char.IsLetterOrDigit));

@@ -4,8 +4,8 @@ using System.Drawing;
 using Caterpillar.GH.Plugin;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Types;
-using Rhino;
-using Rhino.DocObjects;
+using Rhino.Commands;
+using Rhino.Input;
 
 namespace Caterpillar.GH.Params;
 
@@ -28,35 +28,36 @@ public abstract class StoredParam<T>(string name, string nickname, string descri
 
     protected override Bitmap? Icon => Icons.Load(Icons.NameOf(GetType()));
 
-    protected override GH_GetterResult Prompt_Singular(ref T value) => GH_GetterResult.cancel;
-
-    protected override GH_GetterResult Prompt_Plural(ref List<T> values) => GH_GetterResult.cancel;
-}
-
-/// <summary>Data with a preview that can be baked if its goo can.</summary>
-public abstract class VisibleParam<T>(string name, string nickname, string description, string panel)
-    : VolatileParam<T>(name, nickname, description, panel), IGH_PreviewObject, IGH_BakeAwareObject
-    where T : class, IGH_Goo, IGH_PreviewData
-{
-    public bool Hidden { get; set; }
-
-    public bool IsPreviewCapable => true;
-
-    public bool IsBakeCapable => typeof(IGH_BakeAwareData).IsAssignableFrom(typeof(T)) && VolatileDataCount > 0;
-
-    public Rg.BoundingBox ClippingBox => Hidden ? Rg.BoundingBox.Empty : Preview_ComputeClippingBox();
-
-    public void DrawViewportWires(IGH_PreviewArgs args) => Preview_DrawWires(args);
-
-    public void DrawViewportMeshes(IGH_PreviewArgs args) => Preview_DrawMeshes(args);
-
-    public void BakeGeometry(RhinoDoc doc, List<Guid> obj_ids) => BakeGeometry(doc, new ObjectAttributes(), obj_ids);
-
-    public void BakeGeometry(RhinoDoc doc, ObjectAttributes att, List<Guid> obj_ids)
+    /// <summary>Asks for text on Rhino's command line, so that it works on every platform: what the goo makes of it is kept.</summary>
+    protected override GH_GetterResult Prompt_Singular(ref T value)
     {
-        foreach (var goo in m_data.AllData(true))
+        var text = "";
+        if (RhinoGet.GetString(Question, false, ref text) != Result.Success || Made(text) is not { } made) return GH_GetterResult.cancel;
+        value = made;
+        return GH_GetterResult.success;
+    }
+
+    /// <summary>Asks until an empty answer.</summary>
+    protected override GH_GetterResult Prompt_Plural(ref List<T> values)
+    {
+        var all = new List<T>();
+        var text = "";
+        while (RhinoGet.GetString(Question, true, ref text) == Result.Success && Made(text) is { } made)
         {
-            if (goo is IGH_BakeAwareData data && data.BakeGeometry(doc, att, out var id)) obj_ids.Add(id);
+            all.Add(made);
+            text = "";
         }
+        if (all.Count == 0) return GH_GetterResult.cancel;
+        values = all;
+        return GH_GetterResult.success;
+    }
+
+    private string Question => $"Name of a profile for {Name}";
+
+    private T? Made(string text)
+    {
+        if (string.IsNullOrWhiteSpace(text)) return null;
+        var made = InstantiateT();
+        return made.CastFrom(text.Trim()) ? made : null;
     }
 }

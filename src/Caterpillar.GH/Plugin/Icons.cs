@@ -15,7 +15,12 @@ internal static class Icons
         try
         {
             using var stream = Open(name) ?? Open(Fallback);
-            return stream is null ? null : new Bitmap(stream);
+            if (stream is null) return null;
+            // A bitmap reads its stream as long as it lives: it gets one of its own that nobody closes.
+            var memory = new MemoryStream();
+            stream.CopyTo(memory);
+            memory.Position = 0;
+            return new Bitmap(memory);
         }
         catch (Exception e) when (e is TypeInitializationException or PlatformNotSupportedException or DllNotFoundException or ArgumentException
             or FileNotFoundException)

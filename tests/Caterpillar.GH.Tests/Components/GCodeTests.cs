@@ -92,7 +92,7 @@ public sealed class GCodeTests
             .Feed("Sort", "none").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(canvas.One<Toolpath>("Toolpath").Moves().Select(m => m.Kind), Has.None.EqualTo(MoveKind.Retract));
-        Assert.That(canvas.Feed("Policy", "sideways").Solve().Errors, Is.EqualTo(new[] { "Data conversion failed from Text to Integer" }));
+        Assert.That(canvas.Feed("Policy", "sideways").Solve().Errors, Has.Member("Data conversion failed from Text to Integer"));
         Assert.That(canvas.Feed("Policy", 7).Solve().Errors, Is.EqualTo(new[] { "{0}[0]: Policy has no choice 7; there are Printer, AsDrawn." }));
     }
 
@@ -110,8 +110,8 @@ public sealed class GCodeTests
     {
         Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Solve().Warnings,
             Is.EqualTo(new[] { "Input parameter S failed to collect data" }));
-        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Feed("Steps", null).Solve().Warnings,
-            Has.Member("{0}[0]: Steps are missing."));
+        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Feed("Steps", null).Solve().Errors,
+            Has.Member("{0}[0]: Steps: nothing arrives from what is connected."));
     }
 
     [Test]
@@ -183,7 +183,7 @@ public sealed class GCodeTests
             Assert.That(files.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { false, true, true }));
             Assert.That(files.All("Dialect")[0], Is.EqualTo("klipper"));
             Assert.That(files.Errors, Has.One.Contains("{0}[1]: There is no file ").And.One.Contains("none.gcode"));
-            Assert.That(files.Warnings, Has.Member("{0}[2]: File or G-code is missing."));
+            Assert.That(files.Errors, Has.Member("{0}[2]: File: nothing arrives from what is connected."));
             File.WriteAllText(file, Small + "G1 X30 E1\n");
             files.Component.ExpireSolution(false);
             files.Solve();
@@ -197,6 +197,14 @@ public sealed class GCodeTests
         {
             Directory.Delete(folder, true);
         }
+    }
+
+    [Test]
+    public void A_file_next_to_connected_G_code_is_ignored_with_a_warning()
+    {
+        var canvas = new Canvas<DecodeGCodeComponent>().Feed("G-code", Small).Feed("File", "other.gcode").Solve();
+        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "{0}[0]: File is ignored, because G-code is connected." }));
+        Assert.That(canvas.All("Toolpath"), Has.Count.EqualTo(1).And.None.Null);
     }
 
     [Test]

@@ -5,6 +5,7 @@ using Caterpillar.GH.Components.Setup;
 using Caterpillar.GH.Tests.Host;
 using Caterpillar.Machines;
 using Grasshopper;
+using Grasshopper.Kernel;
 using NUnit.Framework;
 using Rhino;
 
@@ -49,7 +50,7 @@ public sealed class SetupTests
         var canvas = new Canvas<PrinterComponent>().Feed("Name", "ender33", null, "generic").Solve();
         Assert.That(canvas.All("Printer").Select(p => p is null), Is.EqualTo(new[] { true, true, false }));
         Assert.That(canvas.Errors, Has.One.StartsWith("{0}[0]: ").And.Contain("did you mean ender3?"));
-        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "{0}[1]: Name is missing." }));
+        Assert.That(canvas.Errors, Has.Member("{0}[1]: Name: nothing arrives from what is connected."), "Not the printer of the default name.");
     }
 
     [Test]
@@ -91,7 +92,35 @@ public sealed class SetupTests
         System.Threading.Thread.Sleep(100);
         canvas.Document.RunSchedule();
         Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Again"));
+        canvas.Component.DocumentContextChanged(canvas.Document, GH_DocumentContext.Unloaded);
+        canvas.Component.DocumentContextChanged(canvas.Document, GH_DocumentContext.Loaded);
+        Assert.That(canvas.Document.RunSchedule(), Is.True, "Back from another document it reads the profiles again.");
+        File.WriteAllText(Path.Combine(printers, "generic.json"), "{\"inherits\": \"generic\", \"title\": \"Third\"}");
+        WaitFor(canvas);
+        Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Third"), "And watches them.");
         canvas.Document.RemoveObject(canvas.Component, false);
+    }
+
+    [Test]
+    public void A_folder_of_profiles_that_is_made_later_is_watched_too()
+    {
+        Directory.CreateDirectory(_folder);
+        var canvas = new Canvas<PrinterComponent>().Solve();
+        var printers = Path.Combine(_folder, "Caterpillar", "printers");
+        Directory.CreateDirectory(printers);
+        File.WriteAllText(Path.Combine(printers, "generic.json"), "{\"inherits\": \"generic\", \"title\": \"Later\"}");
+        WaitFor(canvas);
+        Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Later"));
+        canvas.Document.RemoveObject(canvas.Component, false);
+    }
+
+    private static void WaitFor(Canvas<PrinterComponent> canvas)
+    {
+        var until = DateTime.UtcNow.AddSeconds(10);
+        while (canvas.Document.ScheduledCount == 0 && DateTime.UtcNow < until) System.Threading.Thread.Sleep(20);
+        if (canvas.Document.ScheduledCount == 0) Assert.Ignore("This file system does not report changes.");
+        System.Threading.Thread.Sleep(100);
+        canvas.Document.RunSchedule();
     }
 
     [Test]
@@ -130,12 +159,12 @@ public sealed class SetupTests
     public void Settings_out_of_range_are_errors_of_their_item()
     {
         var canvas = new Canvas<ConstructPrintSettingsComponent>().FeedTree("Layer Height", [0.2], [-1, 0.3, double.NaN, "thick"]).Solve();
-        Assert.That(canvas.All("Settings").Select(s => (s as PrintSettings)?.LayerHeight), Is.EqualTo(new double?[] { 0.2, null, 0.3, null, 0.2 }));
+        Assert.That(canvas.All("Settings").Select(s => (s as PrintSettings)?.LayerHeight), Is.EqualTo(new double?[] { 0.2, null, 0.3, null, null }));
         Assert.That(canvas.Errors, Has.One.StartsWith("{1}[0]: ").And.One.StartsWith("{1}[2]: ").And.One.EqualTo("Data conversion failed from Text to Number"));
     }
 
     [Test]
     public void An_unknown_base_is_a_failed_conversion()
         => Assert.That(new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "no such settings").Solve().Errors,
-            Is.EqualTo(new[] { "Data conversion failed from Text to Print Settings" }));
+            Has.Member("Data conversion failed from Text to Print Settings").And.Member("{0}[0]: Base: nothing arrives from what is connected."));
 }

@@ -155,7 +155,7 @@ public sealed class ShapingComponentsTests
         Assert.That(With("High", 0.3).Warnings.Single(), Does.Contain("shape.modulation_ratio"));
         Assert.That(With("Resolution", -1.0).Errors.Single(), Does.Contain("Resolution must be 0 or more"));
         Assert.That(With("Repeat", 0).Errors.Single(), Does.Contain("Repeat must be 1 or more"));
-        Assert.That(With("Print Paths", null).Warnings, Has.Some.Contain("Print Paths are missing"));
+        Assert.That(With("Print Paths", null).Errors, Has.Some.Contain("Print Paths: nothing arrives"));
         Assert.That(With("Print Paths", new PrintPath([Vec3.Zero, Vec3.UnitX], new Bead(0.2))).Errors.Single(), Does.Contain("reference speed"));
         var tree = new Canvas<ModulateComponent>().FeedTree("Print Paths", [Line], [Line, Helix]).Feed("Expression", "u").Solve();
         Assert.That(tree.Paths("Print Paths"), Is.EqualTo(new[] { "{0;0}", "{1;0}" }));

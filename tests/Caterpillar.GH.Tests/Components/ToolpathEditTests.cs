@@ -194,10 +194,30 @@ public sealed class ToolpathEditTests
     }
 
     [Test]
+    public void A_toggle_that_is_true_from_the_start_writes_nothing_until_it_has_been_false()
+    {
+        var file = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N") + ".gcode");
+        try
+        {
+            var canvas = new Canvas<SaveGCodeComponent>().Feed("G-code", "G28").Feed("File", file).Feed("Save", true).Solve();
+            canvas.Feed("G-code", "G29").Solve();
+            Assert.That(System.IO.File.Exists(file), Is.False, "As a definition opens that was saved with the toggle at true.");
+            canvas.Feed("Save", false).Solve().Feed("G-code", [null]).Feed("Save", true).Solve().Feed("G-code", "G28").Solve();
+            Assert.That(System.IO.File.Exists(file), Is.False, "A press while the G-code was bad is not made up for.");
+            canvas.Feed("Save", false).Solve().Feed("Save", true).Solve();
+            Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo("G28"));
+        }
+        finally
+        {
+            System.IO.File.Delete(file);
+        }
+    }
+
+    [Test]
     public void A_missing_folder_is_an_error()
     {
         var canvas = new Canvas<SaveGCodeComponent>().Feed("G-code", "G28", null).Feed("File", Path.Combine(Path.GetTempPath(), "no such folder", "a.gcode"))
-            .Feed("Save", true).Solve();
+            .Solve().Feed("Save", true).Solve();
         Assert.That(canvas.Errors, Has.Count.EqualTo(1));
         Assert.That(canvas.Warnings, Has.Member("{0}[1]: G-code is missing."));
     }

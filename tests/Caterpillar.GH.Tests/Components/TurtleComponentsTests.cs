@@ -50,9 +50,10 @@ public sealed class TurtleComponentsTests
     public void Commands_make_a_program()
     {
         var canvas = new Canvas<TurtleProgramComponent>()
-            .Feed("Commands", TurtleCommand.Of(TurtleAction.Forward, 5), null, TurtleCommand.Of(TurtleAction.Forward, 7)).Solve();
+            .Feed("Commands", TurtleCommand.Of(TurtleAction.Forward, 5), TurtleCommand.Of(TurtleAction.Forward, 7)).Solve();
         Assert.That(Paths(canvas.One<TurtleProgram>("Program")).Single().Length, Is.EqualTo(12).Within(1e-12));
-        Assert.That(canvas.Warnings.Single(), Does.Contain("Commands has 1 null item"));
+        var gap = new Canvas<TurtleProgramComponent>().Feed("Commands", TurtleCommand.Of(TurtleAction.Forward, 5), null).Solve();
+        Assert.That(gap.Errors.Single(), Does.Contain("Commands: nothing arrives"), "A command that failed is not left out in silence.");
         var both = new Canvas<TurtleProgramComponent>().Feed("Script", "forward 1").Feed("Commands", TurtleCommand.Of(TurtleAction.Forward, 5)).Solve();
         Assert.That(Paths(both.One<TurtleProgram>("Program")).Single().Length, Is.EqualTo(6).Within(1e-12));
     }
@@ -95,7 +96,8 @@ public sealed class TurtleComponentsTests
     {
         var canvas = new Canvas<TurtleMoveComponent>().Feed("Distance", 1.0, double.NaN, null, 3.0).Solve();
         Assert.That(canvas.All("Command").Select(c => c?.ToString()), Is.EqualTo(new[] { "forward 1", null, null, "forward 3" }));
-        Assert.That(canvas.Errors.Single(), Does.StartWith("{0}[1]").And.Contain("Distance must be a finite number"));
+        Assert.That(canvas.Errors, Has.Count.EqualTo(2).And.One.StartsWith("{0}[1]: Distance must be a finite number")
+            .And.One.StartsWith("{0}[2]: Distance: "));
         Assert.That(new Canvas<TurtleMoveComponent>().Feed("Kind", "Jump").Solve().Errors.Single(), Does.Contain("Point is missing"));
         Assert.That(new Canvas<TurtleExtrusionComponent>().Feed("Kind", 2).Solve().Errors.Single(), Does.Contain("Height must be greater than zero"));
         Assert.That(new Canvas<TurtleRepeatComponent>().Feed("Commands", TurtleCommand.Of(TurtleAction.Push)).Feed("Count", -1).Solve().Errors.Single(),
@@ -174,8 +176,10 @@ public sealed class TurtleComponentsTests
         var args = new HeadlessPreviewArgs(canvas.Document, display);
         canvas.Component.DrawViewportWires(args);
         canvas.Component.DrawViewportMeshes(args);
-        Assert.That(display.Calls.Count(c => c.What == "curve"), Is.GreaterThanOrEqualTo(2));
-        Assert.That(display.Calls.Count(c => c.What == "shaded"), Is.EqualTo(1));
+        Assert.That(display.Calls.Select(c => c.What), Is.EqualTo(new[] { "lines", "curve", "shaded" }), "What is printed, then the triangle once.");
+        var shade = display.Calls[2].Material;
+        canvas.Component.DrawViewportMeshes(args);
+        Assert.That(display.Calls[3].Material, Is.SameAs(shade), "A material is made once.");
         Assert.That(canvas.Component.ClippingBox.Max.DistanceTo(new Rg.Point3d(12, 10, 0)), Is.LessThan(1e-12));
         Assert.That(new Canvas<TurtlePreviewComponent>().Feed("Steps", steps[0]).Feed("Position", 2.0).Solve().Errors.Single(), Does.Contain("0 to 1"));
     }

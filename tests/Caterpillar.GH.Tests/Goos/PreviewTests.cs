@@ -35,13 +35,14 @@ public sealed class PreviewTests
     }
 
     [Test]
-    public void Paths_are_one_thin_wire_each_in_the_color_of_their_state()
+    public void The_paths_of_a_slicer_are_drawn_in_one_call_in_the_color_of_their_state()
     {
         var canvas = Sliced();
-        var paths = canvas.All("Print Paths").Count + canvas.All("Walls").Count + canvas.All("Infill").Count + canvas.All("Regions").Count;
         var display = Drawn(canvas.Component);
-        Assert.That(display.Calls, Has.Count.EqualTo(paths));
-        Assert.That(display.Calls.Select(c => (c.What, c.Color, c.Thickness)).Distinct(), Is.EqualTo(new[] { ("curve", Color.DarkRed, 1) }));
+        Assert.That(display.Calls.Select(c => (c.What, c.Color, c.Thickness)), Is.EqualTo(new[] { ("lines", Color.DarkRed, 1) }));
+        Assert.That(((Rg.Line[])display.Calls[0].Item).Sum(l => l.Length),
+            Is.EqualTo(canvas.All("Print Paths").Cast<PrintPath>().Sum(p => p.Length)).Within(1e-6), "Walls, infill and regions are hidden.");
+        Assert.That(Drawn(canvas.Component).Calls[0].Item, Is.SameAs(display.Calls[0].Item), "The lines are made once.");
         canvas.Component.Attributes.Selected = true;
         Assert.That(Drawn(canvas.Component).Calls.Select(c => c.Color).Distinct(), Is.EqualTo(new[] { Color.DarkGreen }));
     }
@@ -59,24 +60,42 @@ public sealed class PreviewTests
         var wire = Wire();
         Assert.That(Wire(), Is.SameAs(wire));
         using var _ = new InDocument(UnitSystem.Meters);
-        Assert.That(((Rg.Curve)Wire()).GetBoundingBox(true).Max.X, Is.EqualTo(0.002).Within(1e-12));
+        Assert.That(((Rg.Line[])Wire()).Max(l => l.To.X), Is.EqualTo(0.002).Within(1e-12));
     }
 
     [Test]
     public void Very_large_goo_draws_nothing()
     {
         var display = new DisplayPipeline();
-        new PrintPathGoo(Path(PreviewLimits.Points + 1)).DrawViewportWires(new GH_PreviewWireArgs(new RhinoViewport(), display, Color.Red, 1));
+        new PrintPathGoo(Path(WireSet.MaxSegments + 2)).DrawViewportWires(new GH_PreviewWireArgs(new RhinoViewport(), display, Color.Red, 1));
         Assert.That(display.Calls, Is.Empty);
+        var half = Path(WireSet.MaxSegments / 2 + 2);
+        var param = new PrintPathParam();
+        param.AddVolatileData(new GH_Path(0), 0, half);
+        param.DrawViewportWires(new HeadlessPreviewArgs(new GH_Document(), display));
+        Assert.That(display.Calls, Has.Count.EqualTo(1));
+        param.AddVolatileData(new GH_Path(0), 1, half);
+        param.DrawViewportWires(new HeadlessPreviewArgs(new GH_Document(), display));
+        Assert.That(display.Calls, Has.Count.EqualTo(1), "The limit is one of the parameter.");
     }
 
     [Test]
     public void A_toolpath_draws_what_is_printed_and_not_the_travels()
     {
         var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path(), Path(5)).Feed("Printer", "generic").Solve();
-        var curves = Drawn(plan.Component).Calls.Select(c => (Rg.Curve)c.Item).ToArray();
-        Assert.That(curves, Has.Length.EqualTo(2));
-        Assert.That(curves.Sum(c => c.GetLength()), Is.EqualTo(Path().Length + Path(5).Length).Within(1e-9));
+        var lines = (Rg.Line[])Drawn(plan.Component).Calls.Single().Item;
+        Assert.That(lines.Sum(l => l.Length), Is.EqualTo(Path().Length + Path(5).Length).Within(1e-9));
+    }
+
+    [Test]
+    public void A_large_print_is_drawn_in_few_calls_and_its_box_is_kept()
+    {
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", new PrintSettings { LayerHeight = 0.2, FirstLayerHeight = 0.2 })
+            .Feed("Geometry", Shapes.Box(100, 100, 40, 40)).Solve();
+        Assert.That(canvas.All("Print Paths"), Has.Count.GreaterThan(500));
+        Assert.That(Drawn(canvas.Component).Calls, Has.Count.EqualTo(1));
+        using var other = new InDocument(UnitSystem.Centimeters);
+        Assert.That(canvas.Component.ClippingBox.Max.X, Is.EqualTo(14).Within(0.1), "New units are noticed.");
     }
 
     [Test]
@@ -102,6 +121,68 @@ public sealed class PreviewTests
         Assert.That(ids, Has.Count.EqualTo(document.Document.Objects.Count).And.Count.EqualTo(2 * canvas.All("Print Paths").Count));
         var text = new Canvas<GCodeTextComponent>().Feed("G-code", "G28").Solve();
         Assert.That((text.Component.IsBakeCapable, text.Component.IsPreviewCapable), Is.EqualTo((false, false)));
+    }
+
+    [Test]
+    public void A_toolpath_is_baked_as_strands_on_layers_with_their_facts()
+    {
+        using var document = new InDocument();
+        var path = Path().With(role: Role.OuterWall, layer: new Caterpillar.Toolpaths.Layer(3, 1, 0.2, "Vase"));
+        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", path, Path(5)).Feed("Printer", "generic").Solve();
+        var ids = new List<Guid>();
+        plan.Component.BakeGeometry(document.Document, new ObjectAttributes(), ids);
+        var items = document.Document.Objects.Items;
+        Assert.That(items.Select(i => i.Id), Is.EqualTo(ids));
+        Assert.That(ids, Has.Count.EqualTo(2));
+        Assert.That(items.Select(i => document.Document.Layers.FindIndex(i.Attributes.LayerIndex).FullPath),
+            Is.EqualTo(new[] { "Caterpillar::Vase::OuterWall", "Caterpillar::Print::Strand" }));
+        var wall = items[0].Attributes;
+        Assert.That(((Rg.Curve)items[0].Geometry).GetLength(), Is.EqualTo(path.Length).Within(1e-9));
+        Assert.That(wall.GetUserString("caterpillar.layer"), Is.EqualTo("3"));
+        Assert.That(wall.GetUserString("caterpillar.step"), Is.EqualTo("0"));
+        Assert.That(double.Parse(wall.GetUserString("caterpillar.e"), System.Globalization.CultureInfo.InvariantCulture), Is.GreaterThan(0));
+        Assert.That((wall.ColorSource, wall.PlotWeightSource), Is.EqualTo((ObjectColorSource.ColorFromObject, ObjectPlotWeightSource.PlotWeightFromObject)));
+    }
+
+    [Test]
+    public void Arcs_are_baked_as_arcs()
+    {
+        using var document = new InDocument(UnitSystem.Centimeters);
+        var quarter = new PrintPath([new Vec3(10, 0, 0.2), new Vec3(0, 10, 0.2), new Vec3(0, 20, 0.2)], [new Bead(0.08), new Bead(0.08)], false,
+            [new Caterpillar.Geometry.Arc(Vec3.Zero, 90), null]);
+        var toolpath = Caterpillar.Planning.Planner.Plan([quarter], new PrintSetup()).Value!;
+        new ToolpathGoo(toolpath).BakeGeometry(document.Document, new ObjectAttributes(), out var id);
+        var baked = (Rg.PolyCurve)document.Document.Objects.Items.Single(i => i.Id == id).Geometry;
+        Assert.That(baked.SegmentCurve(0), Is.InstanceOf<Rg.ArcCurve>());
+        Assert.That(baked.GetLength(), Is.EqualTo((Math.PI * 5 + 10) / 10).Within(1e-6));
+        Assert.That(baked.PointAtEnd.DistanceTo(new Rg.Point3d(0, 2, 0.02)), Is.LessThan(1e-9));
+    }
+
+    [Test]
+    public void Strands_there_and_back_are_curves_that_rhino_calls_valid()
+    {
+        var back = new PrintPath([new Vec3(0, 0, 0.2), new Vec3(10, 0, 0.2), new Vec3(0, 0, 0.2)], new Bead(0.08));
+        var curve = Caterpillar.GH.Conversion.RhinoGeometry.ToCurve(back, Caterpillar.GH.Conversion.DocumentUnits.Current)!;
+        Assert.That((curve.PointCount, curve.IsValid), Is.EqualTo((4, true)));
+        Assert.That(curve.GetLength(), Is.EqualTo(20).Within(1e-12));
+        Assert.That(Caterpillar.GH.Conversion.PolylineMaker.Of([new Rg.Point3d(1, 1, 1), new Rg.Point3d(1, 1, 1)]), Is.Null);
+    }
+
+    [Test]
+    public void Hidden_outputs_stay_hidden_in_the_file()
+    {
+        PrintPathParam Reopened(PrintPathParam param)
+        {
+            var archive = new GH_IO.Serialization.GH_Archive();
+            archive.AppendObject(param, "Param");
+            var read = new GH_IO.Serialization.GH_Archive();
+            read.Deserialize_Xml(archive.Serialize_Xml());
+            var copy = new PrintPathParam { Hidden = !param.Hidden };
+            read.ExtractObject(copy, "Param");
+            return copy;
+        }
+        Assert.That(Reopened(new PrintPathParam { Hidden = true }).Hidden, Is.True);
+        Assert.That(Reopened(new PrintPathParam()).Hidden, Is.False);
     }
 
     [Test]

@@ -60,7 +60,7 @@ public sealed class FrozenPortsTests
         var text = $"{port.Name} ({port.NickName}) {port.GetType().Name} {port.Access}";
         if (port.Optional) text += " optional";
         if (port.DataMapping != GH_DataMapping.None) text += " " + port.DataMapping.ToString().ToLowerInvariant();
-        if (port is ChoiceParam choice) text += " [" + string.Join(", ", choice.NamedValues.Select(v => $"{v.Key}={v.Value}")) + "]";
+        if (port is ChoiceParam choice) text += " [" + string.Join(", ", choice.Choices.Select(v => $"{v.Key}={v.Value}")) + "]";
         return text;
     }
 

@@ -41,7 +41,7 @@ public sealed class LSystemComponent() : CaterpillarComponent(
         var rules = run.List<string>(1);
         var generations = run.Get<int>(2);
         if (generations < 0) throw new InputProblem("Generations must be 0 or more.");
-        var interpretation = LSystemInterpretation.Standard(run.Finite(5), run.Finite(3));
+        var (step, angle) = (run.Finite(5), run.Finite(3));
         var seed = run.Get<int>(4);
         var system = LSystem.Parse(axiom, rules);
         if (system.Value is null)
@@ -50,14 +50,16 @@ public sealed class LSystemComponent() : CaterpillarComponent(
             run.SetNulls();
             return;
         }
-        var word = run.Work("L-System", (progress, cancel) => system.Value.Grow(generations, seed, LSystem.DefaultMaxSymbols, progress, cancel));
+        var word = run.Cached([axiom, string.Join("\n", rules), generations, seed],
+            () => run.Work("L-System", (progress, cancel) => system.Value.Grow(generations, seed, LSystem.DefaultMaxSymbols, progress, cancel)));
         run.SetList(2, run.Report(word.Diagnostics));
         if (word.Value is null)
         {
             run.SetNulls();
             return;
         }
-        run.Set(0, new TurtleProgramGoo(TurtleProgram.FromWord(word.Value, interpretation)));
+        run.Set(0, new TurtleProgramGoo(run.Cached([word.Value, step, angle],
+            () => TurtleProgram.FromWord(word.Value, LSystemInterpretation.Standard(step, angle)))));
         var text = word.Value.ToString();
         run.Set(1, text.Length > ShownLetters ? text.Substring(0, ShownLetters) + "…" : text);
     }

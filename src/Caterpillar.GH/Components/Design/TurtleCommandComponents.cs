@@ -23,7 +23,7 @@ public abstract class TurtleCommandComponent(string name, string nickname, strin
     private protected static TurtleCommand Together(List<TurtleCommand> commands) => commands.Count == 1 ? commands[0] : TurtleCommand.Repeat(1, commands);
 }
 
-/// <summary>What Move does.</summary>
+/// <summary>What Turtle Move does.</summary>
 public enum TurtleMoveKind
 {
     Forward,
@@ -41,7 +41,7 @@ public enum TurtleMoveKind
 
 /// <summary>A move of the turtle.</summary>
 public sealed class TurtleMoveComponent()
-    : TurtleCommandComponent("Move", "Move", "A move of the turtle. With the pen down it prints, except for lifts, jumps and moves without printing.")
+    : TurtleCommandComponent("Turtle Move", "TMove", "A move of the turtle. With the pen down it prints, except for lifts, jumps and moves without printing.")
 {
     public override Guid ComponentGuid => new("3a5d0f91-8c7e-4d54-9d0e-7b2f6c1a4e15");
 
@@ -87,7 +87,8 @@ public enum TurtleRotateKind
 
 /// <summary>A turn of the turtle.</summary>
 public sealed class TurtleRotateComponent() : TurtleCommandComponent(
-    "Rotate", "Rotate", "Turns the turtle: positive yaw to the left, positive pitch raises the nose, positive roll lifts the left side. Yaw comes first, "
+    "Turtle Rotate", "TRotate", "Turns the turtle: positive yaw to the left, positive pitch raises the nose, positive roll lifts the left side. Yaw comes "
+        + "first, "
         + "then pitch, then roll.")
 {
     public override Guid ComponentGuid => new("c1b64e0a-37f5-4a0b-8f66-2f6d8f0b5d16");
@@ -119,7 +120,7 @@ public sealed class TurtleRotateComponent() : TurtleCommandComponent(
 
 /// <summary>Pen up or down.</summary>
 public sealed class TurtlePenComponent()
-    : TurtleCommandComponent("Pen", "Pen", "Puts the pen down, so that moves print, or lifts it. Nothing is retracted: planning does that.")
+    : TurtleCommandComponent("Turtle Pen", "TPen", "Puts the pen down, so that moves print, or lifts it. Nothing is retracted: planning does that.")
 {
     public override Guid ComponentGuid => new("5e2c9f37-d1a8-4f39-9b7d-b0d7a3f24c17");
 
@@ -138,7 +139,7 @@ public enum TurtleExtrusionKind
 
 /// <summary>How much the turtle extrudes, and how fast it moves.</summary>
 public sealed class TurtleExtrusionComponent()
-    : TurtleCommandComponent("Extrusion", "Extrusion", "Sets how much the following moves extrude, and how fast they are.")
+    : TurtleCommandComponent("Turtle Extrusion", "TExtrude", "Sets how much the following moves extrude, and how fast they are.")
 {
     public override Guid ComponentGuid => new("a84f1b2d-6e3c-47d0-8a19-5c9e0d7f1b18");
 
@@ -193,7 +194,7 @@ public enum TurtleEventKind
 
 /// <summary>A command other than a move, or a tag.</summary>
 public sealed class TurtleEventComponent()
-    : TurtleCommandComponent("Event", "Event", "A command other than a move, a tag for what follows, or a branching point.")
+    : TurtleCommandComponent("Turtle Event", "TEvent", "A command other than a move, a tag for what follows, or a branching point.")
 {
     public override Guid ComponentGuid => new("f3d7c8e1-0b5a-4c92-a7e4-9a1c6b2d8f19");
 
@@ -232,7 +233,7 @@ public sealed class TurtleEventComponent()
 }
 
 /// <summary>Repeats commands.</summary>
-public sealed class TurtleRepeatComponent() : TurtleCommandComponent("Repeat", "Repeat", "Repeats commands, as one command.")
+public sealed class TurtleRepeatComponent() : TurtleCommandComponent("Turtle Repeat", "TRepeat", "Repeats commands, as one command.")
 {
     public override Guid ComponentGuid => new("08e5b6a9-4f2d-4e71-b3c8-d4f6a7012e1a");
 

@@ -18,6 +18,7 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
     "Turtle Preview", "TPrev", "Shows the turtle as a triangle at a position on its path, and what it has printed so far.", Panel.Design, GH_Exposure.secondary)
 {
     private readonly List<Drawn> _drawn = [];
+    private DisplayMaterial? _shade;
 
     public override Guid ComponentGuid => new("0c2ee4b5-6d4e-4b27-9f3f-0f5f5a6e2d13");
 
@@ -46,7 +47,7 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
         if (Hidden || Locked) return;
         foreach (var drawn in _drawn)
         {
-            foreach (var run in drawn.Printed) args.Display.DrawCurve(run, Attributes.Selected ? args.WireColour_Selected : Color.FromArgb(214, 110, 40), 2);
+            args.Display.DrawLines(drawn.Printed, Attributes.Selected ? args.WireColour_Selected : Color.FromArgb(214, 110, 40), 2);
             args.Display.DrawCurve(drawn.Outline, Attributes.Selected ? args.WireColour_Selected : Color.FromArgb(30, 120, 60), 2);
         }
     }
@@ -55,8 +56,8 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
     {
         base.DrawViewportMeshes(args);
         if (Hidden || Locked) return;
-        foreach (var drawn in _drawn) args.Display.DrawMeshShaded(drawn.Face,
-            new DisplayMaterial(Attributes.Selected ? args.WireColour_Selected : Color.FromArgb(60, 170, 90)));
+        _shade ??= new DisplayMaterial(Color.FromArgb(60, 170, 90));
+        foreach (var drawn in _drawn) args.Display.DrawMeshShaded(drawn.Face, Attributes.Selected ? args.ShadeMaterial_Selected : _shade);
     }
 
     private protected override void Inputs(InputPorts ports)
@@ -68,7 +69,8 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Curve("Triangle", "T", "The turtle as a closed triangle that points forward, in document units.");
+        // The component draws it itself.
+        ports.Add(new Param_Curve { Hidden = true }, "Triangle", "T", "The turtle as a closed triangle that points forward, in document units.");
         ports.Add(new Param_Plane(), "Plane", "Pl", "Pose of the turtle, in document units: X forward, Y left.");
     }
 
@@ -82,14 +84,18 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
         var units = run.Units;
         var timeline = run.Cached(steps.Cast<object?>().ToArray(), () => new TurtleTimeline(steps));
         var pose = timeline.PoseAt(part);
-        var printed = timeline.PrintedUntil(part).Select(r => new Rg.PolylineCurve(r.Select(p => RhinoGeometry.ToPoint(p, units)))).ToList();
+        var printed = new List<Rg.Line>();
+        foreach (var strand in timeline.PrintedUntil(part))
+        {
+            for (var i = 1; i < strand.Count; i++) RhinoGeometry.AddLines(printed, strand[i - 1], strand[i], null, units);
+        }
         var outline = TurtleShape.Outline(pose, size, units);
         var box = outline.GetBoundingBox(true);
-        foreach (var curve in printed) box.Union(curve.GetBoundingBox(true));
-        _drawn.Add(new Drawn(printed, outline, TurtleShape.Face(pose, size, units), box));
+        foreach (var line in printed) box.Union(line.BoundingBox);
+        _drawn.Add(new Drawn(printed.ToArray(), outline, TurtleShape.Face(pose, size, units), box));
         run.Set(0, outline);
         run.Set(1, RhinoGeometry.ToPlane(pose, units));
     }
 
-    private sealed record Drawn(IReadOnlyList<Rg.PolylineCurve> Printed, Rg.PolylineCurve Outline, Rg.Mesh Face, Rg.BoundingBox Box);
+    private sealed record Drawn(Rg.Line[] Printed, Rg.PolylineCurve Outline, Rg.Mesh Face, Rg.BoundingBox Box);
 }

@@ -42,7 +42,10 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var options = new DecodeOptions { Dialect = Dialect(run.Maybe<string>(2)), Rule = run.Choice<ExtrusionRule>(3) };
-        var source = run.Maybe<GCodeDocument>(1) ?? Read(run);
+        var wired = run.Maybe<GCodeDocument>(1);
+        if (wired is not null && !string.IsNullOrEmpty(run.Maybe<string>(0)))
+            run.Report(GH_RuntimeMessageLevel.Warning, "File is ignored, because G-code is connected.");
+        var source = wired ?? Read(run);
         var result = run.Cached([source, options], () => run.Work("Decoding", (progress, cancel) => GCodeDecoder.Decode(source, options, progress, cancel)));
         run.SetList(4, run.Report(result.Diagnostics));
         run.Set(1, new GCodeGoo(source));

@@ -1,11 +1,8 @@
 using System;
 using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Params;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
-using Grasshopper.Kernel.Data;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.GCode;
 
@@ -34,37 +31,15 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var toolpath = run.Get<Toolpath>(0);
-        var units = run.Units;
-        var points = new GH_Structure<GH_Point>();
-        GH_Structure<GH_Number> amounts = new(), speeds = new(), areas = new(), widths = new();
-        GH_Structure<GH_String> kinds = new(), roles = new();
-        var sources = new GH_Structure<GH_Integer>();
-        var root = run.PathOf(0);
-        // Numbers of rafts may begin below 0, branches do not.
-        var numbers = toolpath.NumbersOfLayers();
-        var lowest = numbers.Count > 0 ? Math.Min(numbers[0], 0) : 0;
-        var layer = 0;
-        var path = root.AppendElement(layer);
-        foreach (var move in toolpath.Moves())
-        {
-            if (toolpath.NumberOfLayer(move) is { } number && number - lowest != layer) path = root.AppendElement(layer = number - lowest);
-            points.Append(new GH_Point(RhinoGeometry.ToPoint(move.End, units)), path);
-            amounts.Append(new GH_Number(move.E), path);
-            speeds.Append(new GH_Number(move.Speed), path);
-            kinds.Append(new GH_String(move.Kind.ToString()), path);
-            roles.Append(new GH_String(move.Role.ToString()), path);
-            sources.Append(new GH_Integer(move.Source), path);
-            var bead = toolpath.BeadOf(move);
-            areas.Append(new GH_Number(bead?.Area ?? 0), path);
-            widths.Append(new GH_Number(bead?.Width(BeadShape.Stadium) ?? 0), path);
-        }
-        run.SetTree(0, points);
-        run.SetTree(1, amounts);
-        run.SetTree(2, speeds);
-        run.SetTree(3, kinds);
-        run.SetTree(4, roles);
-        run.SetTree(5, sources);
-        run.SetTree(6, areas);
-        run.SetTree(7, widths);
+        var (units, root) = (run.Units, run.PathOf(0));
+        var parts = run.Cached([toolpath, units.ToMillimeters, root.ToString()], () => new ToolpathParts(toolpath, units, root));
+        run.SetTree(0, parts.Points);
+        run.SetTree(1, parts.Amounts);
+        run.SetTree(2, parts.Speeds);
+        run.SetTree(3, parts.Kinds);
+        run.SetTree(4, parts.Roles);
+        run.SetTree(5, parts.Sources);
+        run.SetTree(6, parts.Areas);
+        run.SetTree(7, parts.Widths);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
@@ -34,15 +35,19 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
         var filter = MoveFilterPorts.Read(run, 1);
         var (speed, flow) = (run.Positive(After), run.Finite(After + 1));
         if (flow < 0) throw new InputProblem("Flow Factor must be 0 or more.");
-        var edited = goo.Value;
+        var map = run.MaybeValue<Rg.Transform>(After + 2) is { } transform
+            ? RhinoGeometry.ToAffine(transform, run.Units) ?? throw new InputProblem("Transform must keep lines parallel: it moves, turns, scales or shears.")
+            : (Affine?)null;
+        var edited = run.Cached([goo.Value, speed, flow, map, MoveFilterPorts.Key(filter)],
+            () => run.Work("Editing", (_, _) => Edit(goo.Value, filter, speed, flow, map)));
+        run.Set(0, goo.With(edited));
+    }
+
+    private static Toolpath Edit(Toolpath edited, MoveFilter filter, double speed, double flow, Affine? map)
+    {
         if (speed != 1) edited = edited.ScaleSpeed(filter, speed);
         if (flow != 1) edited = edited.ScaleFlow(filter, flow);
-        if (run.MaybeValue<Rg.Transform>(After + 2) is { } transform)
-        {
-            var map = RhinoGeometry.ToAffine(transform, run.Units)
-                ?? throw new InputProblem("Transform must keep lines parallel: it moves, turns, scales or shears.");
-            edited = edited.Transform(MoveFilterPorts.ReadLayers(run, 1, edited), map);
-        }
-        run.Set(0, goo.With(edited));
+        // Start and end code, which belong to no layer, stay.
+        return map is { } moved ? edited.Transform(filter.InLayersOf(edited), moved) : edited;
     }
 }

@@ -27,7 +27,9 @@ public sealed class FilterToolpathComponent() : CaterpillarComponent(
     {
         var goo = run.Get<ToolpathGoo>(0);
         var filter = MoveFilterPorts.Read(run, 1);
-        var edited = run.Get<bool>(1 + MoveFilterPorts.Count) ? goo.Value.Remove(filter) : goo.Value.Keep(filter);
+        var remove = run.Get<bool>(1 + MoveFilterPorts.Count);
+        var edited = run.Cached([goo.Value, remove, MoveFilterPorts.Key(filter)],
+            () => run.Work("Filtering", (_, _) => remove ? goo.Value.Remove(filter) : goo.Value.Keep(filter)));
         run.Set(0, goo.With(edited));
         run.Summarize($"{NumberFormatter.Format(edited.Count)} moves");
     }

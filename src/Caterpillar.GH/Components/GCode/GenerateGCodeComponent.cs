@@ -24,10 +24,10 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to write.");
         ports.Add(new PrinterParam(), "Printer", "P", "Target printer, or the name of its profile; by default the one it was planned for.",
             optional: true);
-        ports.Text("Override Reason", "R",
-            "Reason to ignore the findings of the checks; it is kept in the file as a comment. Empty obeys the checks.", "");
         ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default the one it was planned for.", optional: true);
         ports.Add(new SettingsParam(), "Settings", "S", "Print settings, or the name of their profile; by default those it was planned for.", optional: true);
+        ports.Text("Override Reason", "R",
+            "Reason to ignore the findings of the checks; it is kept in the file as a comment. Empty obeys the checks.", "");
         ports.Boolean("Rewrite All", "A",
             "False keeps all lines of a decoded file that no edit changes; true rewrites all of it, with the printer's start and end code.", false);
         ports.Text("Start Code", "SC", "Lines that replace everything before the first layer of a decoded file; by default that is kept.",
@@ -45,7 +45,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
     {
         var texts = new List<string>();
         var goo = run.Get<ToolpathGoo>(0);
-        var reason = run.Maybe<string>(2);
+        var reason = run.Maybe<string>(4);
         if (Setup(run, goo.Setup, texts) is not { } setup)
         {
             run.SetNulls();
@@ -72,8 +72,8 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
     {
         var printer = run.Maybe<Printer>(1) ?? planned?.Printer
             ?? throw new InputProblem("Printer is missing: the toolpath was not planned for one.") { IsMissing = true };
-        var material = run.Maybe<Material>(3) ?? planned?.Material ?? run.Accept(Profiles.Library.Material(printer.DefaultMaterial), texts);
-        var settings = run.Maybe<PrintSettings>(4) ?? planned?.Settings ?? run.Accept(Profiles.Library.Settings(printer.DefaultSettings), texts);
+        var material = run.Maybe<Material>(2) ?? planned?.Material ?? run.Accept(Profiles.Library.Material(printer.DefaultMaterial), texts);
+        var settings = run.Maybe<PrintSettings>(3) ?? planned?.Settings ?? run.Accept(Profiles.Library.Settings(printer.DefaultSettings), texts);
         return material is null || settings is null ? null : new PrintSetup(printer, material, settings);
     }
 }

@@ -46,16 +46,13 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         if (goos.Count == 0) throw new InputProblem("Print Paths are missing.") { IsMissing = true };
         var paths = goos.Select(g => g.Value).ToArray();
         var units = run.Units;
-        var meshes = run.List<IGH_GeometricGoo>(1).Select(g => RhinoMesh.ToMesh(g.ScriptVariable()!, Tolerance, units)).ToList();
+        var below = run.List<IGH_GeometricGoo>(1).Select(g => ModelMesh.Of(run, g, Tolerance, units)).ToList();
         var gap = GapBead.For(run.Maybe<PrintSettings>(2) ?? new PrintSettings()) with { Width = run.Finite(5), Bed = run.Get<bool>(6) ? 0 : null };
         if (run.MaybeValue<double>(3) is not null) gap = gap with { MinGap = run.Positive(3) };
         if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };
         if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be above Maximum Gap.");
-        var result = run.Cached([.. paths, .. meshes.Select(m => (object)m.DataCRC(0)), gap, units.ToMillimeters], () =>
-        {
-            var below = gap with { Surface = RhinoMesh.ToTriangles(meshes, units) };
-            return run.Work("Measuring gaps", (progress, cancel) => below.Apply(paths, progress, cancel));
-        });
+        var result = run.Cached([.. paths, .. below, gap], () => run.Work("Measuring gaps",
+            (progress, cancel) => (gap with { Surface = RhinoMesh.Joined(below.Select(m => m.Triangles).ToArray()) }).Apply(paths, progress, cancel)));
         run.SetList(1, run.Report(result.Diagnostics));
         if (result.Value is { } shaped) run.SetList(0, shaped.Select((path, i) => goos[i].With(path)));
     }

@@ -91,6 +91,12 @@ namespace Grasshopper.Kernel
             Phase = GH_SolutionPhase.Computed;
         }
 
+        public override void CreateAttributes()
+        {
+            base.CreateAttributes();
+            foreach (var param in Params) param.CreateAttributes();
+        }
+
         public override bool DependsOn(IGH_ActiveObject potentialSource) => Params.Input.Any(p => p.DependsOn(potentialSource));
 
         public override void RemovedFromDocument(GH_Document document)
@@ -101,11 +107,7 @@ namespace Grasshopper.Kernel
 
         public virtual void DrawViewportWires(IGH_PreviewArgs args)
         {
-            foreach (var output in Params.Output.OfType<IGH_PreviewObject>())
-            {
-                ((IGH_Param)output).Attributes = Attributes;
-                output.DrawViewportWires(args);
-            }
+            foreach (var output in Params.Output.OfType<IGH_PreviewObject>()) output.DrawViewportWires(args);
         }
 
         public virtual void DrawViewportMeshes(IGH_PreviewArgs args)

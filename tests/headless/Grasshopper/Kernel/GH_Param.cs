@@ -232,7 +232,7 @@ namespace Grasshopper.Kernel
 
         protected void Preview_DrawWires(IGH_PreviewArgs args)
         {
-            var colour = Attributes != null && Attributes.Selected ? args.WireColour_Selected : args.WireColour;
+            var colour = Attributes?.GetTopLevel.Selected == true ? args.WireColour_Selected : args.WireColour;
             var wires = new GH_PreviewWireArgs(args.Viewport, args.Display, colour, args.DefaultCurveThickness);
             foreach (var goo in m_data.AllData(true)) (goo as IGH_PreviewData)?.DrawViewportWires(wires);
         }

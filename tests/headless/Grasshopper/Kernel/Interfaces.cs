@@ -155,6 +155,8 @@ namespace Grasshopper.Kernel
         bool Selected { get; set; }
 
         IGH_DocumentObject DocObject { get; }
+
+        IGH_Attributes GetTopLevel { get; }
     }
 
     public interface IGH_PreviewArgs

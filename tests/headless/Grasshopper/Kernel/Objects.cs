@@ -64,6 +64,8 @@ namespace Grasshopper.Kernel
         public bool Selected { get; set; }
 
         public IGH_DocumentObject DocObject { get; }
+
+        public IGH_Attributes GetTopLevel => DocObject is IHeadlessParam param && param.Server != null ? param.Server.Owner.Attributes : this;
     }
 
     public abstract class GH_DocumentObject : GH_InstanceDescription, IGH_DocumentObject

@@ -53,6 +53,28 @@ namespace Grasshopper.Kernel.Parameters
 
         public void ClearNamedValues() => NamedValues.Clear();
 
+        public override bool Write(GH_IO.Serialization.GH_IWriter writer)
+        {
+            for (var i = 0; i < NamedValues.Count; i++)
+            {
+                var chunk = writer.CreateChunk("NamedValue", i);
+                chunk.SetString("Name", NamedValues[i].Key);
+                chunk.SetInt32("Value", NamedValues[i].Value);
+            }
+            return base.Write(writer);
+        }
+
+        public override bool Read(GH_IO.Serialization.GH_IReader reader)
+        {
+            if (reader.ChunkExists("NamedValue", 0)) NamedValues.Clear();
+            for (var i = 0; reader.ChunkExists("NamedValue", i); i++)
+            {
+                var chunk = reader.FindChunk("NamedValue", i);
+                AddNamedValue(chunk.GetString("Name"), chunk.GetInt32("Value"));
+            }
+            return base.Read(reader);
+        }
+
         protected override GH_GetterResult Prompt_Singular(ref GH_Integer value) => GH_GetterResult.cancel;
 
         protected override GH_GetterResult Prompt_Plural(ref List<GH_Integer> values) => GH_GetterResult.cancel;

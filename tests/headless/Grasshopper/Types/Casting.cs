@@ -73,6 +73,8 @@ namespace Grasshopper.Kernel.Types
                 case Polyline p: return new GH_Curve(p.ToPolylineCurve());
                 case Mesh m: return new GH_Mesh(m);
                 case Brep b: return new GH_Brep(b);
+                case Box b: return new GH_Box(b);
+                case GeometryBase g: return new AnyGeometry(g);
                 default: return new GH_ObjectWrapper(data);
             }
         }
@@ -87,8 +89,7 @@ namespace Grasshopper.Kernel.Types
             if (goo.CastTo<T>(out var cast) && cast != null) return cast;
             var made = make();
             if (made == null) return null;
-            // Objects of unknown types arrive bare.
-            return made.CastFrom(goo is GH_ObjectWrapper wrapper ? wrapper.Value : (object)goo) ? made : null;
+            return made.CastFrom(goo) ? made : null;
         }
 
         /// <summary>Goo as what a component asks for: the goo itself, its bare value, or through the goo's own conversion.</summary>

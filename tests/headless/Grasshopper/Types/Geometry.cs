@@ -309,4 +309,81 @@ namespace Grasshopper.Kernel.Types
 
         public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
     }
+
+    public class GH_Box : GH_GeometricGoo<Box>
+    {
+        public GH_Box()
+        {
+        }
+
+        internal GH_Box(Box box) : base(box)
+        {
+        }
+
+        public override bool IsValid => m_value.IsValid;
+
+        public override string TypeName => "Box";
+
+        public override string TypeDescription => "A box";
+
+        public override BoundingBox Boundingbox => m_value.BoundingBox;
+
+        public override IGH_GeometricGoo DuplicateGeometry() => new GH_Box(m_value);
+
+        public override BoundingBox GetBoundingBox(Transform xform) => new BoundingBox(System.Array.ConvertAll(m_value.GetCorners(), p => xform * p));
+
+        public override IGH_GeometricGoo Transform(Transform xform)
+        {
+            var plane = m_value.Plane;
+            plane.Transform(xform);
+            return new GH_Box(new Box(plane, m_value.X, m_value.Y, m_value.Z));
+        }
+
+        public override IGH_GeometricGoo Morph(SpaceMorph xmorph) => throw new NotSupportedException("Morphing a box needs Rhino.");
+
+        public override string ToString() => "Box";
+
+        public override bool CastFrom(object source)
+        {
+            if (!(Casting.Bare(source) is Box box)) return false;
+            m_value = box;
+            return true;
+        }
+
+        public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
+    }
+
+    /// <summary>Surfaces, extrusions and SubDs, which have goo of their own in Grasshopper.</summary>
+    internal sealed class AnyGeometry : GH_GeometricGoo<GeometryBase>
+    {
+        public AnyGeometry()
+        {
+        }
+
+        public AnyGeometry(GeometryBase geometry) : base(geometry)
+        {
+        }
+
+        public override string TypeName => m_value.GetType().Name;
+
+        public override string TypeDescription => "Geometry";
+
+        public override BoundingBox Boundingbox => m_value.GetBoundingBox(true);
+
+        public override IGH_GeometricGoo DuplicateGeometry() => new AnyGeometry(m_value.Duplicate());
+
+        public override BoundingBox GetBoundingBox(Transform xform) => m_value.GetBoundingBox(xform);
+
+        public override IGH_GeometricGoo Transform(Transform xform)
+        {
+            m_value.Transform(xform);
+            return this;
+        }
+
+        public override IGH_GeometricGoo Morph(SpaceMorph xmorph) => throw new NotSupportedException("Morphing needs Rhino.");
+
+        public override string ToString() => TypeName;
+
+        public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
+    }
 }

@@ -41,6 +41,8 @@ namespace Rhino.Display
         public object Item { get; }
 
         public int Thickness { get; }
+
+        public DisplayMaterial Material { get; set; }
     }
 
     /// <summary>Records what is drawn.</summary>
@@ -61,11 +63,12 @@ namespace Rhino.Display
 
         public void DrawLine(Point3d from, Point3d to, Color color, int thickness) => Calls.Add(new DrawCall("line", color, new Line(from, to), thickness));
 
-        public void DrawLines(IEnumerable<Line> lines, Color color, int thickness) => Calls.Add(new DrawCall("lines", color, lines.ToArray(), thickness));
+        public void DrawLines(IEnumerable<Line> lines, Color color, int thickness)
+            => Calls.Add(new DrawCall("lines", color, lines as Line[] ?? lines.ToArray(), thickness));
 
         public void DrawBox(BoundingBox box, Color color, int thickness) => Calls.Add(new DrawCall("box", color, box, thickness));
 
-        public void DrawMeshShaded(Mesh mesh, DisplayMaterial material) => Calls.Add(new DrawCall("shaded", material.Diffuse, mesh, 0));
+        public void DrawMeshShaded(Mesh mesh, DisplayMaterial material) => Calls.Add(new DrawCall("shaded", material.Diffuse, mesh, 0) { Material = material });
 
         public void DrawMeshFalseColors(Mesh mesh) => Calls.Add(new DrawCall("colours", Color.Empty, mesh, 0));
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Drawing;
 using Rhino.Runtime;
 
@@ -23,6 +24,13 @@ namespace Rhino.DocObjects
         ColorFromObject = 1,
         ColorFromMaterial = 2,
         ColorFromParent = 3,
+    }
+
+    public enum ObjectPlotWeightSource
+    {
+        PlotWeightFromLayer = 0,
+        PlotWeightFromObject = 1,
+        PlotWeightFromParent = 3,
     }
 
     public abstract class ModelComponent : CommonObject
@@ -57,7 +65,33 @@ namespace Rhino.DocObjects
 
         public ObjectColorSource ColorSource { get; set; }
 
-        public ObjectAttributes Duplicate() => (ObjectAttributes)MemberwiseClone();
+        public double PlotWeight { get; set; }
+
+        public ObjectPlotWeightSource PlotWeightSource { get; set; }
+
+        internal Dictionary<string, string> UserStrings { get; private set; } = new Dictionary<string, string>();
+
+        internal List<int> Groups { get; private set; } = new List<int>();
+
+        public int GroupCount => Groups.Count;
+
+        public bool SetUserString(string key, string value)
+        {
+            UserStrings[key] = value;
+            return true;
+        }
+
+        public string GetUserString(string key) => UserStrings.TryGetValue(key, out var value) ? value : null;
+
+        public void AddToGroup(int groupIndex) => Groups.Add(groupIndex);
+
+        public ObjectAttributes Duplicate()
+        {
+            var copy = (ObjectAttributes)MemberwiseClone();
+            copy.UserStrings = new Dictionary<string, string>(UserStrings);
+            copy.Groups = new List<int>(Groups);
+            return copy;
+        }
     }
 
     public class RhinoObject : ModelComponent

@@ -9,6 +9,33 @@ namespace Rhino
     }
 }
 
+namespace Rhino.Commands
+{
+    public enum Result
+    {
+        Success = 0,
+        Cancel = 1,
+        Nothing = 2,
+        Failure = 3,
+    }
+}
+
+namespace Rhino.Input
+{
+    public static class RhinoGet
+    {
+        // What the user of a test types, in order; without more the command is canceled.
+        internal static readonly Queue<string> Answers = new Queue<string>();
+
+        public static Commands.Result GetString(string prompt, bool acceptNothing, ref string outputString)
+        {
+            if (Answers.Count == 0) return Commands.Result.Cancel;
+            outputString = Answers.Dequeue();
+            return outputString.Length > 0 ? Commands.Result.Success : acceptNothing ? Commands.Result.Nothing : Commands.Result.Cancel;
+        }
+    }
+}
+
 namespace Rhino.UI
 {
     public static class StatusBar

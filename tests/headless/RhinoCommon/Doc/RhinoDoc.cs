@@ -32,6 +32,8 @@ namespace Rhino
 
         public LayerTable Layers { get; }
 
+        public GroupTable Groups { get; } = new GroupTable();
+
         internal bool IsRecording => _openRecord != 0;
 
         public uint BeginUndoRecord(string description)
@@ -74,11 +76,41 @@ namespace Rhino.DocObjects.Tables
             return item.Id;
         }
 
+        public bool Delete(Guid objectId, bool quiet)
+        {
+            var at = Items.FindIndex(i => i.Id == objectId);
+            if (at < 0) return false;
+            Items.RemoveAt(at);
+            Records.RemoveAt(at);
+            return true;
+        }
+
+        public RhinoObject[] FindByUserString(string key, string value, bool caseSensitive)
+            => Items.Where(i => string.Equals(i.Attributes.GetUserString(key), value,
+                caseSensitive ? StringComparison.Ordinal : StringComparison.OrdinalIgnoreCase)).ToArray();
+
         public Guid AddCurve(Curve curve, ObjectAttributes attributes) => Add(curve, attributes);
 
         public Guid AddMesh(Mesh mesh, ObjectAttributes attributes) => Add(mesh, attributes);
 
         public Guid AddPolyline(IEnumerable<Point3d> points, ObjectAttributes attributes) => Add(new PolylineCurve(points), attributes);
+    }
+
+    public sealed class GroupTable
+    {
+        internal readonly List<string> Names = new List<string>();
+
+        internal GroupTable()
+        {
+        }
+
+        public int Find(string groupName) => Names.IndexOf(groupName);
+
+        public int Add(string groupName)
+        {
+            Names.Add(groupName);
+            return Names.Count - 1;
+        }
     }
 
     public sealed class LayerTable

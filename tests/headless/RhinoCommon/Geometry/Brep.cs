@@ -9,20 +9,20 @@ namespace Rhino.Geometry
     {
         private readonly List<Point3d[]> _quads = new List<Point3d[]>();
 
+        internal Brep(params Point3d[][] quads) => _quads.AddRange(quads);
+
         public bool IsSolid => _quads.Count == 6;
 
-        public static Brep CreateFromBox(BoundingBox box)
-        {
-            if (!box.IsValid) return null;
-            var c = box.GetCorners();
-            var brep = new Brep();
-            foreach (var q in new[] { "0321", "4567", "0154", "1265", "2376", "3047" }) brep._quads.Add(q.Select(i => c[i - '0']).ToArray());
-            return brep;
-        }
+        public static Brep CreateFromBox(BoundingBox box) => box.IsValid ? OfCorners(box.GetCorners()) : null;
+
+        public static Brep CreateFromBox(Box box) => box.IsValid ? OfCorners(box.GetCorners()) : null;
 
         public override GeometryBase Duplicate() => CopyOf();
 
         public Brep DuplicateBrep() => (Brep)CopyOf();
+
+        private static Brep OfCorners(Point3d[] c)
+            => new Brep(new[] { "0321", "4567", "0154", "1265", "2376", "3047" }.Select(q => q.Select(i => c[i - '0']).ToArray()).ToArray());
 
         internal Mesh[] Meshes() => _quads.Select(q =>
         {
@@ -54,41 +54,64 @@ namespace Rhino.Geometry
         internal override IEnumerable<double> Numbers() => _quads.SelectMany(q => q).SelectMany(p => new[] { p.X, p.Y, p.Z });
     }
 
+    /// <summary>Here any surface is a set of flat quadrilaterals.</summary>
     public abstract class Surface : GeometryBase
     {
-        public Brep ToBrep() => throw NeedsRhino("A Brep of a surface");
+        internal Brep Faces { get; set; } = new Brep();
+
+        public Brep ToBrep() => Faces.DuplicateBrep();
+
+        internal override ObjectType KindOf() => ObjectType.Surface;
+
+        internal override void Map(Transform xform) => Faces.Transform(xform);
+
+        internal override BoundingBox Box(Transform xform) => Faces.GetBoundingBox(xform);
+
+        internal override IEnumerable<double> Numbers() => Faces.Numbers();
+    }
+
+    public class PlaneSurface : Surface
+    {
+        public PlaneSurface(Plane plane, Interval xExtents, Interval yExtents)
+        {
+            Point3d At(double x, double y) => plane.Origin + plane.XAxis * x + plane.YAxis * y;
+            Faces = new Brep(new[] { At(xExtents.T0, yExtents.T0), At(xExtents.T1, yExtents.T0), At(xExtents.T1, yExtents.T1), At(xExtents.T0, yExtents.T1) });
+        }
+
+        private PlaneSurface()
+        {
+        }
+
+        internal override GeometryBase CopyOf() => new PlaneSurface { Faces = Faces.DuplicateBrep() };
     }
 
     public class Extrusion : Surface
     {
-        public Brep ToBrep(bool splitKinkyFaces) => throw NeedsRhino("A Brep of an extrusion");
+        public static Extrusion CreateBoxExtrusion(Box box, bool cap = true) => new Extrusion { Faces = Brep.CreateFromBox(box) };
+
+        public Brep ToBrep(bool splitKinkyFaces) => Faces.DuplicateBrep();
 
         internal override ObjectType KindOf() => ObjectType.Extrusion;
 
-        internal override GeometryBase CopyOf() => new Extrusion();
-
-        internal override void Map(Transform xform)
-        {
-        }
-
-        internal override BoundingBox Box(Transform xform) => BoundingBox.Empty;
-
-        internal override IEnumerable<double> Numbers() => new double[0];
+        internal override GeometryBase CopyOf() => new Extrusion { Faces = Faces.DuplicateBrep() };
     }
 
+    /// <summary>Here meshed as its control mesh; Rhino makes the limit surface.</summary>
     public class SubD : GeometryBase
     {
+        internal Mesh Control { get; private set; } = new Mesh();
+
+        public static SubD CreateFromMesh(Mesh mesh) => new SubD { Control = mesh.DuplicateMesh() };
+
         internal override ObjectType KindOf() => ObjectType.SubD;
 
-        internal override GeometryBase CopyOf() => new SubD();
+        internal override GeometryBase CopyOf() => new SubD { Control = Control.DuplicateMesh() };
 
-        internal override void Map(Transform xform)
-        {
-        }
+        internal override void Map(Transform xform) => Control.Transform(xform);
 
-        internal override BoundingBox Box(Transform xform) => BoundingBox.Empty;
+        internal override BoundingBox Box(Transform xform) => Control.GetBoundingBox(xform);
 
-        internal override IEnumerable<double> Numbers() => new double[0];
+        internal override IEnumerable<double> Numbers() => Control.Numbers();
     }
 
     public class MeshingParameters

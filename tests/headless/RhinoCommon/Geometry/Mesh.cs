@@ -48,6 +48,8 @@ namespace Rhino.Geometry
 
         public MeshVertexColorList VertexColors { get; }
 
+        public MeshVertexNormalList Normals { get; } = new MeshVertexNormalList();
+
         /// <summary>True when every edge, by the index of its vertices, belongs to two faces.</summary>
         public bool IsClosed => Faces.Count > 0 && Edges().All(e => e.Value == 2);
 
@@ -73,9 +75,9 @@ namespace Rhino.Geometry
 
         public static Mesh[] CreateFromBrep(Brep brep, MeshingParameters meshingParameters) => brep.Meshes();
 
-        public static Mesh CreateFromSurface(Surface surface, MeshingParameters meshingParameters) => throw NeedsRhino("Meshing a surface");
+        public static Mesh CreateFromSurface(Surface surface, MeshingParameters meshingParameters) => surface.Faces.Meshes()[0];
 
-        public static Mesh CreateFromSubD(SubD subd, int displayDensity) => throw NeedsRhino("Meshing a SubD");
+        public static Mesh CreateFromSubD(SubD subd, int displayDensity) => subd.Control.DuplicateMesh();
 
         internal override bool CheckValid() => Vertices.Count > 2 && Faces.Count > 0
             && Faces.Items.All(f => new[] { f.A, f.B, f.C, f.D }.All(i => i >= 0 && i < Vertices.Count)) && Vertices.Items.All(v => v.IsValid);
@@ -98,7 +100,8 @@ namespace Rhino.Geometry
         internal override BoundingBox Box(Transform xform) => new BoundingBox(Vertices.Items.Select(v => xform * v));
 
         internal override IEnumerable<double> Numbers()
-            => Vertices.Items.SelectMany(v => new[] { v.X, v.Y, v.Z }).Concat(Faces.Items.SelectMany(f => new double[] { f.A, f.B, f.C, f.D }));
+            => Vertices.Items.SelectMany(v => new double[] { (float)v.X, (float)v.Y, (float)v.Z })
+                .Concat(Faces.Items.SelectMany(f => new double[] { f.A, f.B, f.C, f.D }));
 
         private Dictionary<long, int> Edges()
         {
@@ -175,11 +178,23 @@ namespace Rhino.Geometry.Collections
 
         public int AddFace(int vertex1, int vertex2, int vertex3, int vertex4) => AddFace(new MeshFace(vertex1, vertex2, vertex3, vertex4));
 
+        public int[] AddFaces(IEnumerable<MeshFace> faces) => faces.Select(AddFace).ToArray();
+
         public int AddFace(MeshFace face)
         {
             Items.Add(face);
             return Items.Count - 1;
         }
+    }
+
+    /// <summary>Not kept here.</summary>
+    public class MeshVertexNormalList
+    {
+        internal MeshVertexNormalList()
+        {
+        }
+
+        public bool ComputeNormals() => true;
     }
 
     public class MeshVertexColorList
@@ -196,6 +211,13 @@ namespace Rhino.Geometry.Collections
         {
             get => Items[index];
             set => Items[index] = value;
+        }
+
+        public bool SetColors(Color[] colors)
+        {
+            Items.Clear();
+            Items.AddRange(colors);
+            return true;
         }
 
         public int Add(Color color)

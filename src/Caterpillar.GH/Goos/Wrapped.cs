@@ -1,0 +1,21 @@
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Goos;
+
+/// <summary>What script components hand out arrives wrapped: goo takes what is inside.</summary>
+internal static class Wrapped
+{
+    public static object? Bare(object? source)
+    {
+        while (source is GH_ObjectWrapper wrapper) source = wrapper.Value;
+        return source;
+    }
+
+    /// <summary>The text of a string or of text on a wire; null for anything else.</summary>
+    public static string? Text(object? source) => Bare(source) switch
+    {
+        string text => text,
+        GH_String goo => goo.Value,
+        _ => null,
+    };
+}

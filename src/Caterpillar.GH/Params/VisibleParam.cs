@@ -1,0 +1,80 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.GH.Bake;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using GH_IO.Serialization;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Types;
+using Rhino;
+using Rhino.DocObjects;
+
+namespace Caterpillar.GH.Params;
+
+/// <summary>Data with a preview: all of it in one call of the display, and one box, both kept until the data or the units change.</summary>
+public abstract class VisibleParam<T>(string name, string nickname, string description, string panel)
+    : VolatileParam<T>(name, nickname, description, panel), IGH_PreviewObject, IGH_BakeAwareObject
+    where T : class, IGH_Goo, IGH_PreviewData
+{
+    private const string HiddenKey = "PreviewHidden";
+    private WireSet? _wires;
+    private int _count;
+
+    public bool Hidden { get; set; }
+
+    public bool IsPreviewCapable => true;
+
+    public bool IsBakeCapable => typeof(IBakes).IsAssignableFrom(typeof(T)) && VolatileDataCount > 0;
+
+    public Rg.BoundingBox ClippingBox => Hidden ? Rg.BoundingBox.Empty : Wires.Box;
+
+    private WireSet Wires
+    {
+        get
+        {
+            var units = DocumentUnits.Current;
+            var count = VolatileDataCount;
+            if (_wires is not null && _count == count && _wires.Fits(units)) return _wires;
+            _count = count;
+            return _wires = new WireSet(m_data.AllData(true).OfType<IWires>().ToArray(), units);
+        }
+    }
+
+    public override void ClearData()
+    {
+        _wires = null;
+        base.ClearData();
+    }
+
+    public void DrawViewportWires(IGH_PreviewArgs args)
+    {
+        if (!Hidden) Wires.Draw(args.Display, Attributes?.GetTopLevel?.Selected == true ? args.WireColour_Selected : args.WireColour);
+    }
+
+    public void DrawViewportMeshes(IGH_PreviewArgs args)
+    {
+    }
+
+    public void BakeGeometry(RhinoDoc doc, List<Guid> obj_ids) => BakeGeometry(doc, new ObjectAttributes(), obj_ids);
+
+    public void BakeGeometry(RhinoDoc doc, ObjectAttributes att, List<Guid> obj_ids)
+    {
+        if (doc is null || obj_ids is null) return;
+        var baker = new Baker(doc, att ?? new ObjectAttributes(), obj_ids);
+        foreach (var goo in m_data.AllData(true)) (goo as IBakes)?.BakeTo(baker);
+    }
+
+    public override bool Write(GH_IWriter writer)
+    {
+        writer.SetBoolean(HiddenKey, Hidden);
+        return base.Write(writer);
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        var hidden = Hidden;
+        if (reader.TryGetBoolean(HiddenKey, ref hidden)) Hidden = hidden;
+        return base.Read(reader);
+    }
+}

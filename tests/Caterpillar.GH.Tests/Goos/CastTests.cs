@@ -1,0 +1,111 @@
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Components.GCode;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.GH.Tests.Host;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Toolpaths;
+using GH_IO.Serialization;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Data;
+using Grasshopper.Kernel.Types;
+using NUnit.Framework;
+
+namespace Caterpillar.GH.Tests.Goos;
+
+/// <summary>What turns into what on a wire.</summary>
+public sealed class CastTests
+{
+    private static readonly PrintPath Path = new([new Vec3(0, 0, 0.2), new Vec3(10, 0, 0.2)], new Bead(0.08));
+
+    private static readonly object[] Wrappable =
+    [
+        new object[] { new PrintPathGoo(), Path },
+        new object[] { new StepGoo(), Path },
+        new object[] { new BeadGoo(), new Bead(0.1) },
+        new object[] { new GCodeGoo(), "G28" },
+        new object[] { new TurtleProgramGoo(), "forward 1" },
+        new object[] { new PrinterGoo(), "generic" },
+        new object[] { new MaterialGoo(), new Material() },
+        new object[] { new SettingsGoo(), new PrintSettings() },
+    ];
+
+    [TestCaseSource(nameof(Wrappable))]
+    public void What_a_script_hands_out_is_unwrapped(IGH_Goo goo, object value)
+    {
+        Assert.That(goo.CastFrom(new GH_ObjectWrapper { Value = value }), Is.True);
+        Assert.That(goo.IsValid, Is.True);
+        Assert.That(goo.CastFrom(new GH_ObjectWrapper { Value = new GH_ObjectWrapper { Value = this } }), Is.False);
+    }
+
+    [Test]
+    public void A_toolpath_is_unwrapped_too()
+    {
+        var toolpath = Planner.Plan([Path], new PrintSetup()).Value!;
+        var goo = new ToolpathGoo();
+        Assert.That(goo.CastFrom(new GH_ObjectWrapper { Value = toolpath }), Is.True);
+        Assert.That(goo.Value, Is.SameAs(toolpath));
+    }
+
+    [Test]
+    public void An_extracted_choice_takes_the_names_of_its_port()
+    {
+        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path).Feed("Printer", "generic");
+        var archive = new GH_Archive();
+        archive.AppendObject(plan.Input("Policy"), "Param");
+        var read = new GH_Archive();
+        read.Deserialize_Xml(archive.Serialize_Xml());
+        var stored = new ChoiceParam();
+        read.ExtractObject(stored, "Param");
+        Assert.That(stored.Choices.Select(c => c.Key), Is.EqualTo(new[] { "Printer", "As Drawn" }), "From the file.");
+        foreach (var extracted in new[] { stored, new ChoiceParam() })
+        {
+            plan.Document.AddObject(extracted, false);
+            plan.Input("Policy").RemoveAllSources();
+            plan.Input("Policy").AddSource(extracted);
+            extracted.RemoveAllSources();
+            var text = new Grasshopper.Kernel.Parameters.Param_String();
+            text.SetPersistentData("as drawn");
+            plan.Document.AddObject(text, false);
+            extracted.AddSource(text);
+            plan.Document.NewSolution(true);
+            Assert.That(plan.Errors, Is.Empty);
+            Assert.That(plan.One<Toolpath>("Toolpath").Moves().Select(m => m.Kind), Has.None.EqualTo(MoveKind.Retract));
+        }
+    }
+
+    [Test]
+    public void A_profile_can_be_set_by_its_name_on_the_command_line()
+    {
+        var param = new OpenPrinterParam();
+        Rhino.Input.RhinoGet.Answers.Clear();
+        Assert.That(param.Ask(), Is.EqualTo((GH_GetterResult.cancel, (string?)null)));
+        Rhino.Input.RhinoGet.Answers.Enqueue("no such printer");
+        Assert.That(param.Ask().Result, Is.EqualTo(GH_GetterResult.cancel));
+        Rhino.Input.RhinoGet.Answers.Enqueue(" ender3 ");
+        Assert.That(param.Ask(), Is.EqualTo((GH_GetterResult.success, (string?)"ender3")));
+        foreach (var answer in new[] { "generic", "ender3", "" }) Rhino.Input.RhinoGet.Answers.Enqueue(answer);
+        Assert.That(param.AskAll(), Is.EqualTo(new[] { "generic", "ender3" }));
+    }
+
+    private sealed class OpenPrinterParam() : StoredParam<PrinterGoo>("Printer", "P", "Printers.", "Setup")
+    {
+        public override System.Guid ComponentGuid => new("4b0cbb57-8f4e-4a3a-9c31-6f1d8f2f4b01");
+
+        public (GH_GetterResult Result, string? Name) Ask()
+        {
+            var value = new PrinterGoo();
+            var result = Prompt_Singular(ref value);
+            return (result, value.Value?.Name);
+        }
+
+        public string[] AskAll()
+        {
+            var values = new System.Collections.Generic.List<PrinterGoo>();
+            Prompt_Plural(ref values);
+            return values.Select(v => v.Value.Name).ToArray();
+        }
+    }
+}
