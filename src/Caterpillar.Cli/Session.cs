@@ -110,6 +110,11 @@ internal sealed class Session
         }
     }
 
+    /// <summary>The decoded file; one that is no G-code is bad input, whatever else was noticed in it.</summary>
+    /// <exception cref="CliException">There is none.</exception>
+    public DecodedGCode GCodeOrFail(Result<DecodedGCode> result)
+        => result.Value?.NotGCode is { } none ? ValueOrFail(new Result<DecodedGCode>(null, [none])) : ValueOrFail(result);
+
     /// <summary>Prints the diagnostics and returns the value.</summary>
     /// <exception cref="CliException">There is none.</exception>
     public T ValueOrFail<T>(Result<T> result, int code = ExitCode.BadInput)

@@ -66,7 +66,7 @@ public class ConvertTests : CliFixture
         Assert.That(Run("convert", "a.gcode", "-o", "-", "--move", "1,2,0.1").Text, Is.EqualTo(
             Square.Replace("X10 Y10 Z0.2", "X11 Y12 Z0.3").Replace("X10 Y10 Z0.4", "X11 Y12 Z0.5").Replace("X30", "X31").Replace("Y20", "Y22")));
         Assert.That(Run("convert", "a.gcode", "-o", "-", "--scale", "2").Text, Is.EqualTo(
-            Square.Replace("X10 Y10 Z0.2", "X0 Y5 Z0.4").Replace("X10 Y10 Z0.4", "X0 Y5 Z0.8").Replace("X30 E2", "X40 E4").Replace("Y20 E1", "Y25 E2")));
+            Square.Replace("X10 Y10 Z0.2", "X0 Y5 Z0.4").Replace("X10 Y10 Z0.4", "X0 Y5 Z0.8").Replace("X30 E2", "X40 E16").Replace("Y20 E1", "Y25 E8")));
         Assert.That(Run("convert", "a.gcode", "-o", "-", "--turn", "180", "--last-layer", "0").Text, Is.EqualTo(
             Square.Replace("X10 Y10 Z0.2 F6000\nG1 X30 E2 F1200\nG1 Y20 E1", "X30 Y20 Z0.2 F6000\nG1 X10 E2 F1200\nG1 Y10 E1")));
     }

@@ -39,7 +39,7 @@ public class DecodeTests : CliFixture
         var table = Run("decode", "a.gcode", "--csv").Text;
         Assert.That(Run(Encoding.ASCII.GetBytes(Line), ["decode", "-", "--csv"]).Text, Is.EqualTo(table));
         Assert.That(Run(Packed(Line), ["decode", "-", "--csv"]).Text, Is.EqualTo(table));
-        Assert.That(Run([], ["decode", "-", "--json"]).Code, Is.Zero);
+        Assert.That(Run([], ["decode", "-", "--json"]).Code, Is.EqualTo(1), "nothing is no G-code");
     }
 
     [Test]
@@ -82,15 +82,18 @@ public class DecodeTests : CliFixture
     }
 
     [Test]
-    public void Any_bytes_decode()
+    public void Any_bytes_are_read_and_what_is_no_G_code_is_refused()
     {
         var random = new Random(3);
         var bytes = new byte[20_000];
         random.NextBytes(bytes);
         File.WriteAllBytes("a.gcode", bytes);
+        Assert.That(Run("decode", "a.gcode", "--json").Messages, Does.Contain("binary data"));
+        Assert.That(Run("decode", "a.gcode", "--csv").Code, Is.EqualTo(1));
+        for (var i = 0; i < bytes.Length; i++) bytes[i] = bytes[i] == 0 || i % 16 == 0 ? (byte)'\n' : bytes[i];
+        bytes = [.. bytes, .. Enumerable.Repeat("\nG1 X1 E1", 200).SelectMany(Encoding.ASCII.GetBytes)];
+        File.WriteAllBytes("a.gcode", bytes);
         Assert.That(Run("decode", "a.gcode", "--json").Code, Is.Zero);
-        Assert.That(Run("decode", "a.gcode", "--csv").Code, Is.Zero);
-        Assert.That(Run("decode", "a.gcode").Code, Is.Zero);
     }
 
     [Test]

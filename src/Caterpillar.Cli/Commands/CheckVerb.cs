@@ -57,7 +57,7 @@ internal sealed class CheckVerb : Verb
     private static DecodedGCode Decoded(string file, string name, DecodeOptions options, Session session)
     {
         using var stream = session.OpenRead(file);
-        return session.ValueOrFail(session.WithProgress("Reading " + name,
+        return session.GCodeOrFail(session.WithProgress("Reading " + name,
             progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel)));
     }
 }

@@ -67,7 +67,7 @@ internal sealed class ConvertVerb : Verb
         var target = Target(arguments);
         var from = CommonOptions.DialectOf(arguments.GetValue(_from));
         var document = Read(file, session);
-        var decoding = session.ValueOrFail(session.WithProgress("Reading",
+        var decoding = session.GCodeOrFail(session.WithProgress("Reading",
             p => GCodeDecoder.Decode(document,
                 new DecodeOptions { Dialect = from, Memory = session.Memory,
                     FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, p,

@@ -121,7 +121,7 @@ internal sealed class DecodeVerb : Verb
         using var stream = sum is null ? plain : new HashingStream(plain, sum);
         var result = session.WithProgress("Reading " + name, progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel));
         if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.packed", name)]);
-        var decoding = session.ValueOrFail(result);
+        var decoding = session.GCodeOrFail(result);
         var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };
         if (sum is not null) report = report with { Sha256 = Convert.ToHexStringLower(sum.GetHashAndReset()) };
         return (name, decoding, report);

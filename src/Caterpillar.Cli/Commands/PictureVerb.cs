@@ -54,7 +54,7 @@ internal sealed class PictureVerb : Verb
         if (width is < 16 or > 8000) throw new CliException(ExitCode.Usage, "--width needs 16 to 8000 pixels.");
         var view = ViewOf(arguments.GetValue(_view)!);
         using var stream = session.OpenRead(file);
-        var toolpath = session.ValueOrFail(session.WithProgress("Decoding",
+        var toolpath = session.GCodeOrFail(session.WithProgress("Decoding",
             progress => GCodeDecoder.DecodeStream(stream, new DecodeOptions { Memory = session.Memory }, Session.NameOf(file), progress, session.Cancel)))
                 .Toolpath;
         var options = new PictureOptions

@@ -1,6 +1,7 @@
 using System.IO;
 using System.Text;
 using Caterpillar.Basics;
+using Caterpillar.GCode;
 using Caterpillar.Machines;
 
 namespace Caterpillar.Cli.Commands;
@@ -12,10 +13,13 @@ internal static class PrinterImport
     {
         var similar = like is null ? null : session.ValueOrFail(session.Profiles.Printer(like), File.Exists(like) ? ExitCode.BadInput : ExitCode.Usage);
         var name = Path.GetFileNameWithoutExtension(output == "-" ? header : output);
+        var headerBytes = session.ReadBytes(header);
+        if (GCodeDecoder.Decode(headerBytes).Value?.NotGCode is { } none)
+            session.ValueOrFail(new Result<DecodedGCode>(null, [none with { Source = new SourceLocation(Session.NameOf(header)) }]));
         // A dash for the header is standard input; one for the footer means none.
         var footerText = footer == "-" ? "" : Text(footer, session);
         var imported = session.ValueOrFail(HeaderImport.Read(
-            Text(header, session), footerText, string.IsNullOrWhiteSpace(name)
+            Encoding.UTF8.GetString(headerBytes), footerText, string.IsNullOrWhiteSpace(name)
                 || name == "-" ? "imported" : name, similar, Session.NameOf(header), footer == "-" ? "footer" : footer));
         session.WriteText(output, text => text.Write(ProfileWriter.Write(imported.Printer)));
         if (materialOutput is not null) session.WriteText(materialOutput, text => text.Write(ProfileWriter.Write(imported.Material)));

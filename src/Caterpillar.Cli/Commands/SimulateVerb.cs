@@ -54,7 +54,7 @@ internal sealed class SimulateVerb : Verb
         using (var stream = GzipReader.Open(session.OpenRead(file)))
         {
             var read = session.WithProgress("Reading " + name, progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel));
-            decoded = session.ValueOrFail(read);
+            decoded = session.GCodeOrFail(read);
         }
         var motion = MotionSetup.Of(_setup, arguments, decoded, session);
         var timeline = session.WithProgress("Planning " + name, progress => Timeline.Of(decoded.Toolpath, motion.Setup, progress, session.Cancel));

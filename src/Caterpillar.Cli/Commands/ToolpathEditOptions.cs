@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Linq;
@@ -16,7 +17,9 @@ internal sealed class ToolpathEditOptions
     private readonly MoveFilterOptions _filter = new();
     private readonly Option<string?> _speed = new("--speed") { Description = "Multiply the speed of the chosen strands.", HelpName = "FACTOR|%" };
     private readonly Option<string?> _flow = new("--flow") { Description = "Multiply the material of the chosen strands.", HelpName = "FACTOR|%" };
-    private readonly Option<string?> _scale = new("--scale") { Description = "Scale the selection about the middle of its base.", HelpName = "FACTOR|X,Y,Z" };
+    private readonly Option<string?> _scale =
+        new("--scale") { Description = "Scale the selection about the middle of its base, strands and their amounts of E included.",
+        HelpName = "FACTOR|X,Y,Z" };
     private readonly Option<double?> _turn = new("--turn") { Description = "Turn the selection about its middle, counterclockwise seen from above.",
         HelpName = "DEGREES" };
     private readonly Option<string?> _move = new("--move") { Description = "Move the selection.", HelpName = "X,Y,Z" };
@@ -52,7 +55,11 @@ internal sealed class ToolpathEditOptions
             session.Print([new Diagnostic(Severity.Warning, "edit.nothing_selected", "The selection prints nothing in this file, so nothing is edited.")]);
         if (arguments.GetValue(_speed) is { } speed) toolpath = toolpath.ScaleSpeed(strands, Numbers.Factor(speed, "--speed", 1e-6));
         if (arguments.GetValue(_flow) is { } flow) toolpath = toolpath.ScaleFlow(strands, Numbers.Factor(flow, "--flow", 0));
-        if (Map(toolpath, strands, arguments) is { } map) toolpath = toolpath.Transform(filter, map, tolerance);
+        if (Map(toolpath, strands, arguments) is { } map)
+        {
+            if (arguments.GetValue(_scale) is { } scales) session.Print(ScaleNotes(toolpath, strands, Numbers.Scale(scales)));
+            toolpath = toolpath.Transform(filter, map, tolerance);
+        }
         if (arguments.GetValue(_deform) is { } formulas)
         {
             if (formulas.Trim().Length == 0) throw new CliException(ExitCode.Usage, "--deform needs formulas, for example \"x + 0.1*z, y, z\".");
@@ -97,6 +104,16 @@ internal sealed class ToolpathEditOptions
     {
         var changed = toolpath.InsertAtLayer(layer, what);
         return changed.Value ?? throw new CliException(ExitCode.Usage, changed.Diagnostics[0].Message);
+    }
+
+    // What scaling cannot know.
+    private static IEnumerable<Diagnostic> ScaleNotes(Toolpath toolpath, MoveFilter strands, Vec3 scale)
+    {
+        if (toolpath.Moves().Where(strands.MatchesIn(toolpath)).All(m => m.Deposited == 0))
+            yield return new Diagnostic(Severity.Warning, "edit.no_amounts", "The strands have no amounts of E: only their paths are scaled.");
+        else if (scale.X != scale.Y || scale.Y != scale.Z)
+            yield return new Diagnostic(Severity.Remark, "edit.scaled_apart",
+                "Axes are scaled apart: each strand gets the area that its direction gives it; a width in a comment is that of the first strand after it.");
     }
 
     // Null if nothing is moved.

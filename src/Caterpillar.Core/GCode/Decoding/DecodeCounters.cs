@@ -6,6 +6,8 @@ namespace Caterpillar.GCode;
 /// <summary>The sums of a decode report while they grow; in coordinates as written.</summary>
 internal sealed class DecodeCounters
 {
+    /// <summary>Lines with a G, M or T command.</summary>
+    public int Commands;
     public int Prints;
     public int Travels;
     public int TravelsWithRetract;

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Caterpillar.Basics;
 using Caterpillar.Dialects;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -44,6 +45,12 @@ public sealed class DecodedGCode
     public IReadOnlyDictionary<string, int> Ignored { get; }
 
     public ExtrusionRule Rule { get; }
+
+    /// <summary>
+    /// The error <c>gcode.none</c> for a file without a command, which says what the file looks like (a mesh, a picture, an archive …); null for G-code. It is
+    /// no diagnostic of decoding, which takes any bytes.
+    /// </summary>
+    public Diagnostic? NotGCode { get; internal init; }
 
     /// <summary>The state of the machine before each chunk of the document.</summary>
     internal Checkpoint[] Checkpoints { get; init; } = [];

@@ -183,6 +183,7 @@ public static class GCodeDecoder
         var toolpath = interpreter.ToToolpath(FilamentFactors.Of(settings, options.FilamentDiameter));
         var report = Reports.Of(interpreter, axis, name, bytes, mark);
         var diagnostics = problems.ToList();
+        var none = FileKind.NotGCode(searched.Count > 0 ? searched[0] : null, bytes, lines, interpreter.Machine.Counters.Commands);
         if (name.Length > 0) diagnostics = diagnostics.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }).ToList();
         return new Result<DecodedGCode>(
             new DecodedGCode(document, toolpath, report, rules, detected?.Evidence
@@ -192,6 +193,7 @@ public static class GCodeDecoder
                 Axis = axis,
                 LastModeLine = interpreter.Machine.LastModeLine,
                 FirstLayerLine = interpreter.Comments.FirstLayerLine,
+                NotGCode = none is null || name.Length == 0 ? none : none with { Source = new SourceLocation(name) },
             },
             diagnostics);
     }

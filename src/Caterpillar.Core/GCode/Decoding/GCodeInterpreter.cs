@@ -65,12 +65,14 @@ internal sealed class GCodeInterpreter
         _machine.Features.Lines += count;
         _machine.Features.CrLf += chunk.CrLf;
         _machine.Features.SemicolonComments += chunk.Comments;
+        var others = 0;
         for (var i = 0; i < count; i++)
         {
             ref var record = ref records[i];
             diagnostics.Line = firstLine + record.Line + 1;
             if (record.Op > LastFastOp)
             {
+                others++;
                 if (record.Op == ChunkParser.Comment) CommentLine(text, record.Start, record.Aux);
                 else Execute(text, record.Start, record.Aux);
                 continue;
@@ -97,6 +99,7 @@ internal sealed class GCodeInterpreter
                 e,
                 record.Op);
         }
+        _machine.Counters.Commands += count - others;
     }
 
     /// <summary>
@@ -166,6 +169,7 @@ internal sealed class GCodeInterpreter
             else if (!Comments.HasRoles) Comments.AfterMove(text, line.CommentStart);
         }
         if (line.Shape == LineShape.Empty) return;
+        if (line.HasValue[0] && line.Letters[0] is (byte)'G' or (byte)'M' or (byte)'T') _machine.Counters.Commands++;
         switch ((char)line.Letters[0])
         {
             case 'M':

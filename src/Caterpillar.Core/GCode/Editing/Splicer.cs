@@ -19,6 +19,7 @@ internal sealed class Splicer
     private readonly SpliceTasks _tasks;
     private readonly CodeReplacement _code;
     private readonly CommentBuffer _comments;
+    private readonly CommentScale _scale;
     private readonly MoveWriter _moves;
     private readonly OtherLines _others;
 
@@ -31,6 +32,8 @@ internal sealed class Splicer
         _tasks = new SpliceTasks(_context, plan, new MoveCursor(edited));
         _code = new CodeReplacement(_context, options, plan);
         _comments = new CommentBuffer(_context);
+        _scale = new CommentScale(decoding.Toolpath, edited);
+        if (_scale.ChangesLayers) plan.Touch(1, int.MaxValue);
         var conversion = new MoveConversion(_context);
         _moves = new MoveWriter(_context, conversion, options.RewriteAll);
         _others = new OtherLines(_context, conversion);
@@ -109,7 +112,7 @@ internal sealed class Splicer
         var events = _context.Read.LastEvents.Count;
         if (!_code.Keeps(number)) _tasks.SkipTo(number + 1);
         else if (moves > 0 || commands > 0) WriteMotion(line, moves, commands, events);
-        else if (_context.Line.Shape == LineShape.Empty) _comments.Add(line);
+        else if (_context.Line.Shape == LineShape.Empty) _comments.Add(_scale.Image(line, number));
         else WriteOther(line, events);
         _tasks.SkipEvents(events);
     }

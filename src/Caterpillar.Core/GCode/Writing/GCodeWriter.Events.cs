@@ -10,7 +10,6 @@ namespace Caterpillar.GCode;
 /// <summary>Events, layers and tools.</summary>
 public sealed partial class GCodeWriter
 {
-    private static readonly string[] ModalWords = ["G90", "G91", "M82", "M83", "G92", "E"];
     private int _layers;
 
     private void Events(int move)
@@ -65,7 +64,7 @@ public sealed partial class GCodeWriter
                 _out.Comment(comment.Text.Length > 0 ? " " + comment.Text : "");
                 return;
             case RawEvent raw:
-                Raw(raw.Line);
+                Raw([raw.Line]);
                 return;
         }
     }
@@ -112,34 +111,13 @@ public sealed partial class GCodeWriter
         else _out.Word((byte)letter, 0, 0);
     }
 
-    // A line from elsewhere may have moved the head or changed the speed: the next move states everything.
-    private void Raw(string line)
-    {
-        _out.Line(line);
-        _positionKnown = false;
-        _f = long.MinValue;
-    }
-
-    // Lines of a template, and the modal state again where they may have changed it.
-    private void TemplateLines(IReadOnlyList<string> lines)
-    {
-        var modes = false;
-        foreach (var line in lines)
-        {
-            Raw(line);
-            var code = line.Split(';')[0];
-            foreach (var word in ModalWords) modes |= code.IndexOf(word, StringComparison.OrdinalIgnoreCase) >= 0;
-        }
-        if (modes) StateModes();
-    }
-
     private void Tool(int tool)
     {
         if (tool == _tool) return;
         var lines = _format.ToolLines?.Invoke(_tool, tool);
         CarryRest(tool);
         _tool = tool;
-        if (lines is { Count: > 0 }) TemplateLines(lines);
+        if (lines is { Count: > 0 }) Raw(lines);
         else StateTool(tool);
         if (_rules.PositionOfE == PositionOfERule.Shared) return;
         if (!_sums.TryGetValue(tool, out var sum)) _sums.Add(tool, sum = new ExtruderSum());
@@ -193,7 +171,7 @@ public sealed partial class GCodeWriter
                 _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
                 if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
             }
-            if (_layers++ > 0 && _format.LayerLines?.Invoke(number) is { Count: > 0 } lines) TemplateLines(lines);
+            if (_layers++ > 0 && _format.LayerLines?.Invoke(number) is { Count: > 0 } lines) Raw(lines);
         }
         if (_format.Comments) Object(layer.Object);
     }

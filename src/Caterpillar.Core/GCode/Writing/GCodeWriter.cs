@@ -56,6 +56,7 @@ public sealed partial class GCodeWriter
         _e = _format.ExtruderLetter;
         _relative = _format.WritesRelative;
         _switches = _format.Switches;
+        _raw = new RawEffects(_rules, _e);
         _sums.Add(0, _sum);
         _largestSum = NumberFormatter.ToUnits(LargestSum, _format.DecimalsE);
     }
@@ -101,7 +102,11 @@ public sealed partial class GCodeWriter
         foreach (var line in _format.Header) _out.Comment(" " + line);
         if (_format.PrintTime is { } seconds) _out.Comment("TIME:" + NumberFormatter.Format((long)Math.Round(seconds)));
         Template(_format.Start);
+        _raw.Read(_format.Start);
+        if (_raw.Unit && _rules.Inches) Modal(21);
+        if (_raw.Plane && _rules.Planes) Modal(17);
         StateModes();
+        if (_raw.Tool is > 0) StateTool(_tool);
         Flush(stream);
     }
 
@@ -185,6 +190,8 @@ public sealed partial class GCodeWriter
                 break;
         }
         if (_switches) Switch(kind == MoveKind.Print);
+        ReturnTo(c, block, i);
+        if (kind == MoveKind.Travel) _travelSpeed = c.Speed[i];
         SetTurns(c, i);
         if (c.TryGetArc(i, out var arc)) ArcMove(c, block, i, arc);
         else Straight(c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i], kind == MoveKind.Travel ? 0 : 1);

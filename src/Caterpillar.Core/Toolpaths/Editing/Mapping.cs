@@ -6,8 +6,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Moves, turns and scales paths and toolpaths. Cross-sections and speeds stay; E follows the length of the printed moves. Arcs stay arcs if the map keeps
-/// circles in the XY plane, else they become chords.
+/// Moves, turns and scales paths and toolpaths. Arcs stay arcs if the map keeps circles in the XY plane, else they become chords. Strands of a toolpath are
+/// scaled like the part: their heights and widths too, and so their E with the volume. The cross-sections of paths stay, as their design states them.
 /// </summary>
 public static class Mapping
 {
@@ -22,7 +22,7 @@ public static class Mapping
         return path.Layer is { } layer ? mapped.With(layer: Image(layer, map)) : mapped;
     }
 
-    /// <summary>The image of a toolpath. The material of a printed move follows its length; retractions, primes and speeds stay.</summary>
+    /// <summary>The image of a toolpath. Strands are scaled as solids, with their cross-section; retractions, primes and speeds stay.</summary>
     /// <inheritdoc cref="Transformed(PrintPath, Affine, double)" path="/param"/>
     public static Toolpath Transform(this Toolpath toolpath, Affine map, double tolerance = 0.01)
     {
@@ -85,6 +85,13 @@ public static class Mapping
         double x = map.XAxis.LengthXY, y = map.YAxis.LengthXY;
         return map.XAxis.Z == 0 && map.YAxis.Z == 0 && map.ZAxis.X == 0 && map.ZAxis.Y == 0
             && x > 0 && Math.Abs(x - y) <= 1e-9 * x && Math.Abs(Vec3.Dot(map.XAxis, map.YAxis)) <= 1e-9 * x * y;
+    }
+
+    // Shifts, turns and mirrors, whose rounding is no scale.
+    internal static bool KeepsLengths(Affine map)
+    {
+        static bool IsOne(double length) => Math.Abs(length - 1) <= 1e-12;
+        return IsOne(map.XAxis.Length) && IsOne(map.YAxis.Length) && IsOne(map.ZAxis.Length) && IsOne(Math.Abs(map.Determinant));
     }
 
     internal static Arc Image(Arc arc, Affine map)

@@ -7,6 +7,8 @@ namespace Caterpillar.Toolpaths;
 internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
 {
     private readonly bool _keepsArcs = Mapping.KeepsCircles(map);
+    private readonly bool _scales = !Mapping.KeepsLengths(map);
+    private readonly double _volume = Math.Abs(map.Determinant);
 
     public override void Divide(Move move, MoveRun run)
     {
@@ -21,10 +23,19 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
 
     public override void Map(MoveRun run)
     {
-        for (var i = 0; i < run.Points.Count; i++) run.Points[i] = map.Apply(run.Points[i]);
+        var from = run.Points[0];
+        run.Points[0] = map.Apply(from);
         for (var i = 0; i < run.Arcs.Count; i++)
         {
-            if (run.Arcs[i] is { } arc) run.Arcs[i] = Mapping.Image(arc, map);
+            var (start, to) = (from, run.Points[i + 1]);
+            run.Points[i + 1] = map.Apply(to);
+            from = to;
+            var length = run.Arcs[i] is { } arc ? arc.Length(start, to) : start.DistanceTo(to);
+            if (run.Arcs[i] is { } before) run.Arcs[i] = Mapping.Image(before, map);
+            if (!_scales || !(length > 0)) continue;
+            // A strand is scaled as a solid: its volume by the determinant, so its area by that and by how much shorter it gets.
+            var image = run.Arcs[i] is { } after ? after.Length(run.Points[i], run.Points[i + 1]) : run.Points[i].DistanceTo(run.Points[i + 1]);
+            if (image > 0) run.Flows[i] = _volume * length / image;
         }
     }
 }

@@ -47,9 +47,10 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
             run.Report(GH_RuntimeMessageLevel.Warning, "File is ignored, because G-code is connected.");
         var source = wired ?? Read(run);
         var result = run.Cached([source, options], () => run.Work("Decoding", (progress, cancel) => GCodeDecoder.Decode(source, options, progress, cancel)));
-        run.SetList(4, run.Report(result.Diagnostics));
+        var none = result.Value?.NotGCode;
+        run.SetList(4, run.Report(none is null ? result.Diagnostics : [none]));
         run.Set(1, new GCodeGoo(source));
-        if (result.Value is not { } decoding)
+        if (none is not null || result.Value is not { } decoding)
         {
             run.Set(0, null);
             return;

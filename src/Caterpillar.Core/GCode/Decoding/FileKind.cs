@@ -1,0 +1,76 @@
+using System;
+using Caterpillar.Basics;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Says of a file that is no G-code what it looks like, by its first bytes.</summary>
+internal static class FileKind
+{
+    // Bytes of any kind may contain what looks like a command by chance.
+    private const int LinesPerChance = 20;
+    private const int Looked = 4096;
+
+    /// <summary>The error for a file without commands, or null for G-code.</summary>
+    public static Diagnostic? NotGCode(GCodeChunk? head, long bytes, int lines, int commands)
+    {
+        if (commands > 0 && (long)commands * LinesPerChance >= lines) return null;
+        var kind = head is null || bytes == 0 ? "is empty" : Kind(head, bytes);
+        if (commands > 0 && kind is null) return null;
+        return new Diagnostic(Severity.Error, "gcode.none", "This is no G-code: the file " + (kind ?? "has no command that a printer understands") + ".");
+    }
+
+    private static string? Kind(GCodeChunk head, long bytes)
+    {
+        var (text, start) = (head.Text, head.Start + TextEncoding.MarkLength(head));
+        var end = Math.Min(head.End, start + Looked);
+        bool Begins(params byte[] mark)
+        {
+            if (end - start < mark.Length) return false;
+            for (var i = 0; i < mark.Length; i++)
+            {
+                if (text[start + i] != mark[i]) return false;
+            }
+            return true;
+        }
+        if (Begins((byte)'P', (byte)'K', 3, 4)) return "looks like a ZIP archive or a 3MF model";
+        if (Begins(0x1F, 0x8B)) return "looks like data packed with gzip twice";
+        if (Begins(0x89, (byte)'P', (byte)'N', (byte)'G')) return "looks like a picture (PNG)";
+        if (Begins(0xFF, 0xD8, 0xFF)) return "looks like a picture (JPEG)";
+        if (Begins((byte)'G', (byte)'I', (byte)'F', (byte)'8')) return "looks like a picture (GIF)";
+        if (Begins((byte)'%', (byte)'P', (byte)'D', (byte)'F')) return "looks like a PDF document";
+        if (IsBinaryStl(head, bytes)) return "looks like a mesh (binary STL)";
+        if (Array.IndexOf(text, (byte)0, start, end - start) >= 0) return "looks like binary data";
+        return TextKind(TextEncoding.Decode(text, start, end));
+    }
+
+    private static bool IsBinaryStl(GCodeChunk head, long bytes)
+        => bytes >= 84 && head.Length >= 84 && BitConverter.ToUInt32(head.Text, head.Start + 80) * 50L + 84 == bytes;
+
+    private static string? TextKind(string text)
+    {
+        var trimmed = text.TrimStart();
+        if (trimmed.Length == 0) return "has nothing but blank lines";
+        if (trimmed.StartsWith("solid", StringComparison.Ordinal) && trimmed.IndexOf("facet", StringComparison.Ordinal) > 0)
+            return "looks like a mesh (ASCII STL)";
+        if (trimmed.StartsWith("ply\n", StringComparison.Ordinal) || trimmed.StartsWith("ply\r", StringComparison.Ordinal)) return "looks like a mesh (PLY)";
+        if (trimmed[0] == '<')
+            return trimmed.IndexOf("<svg", StringComparison.OrdinalIgnoreCase) >= 0 ? "looks like a drawing (SVG)" : "looks like XML or HTML";
+        if (trimmed[0] is '{' or '[') return "looks like JSON";
+        return IsObj(trimmed) ? "looks like a mesh (OBJ)" : null;
+    }
+
+    // Its first line that is no comment.
+    private static bool IsObj(string text)
+    {
+        foreach (var line in text.Split('\n'))
+        {
+            if (line.Trim().Length == 0 || line[0] == '#') continue;
+            foreach (var word in new[] { "v ", "vn ", "vt ", "o ", "g ", "mtllib ", "usemtl " })
+            {
+                if (line.StartsWith(word, StringComparison.Ordinal)) return true;
+            }
+            return false;
+        }
+        return false;
+    }
+}

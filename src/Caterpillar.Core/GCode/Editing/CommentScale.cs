@@ -1,0 +1,110 @@
+using System;
+using System.Text.RegularExpressions;
+using Caterpillar.Basics;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// Heights and widths in comments (<c>;Z:</c>, <c>;HEIGHT:</c>, <c>;WIDTH:</c> and their relatives), which follow an edit that scales or lifts strands. The
+/// width after a comment is that of the first strand after it.
+/// </summary>
+internal sealed class CommentScale
+{
+    private const double NoChange = 1e-6;
+    private const int LongestComment = 120;
+    private const string Number = @"(-?\d*\.?\d+)\s*$";
+    private static readonly Regex Height = new(@"^;\s*(?:Z|Z_HEIGHT):\s*" + Number, RegexOptions.CultureInvariant);
+    private static readonly Regex Thickness = new(@"^;\s*(?:HEIGHT|LAYER_HEIGHT):\s*" + Number, RegexOptions.CultureInvariant);
+    private static readonly Regex Width = new(@"^;\s*(?:WIDTH|LINE_WIDTH):\s*" + Number, RegexOptions.CultureInvariant);
+    private static readonly Regex NumberedHeight = new(@"^;\s*(?:layer|Layer|LAYER) -?\d+, Z = " + Number, RegexOptions.CultureInvariant);
+    private static readonly Regex ObjectHeight = new(@"^;\s*BEGIN_LAYER_OBJECT.* z=(-?\d*\.?\d+)", RegexOptions.CultureInvariant);
+    private static readonly Regex ObjectThickness = new(@"^;\s*BEGIN_LAYER_OBJECT.* z_thickness=(-?\d*\.?\d+)", RegexOptions.CultureInvariant);
+    private static readonly Regex BareHeight = new("^;" + Number, RegexOptions.CultureInvariant);
+
+    private readonly Toolpath _before;
+    private readonly Toolpath _after;
+    private readonly StrandCursor _old;
+    private readonly StrandCursor _new;
+    private bool _afterChange;
+
+    public CommentScale(Toolpath before, Toolpath after)
+    {
+        (_before, _after) = (before, after);
+        (_old, _new) = (new StrandCursor(before), new StrandCursor(after));
+        IsActive = !ReferenceEquals(before, after) && before.Layers.Count == after.Layers.Count;
+        for (var i = 0; IsActive && i < before.Layers.Count; i++) ChangesLayers |= before.Layers[i] != after.Layers[i];
+    }
+
+    /// <summary>True where comments may change.</summary>
+    public bool IsActive { get; }
+
+    /// <summary>True where layers have other heights than before.</summary>
+    public bool ChangesLayers { get; }
+
+    /// <summary>The comment on a line of its own as it is to be written.</summary>
+    public FileLine Image(FileLine line, int number)
+    {
+        if (!IsActive || line.End - line.Start is < 2 or > LongestComment || !MayChange(line)) return line;
+        var text = TextEncoding.Decode(line.Text, line.Start, line.End);
+        var changed = Changed(text, number);
+        if (changed == text) return line;
+        var bytes = TextEncoding.Encode(changed);
+        var all = new byte[bytes.Length + line.Next - line.End];
+        Buffer.BlockCopy(bytes, 0, all, 0, bytes.Length);
+        Buffer.BlockCopy(line.Text, line.End, all, bytes.Length, line.Next - line.End);
+        return new FileLine(all, 0, bytes.Length, all.Length);
+    }
+
+    // PrusaSlicer's ;BEFORE_LAYER_CHANGE and ;AFTER_LAYER_CHANGE are followed by the bare height.
+    private string Changed(string text, int number)
+    {
+        var bare = _afterChange;
+        _afterChange = text is ";BEFORE_LAYER_CHANGE" or ";AFTER_LAYER_CHANGE";
+        if (_old.After(number) is not { } strand) return text;
+        var layer = strand.Layer >= 0 ? (Before: _before.Layers[strand.Layer], After: _after.Layers[strand.Layer]) : default;
+        if (layer.Before is not null)
+        {
+            text = Replace(text, Height, z => NewZ(z, layer.Before, layer.After));
+            text = Replace(text, NumberedHeight, z => NewZ(z, layer.Before, layer.After));
+            text = Replace(text, ObjectHeight, z => NewZ(z, layer.Before, layer.After));
+            if (bare) text = Replace(text, BareHeight, z => NewZ(z, layer.Before, layer.After));
+            text = Replace(text, Thickness, h => h * Ratio(layer.Before, layer.After));
+            text = Replace(text, ObjectThickness, h => h * Ratio(layer.Before, layer.After));
+        }
+        return Replace(text, Width, w => w * WidthFactor(strand, number, layer.Before is null ? 1 : Ratio(layer.Before, layer.After)));
+    }
+
+    private static double NewZ(double z, Layer before, Layer after)
+        => Math.Abs(Ratio(before, after) - 1) <= NoChange || !(before.Z > 0) ? z + after.Z - before.Z : z * after.Z / before.Z;
+
+    private static double Ratio(Layer before, Layer after) => before.Thickness > 0 && after.Thickness > 0 ? after.Thickness / before.Thickness : 1;
+
+    // From the areas of the strand before and after; 1 where only its material was changed.
+    private double WidthFactor(Move before, int number, double height)
+    {
+        if (_new.After(number) is not { } after || after.Source != before.Source) return 1;
+        double was = before.Length, now = after.Length;
+        if (!(was > 0 && now > 0 && before.Deposited > 0 && after.Deposited > 0)) return 1;
+        if (Math.Abs(now / was - 1) <= NoChange && Math.Abs(height - 1) <= NoChange && !ChangesLayers) return 1;
+        return after.Deposited / now / (before.Deposited / was) / height;
+    }
+
+    private static string Replace(string text, Regex pattern, Func<double, double> map)
+    {
+        var match = pattern.Match(text);
+        if (!match.Success || !NumberReader.TryParse(match.Groups[1].Value, out var value)) return text;
+        var mapped = map(value);
+        if (!(Math.Abs(mapped - value) > NoChange) || !(Math.Abs(mapped) < 1e9)) return text;
+        return text.Substring(0, match.Groups[1].Index) + NumberFormatter.Format(mapped, 6) + text.Substring(match.Groups[1].Index + match.Groups[1].Length);
+    }
+
+    // A quick look: the letters with which such comments begin.
+    private bool MayChange(FileLine line)
+    {
+        var at = line.Start;
+        while (at < line.End && line.Text[at] is (byte)' ' or (byte)';') at++;
+        if (at == line.End) return false;
+        return line.Text[at] is (byte)'Z' or (byte)'H' or (byte)'W' or (byte)'L' or (byte)'l' or (byte)'B' or (byte)'A' || _afterChange;
+    }
+}

@@ -1,0 +1,142 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Dialects;
+
+namespace Caterpillar.GCode;
+
+/// <summary>What lines from elsewhere (raw lines, templates) may change for the lines after them.</summary>
+internal sealed class RawEffects(DialectRules rules, byte extruder)
+{
+    private readonly ParsedLine _line = new();
+
+    /// <summary>Modes: absolute or relative, the mode of E; a unit other than mm; a plane other than XY.</summary>
+    public bool Modes { get; private set; }
+
+    public bool Unit { get; private set; }
+
+    public bool Plane { get; private set; }
+
+    /// <summary>Where the head is, and its feed rate.</summary>
+    public bool Position { get; private set; }
+
+    /// <summary>What a position of E is counted from.</summary>
+    public bool E { get; private set; }
+
+    /// <summary>The tool that was selected last, or null.</summary>
+    public int? Tool { get; private set; }
+
+    /// <summary>The extruder was switched on or off last (M101, M103), or null.</summary>
+    public bool? Switch { get; private set; }
+
+    /// <summary>Anything may have changed.</summary>
+    public bool Unknown { get; private set; }
+
+    /// <summary>Forgets what the lines before did, and takes these.</summary>
+    public void Read(IEnumerable<string> lines)
+    {
+        Modes = Unit = Plane = Position = E = Unknown = false;
+        Tool = null;
+        Switch = null;
+        foreach (var text in lines)
+        {
+            foreach (var line in text.Split('\n', '\r'))
+            {
+                var bytes = TextEncoding.Encode(line);
+                _line.Scan(bytes, 0, bytes.Length);
+                if (_line.Shape == LineShape.Macro) Macro(TextEncoding.Decode(bytes, _line.CodeStart, _line.CodeEnd).Trim().ToUpperInvariant());
+                else if (_line.Shape == LineShape.Code) Code();
+            }
+        }
+        if (Unknown) Modes = Unit = Plane = Position = E = true;
+    }
+
+    private void Code()
+    {
+        for (var i = 0; i < _line.Count; i++)
+        {
+            if (!_line.HasValue[i]) continue;
+            var number = _line.Values[i];
+            switch ((char)_line.Letters[i])
+            {
+                case 'G':
+                    G(number);
+                    break;
+                case 'M' when i == 0:
+                    M(number);
+                    return;
+                case 'T' when i == 0 && !rules.ToolByM6 && number is >= 0 and < 1000:
+                    Tool = (int)number;
+                    Position = true;
+                    break;
+            }
+        }
+        // A line of words alone continues the last motion.
+        if (_line.Letters[0] is (byte)'X' or (byte)'Y' or (byte)'Z' or (byte)'F') Moves();
+    }
+
+    private void G(double code)
+    {
+        switch (code)
+        {
+            case 4:
+                return;
+            case 17 or 18 or 19:
+                Plane = code != 17;
+                return;
+            case 20 or 21:
+                Unit = code == 20;
+                return;
+            case 90 or 91:
+                Modes = true;
+                return;
+            case 90.1 or 91.1:
+                return;
+            default:
+                if (code == 92 && _line.Count == 1) E = true;
+                Moves();
+                return;
+        }
+    }
+
+    private void Moves()
+    {
+        Position = true;
+        E |= extruder != 0 && _line.Has((char)extruder);
+    }
+
+    private void M(double code)
+    {
+        switch (code)
+        {
+            case 82 or 83:
+                Modes = true;
+                break;
+            case 101 or 103 when rules.SwitchedExtruder:
+                Switch = code == 101;
+                break;
+            case 6 when rules.ToolByM6 && _line.TryGet('T', out var tool) && tool is >= 0 and < 1000:
+                Tool = (int)tool;
+                Position = true;
+                break;
+            case 97 or 98 or 120 or 121:
+                // Programs of their own, and saved states.
+                Unknown = true;
+                break;
+            case 125 or 600 or 701 or 702:
+                Position = true;
+                E = true;
+                break;
+        }
+    }
+
+    // Firmware without extended commands does not understand such a line at all.
+    private void Macro(string text)
+    {
+        if (!rules.ExtendedCommands || text.Length == 0) return;
+        var name = text.Split(' ')[0];
+        var harmless = (name.StartsWith("SET_", StringComparison.Ordinal) && name is not ("SET_GCODE_OFFSET" or "SET_KINEMATIC_POSITION"))
+            || name.StartsWith("EXCLUDE_OBJECT", StringComparison.Ordinal) || name is "RESPOND" or "SAVE_GCODE_STATE" or "TURN_OFF_HEATERS";
+        if (!harmless) Unknown = true;
+    }
+}
