@@ -18,6 +18,7 @@ internal sealed class StrandTracer(double step, double limit, double thinnest)
     public List<Strand> Trace(Region piece)
     {
         var grid = new SegmentGrid(piece.Paths, piece.Bounds, limit);
+        var sampler = new BoundarySampler(grid, step, limit, null);
         var contours = grid.ContourStart.Length - 1;
         var samples = new List<BoundarySample>[contours];
         var first = new double[contours];
@@ -25,7 +26,7 @@ internal sealed class StrandTracer(double step, double limit, double thinnest)
         for (var c = 0; c < contours; c++)
         {
             samples[c] = [];
-            BoundarySamples.Take(grid, c, step, limit, null, samples[c]);
+            sampler.Take(c, samples[c]);
             // Begins at a corner, which is an end of the axis: from there the branches nest.
             start[c] = Math.Max(0, samples[c].FindIndex(s => s.Disc.Radius == 0 || s.Disc.Opposite > Corner));
             first[c] = samples[c].Count == 0 ? 0 : samples[c][start[c]].Edge + samples[c][start[c]].Along;

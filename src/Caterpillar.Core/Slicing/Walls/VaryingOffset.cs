@@ -47,11 +47,11 @@ internal sealed class VaryingOffset
         _region = region;
         _least = least;
         var grid = new SegmentGrid(region.Paths, strips.Bounds.Grow(2 * limit), limit);
-        var wanted = Near(grid, strips);
+        var sampler = new BoundarySampler(grid, Math.Min(0.25, limit / 2), limit, Near(grid, strips));
         _used = grid.ContourStart.Length - 1;
         for (var c = 0; c + 1 < grid.ContourStart.Length; c++)
         {
-            BoundarySamples.Take(grid, c, Math.Min(0.25, limit / 2), limit, wanted, _samples);
+            sampler.Take(c, _samples);
             if (_contours.Count == c) _contours.Add([]);
             var items = _contours[c];
             items.Clear();
@@ -72,9 +72,10 @@ internal sealed class VaryingOffset
     public List<(GridPoint[] Ring, double[] Distances)> Rings()
     {
         _distances.Clear();
+        var rings = Run(1, 0);
         // At tips both sides may run past each other and out again.
-        var inset = _region.Offset(-0.9 * _least, JoinStyle.Miter, 2, 0.005, _engine);
-        var rings = Region.Own(Run(1, 0)).Intersect(inset, _engine).Paths;
+        if (_engine.Arrangement.Touches || _engine.Arrangement.Cut)
+            rings = Region.Own(rings).Intersect(_region.Offset(-0.9 * _least, JoinStyle.Miter, 2, 0.005, _engine), _engine).Paths;
         var result = new List<(GridPoint[], double[])>(rings.Length);
         foreach (var ring in rings) result.Add((ring, DistancesOf(ring)));
         return result;

@@ -41,36 +41,13 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         return output.Result(line);
     }
 
-    // Where no place is so thin that its thickness matters, the walls are plain offsets.
+    // Where no place is so thin that its thickness matters, the walls are plain offsets. There is so much to spare that a coarse outline tells it.
     private bool IsThick(Region island)
     {
+        const double Coarse = 0.02;
         var depth = rules.Edge + rules.OuterSpacing + (rules.Count - 1 + 0.75) * rules.InnerSpacing;
-        var core = island.Offset(-depth, JoinStyle.Miter, 4, ArcTolerance, engine);
-        if (core.IsEmpty) return false;
-        // Where all contours are still there and meet nowhere, no two sides are near; what is left are corners.
-        var apart = !engine.Arrangement.Touches && !engine.Arrangement.Cut && core.Paths.Length == island.Paths.Length;
-        if (apart && !HasSharpCorner(island)) return true;
-        var opened = core.Offset(depth + 1e-3, JoinStyle.Miter, 4, ArcTolerance, engine);
-        return island.Subtract(opened, engine).WithoutSmallContours(0.25 * rules.InnerSpacing * rules.InnerSpacing).IsEmpty;
-    }
-
-    // A corner of less than 30° is thin at its tip.
-    private static bool HasSharpCorner(Region island)
-    {
-        foreach (var path in island.Paths)
-        {
-            var a = path[path.Length - 2];
-            var b = path[path.Length - 1];
-            foreach (var c in path)
-            {
-                double ux = (double)b.X - a.X, uy = (double)b.Y - a.Y, vx = (double)c.X - b.X, vy = (double)c.Y - b.Y;
-                var dot = ux * vx + uy * vy;
-                if (dot < 0 && ux * vy - uy * vx > 0 && dot * dot > 0.75 * (ux * ux + uy * uy) * (vx * vx + vy * vy)) return true;
-                a = b;
-                b = c;
-            }
-        }
-        return false;
+        var coarse = island.Simplified(Coarse, engine);
+        return ThinParts.Of(coarse, depth, 0.25 * rules.InnerSpacing * rules.InnerSpacing, engine, out _).IsEmpty;
     }
 
     private Region Varying(Region island, WallOutput output)
@@ -90,8 +67,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     private void Report(Region island, WallOutput output)
     {
         var radius = rules.Edge + rules.Spacing(rules.MinWidth) / 4;
-        var printed = island.Offset(-radius, JoinStyle.Miter, 4, ArcTolerance, engine).Offset(radius + 1e-3, JoinStyle.Miter, 4, ArcTolerance, engine);
-        foreach (var place in island.Subtract(printed, engine).WithoutSmallContours(SmallestReported).Islands)
+        foreach (var place in ThinParts.Of(island, radius, SmallestReported, engine, out _).Islands)
             output.TooThin.Add(new ThinPlace(place.Bounds.Center, place.Area));
     }
 

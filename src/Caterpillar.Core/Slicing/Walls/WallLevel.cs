@@ -14,14 +14,11 @@ internal sealed class WallLevel
 {
     private const double ArcTolerance = 0.005;
 
-    // Corners that are sharper than 29° are thin places; others belong to the thick part.
-    private const double MiterLimit = 4;
-
-    // Grown back by a little more than it was shrunk, so that rounding leaves no film.
-    private const double Film = 1e-3;
-
     // How far the two sides of a strip run past each other, so that nothing is left between them, mm.
     private const double TakeAll = 0.03;
+
+    // Share of the thickness for two beads at which they are still laid where the place is thicker on both sides.
+    private const double Tolerated = 0.88;
 
     private readonly WallRules _rules;
     private readonly RegionEngine _engine;
@@ -54,6 +51,8 @@ internal sealed class WallLevel
     /// <summary>Thickness up to which two beads share a place, mm.</summary>
     public double Double => _double;
 
+    private double SmallestThin => 0.05 * _spacing * _spacing;
+
     /// <summary>Lays the loops and strands of this round.</summary>
     /// <param name="area">What is still to be filled, by spacings.</param>
     /// <param name="index">Number of the round.</param>
@@ -61,22 +60,33 @@ internal sealed class WallLevel
     /// <returns>What is left.</returns>
     public Region Walls(Region area, int index, WallOutput output)
     {
-        var thick = Opened(area, _double);
-        var thin = thick.IsEmpty ? area : WithoutSmallContours(area.Subtract(thick, _engine));
+        var thin = ThinParts.Of(area, _double / 2, SmallestThin, _engine, out var thick);
         if (thin.IsEmpty) return Even(area, index, output);
         var wide = Strands(area, index, output);
         if (wide.IsEmpty) return wide;
-        var strips = ReferenceEquals(wide, area) ? thin : thick.IsEmpty ? wide : WithoutSmallContours(wide.Subtract(thick, _engine));
+        var strips = ReferenceEquals(wide, area) ? thin : thick.IsEmpty ? wide : wide.Subtract(thick, _engine).WithoutSmallContours(SmallestThin);
         return strips.IsEmpty ? Even(wide, index, output) : Varying(wide, strips, thick.IsEmpty, index, output);
     }
 
     /// <summary>Lays only the single strands. Returns what is wide enough for loops.</summary>
     public Region Strands(Region area, int index, WallOutput output)
     {
-        var core = WithoutShort(Mitered(area, -_single / 2));
-        var grown = Mitered(core, _single / 2 + Film);
-        var narrow = grown.IsEmpty ? area : WithoutSmallContours(area.Subtract(grown, _engine));
-        if (narrow.IsEmpty) return area;
+        // Where a place is only just too thin for two beads they become narrower, rather than change to a strand and back.
+        var core = WithoutShort(Mitered(area, -Tolerated * _single / 2));
+        var certain = ThinParts.Of(area, core, Tolerated * _single / 2, SmallestThin, _engine, out var grown);
+        if (certain.IsEmpty) return area;
+        core = WithoutShort(Mitered(area, -_single / 2));
+        var narrow = ThinParts.Of(area, core, _single / 2, SmallestThin, _engine, out grown);
+        var some = new List<GridPoint[]>();
+        foreach (var piece in narrow.Islands)
+        {
+            if (!piece.Intersect(certain.Near(piece.Box), _engine).IsEmpty) some.AddRange(piece.Paths);
+        }
+        if (some.Count < narrow.Paths.Length)
+        {
+            narrow = Region.Own(some.ToArray());
+            grown = Mitered(area.Subtract(narrow, _engine), ThinParts.Film);
+        }
         // Growing back makes corners that were cut off whole again.
         var wide = grown.Intersect(area, _engine);
         var stubs = new List<GridPoint[]>();
@@ -86,7 +96,7 @@ internal sealed class WallLevel
             if (piece.Area < 0.5 * _spacing * _spacing && Touches(piece, wide)) stubs.AddRange(piece.Paths);
             else Trace(piece, index, output);
         }
-        return stubs.Count == 0 ? wide : Mitered(wide, Film).Union(Region.Own(stubs.ToArray()), _engine).Intersect(area, _engine);
+        return stubs.Count == 0 ? wide : Mitered(wide, ThinParts.Film).Union(Region.Own(stubs.ToArray()), _engine).Intersect(area, _engine);
     }
 
     private Region Even(Region area, int index, WallOutput output)
@@ -112,13 +122,9 @@ internal sealed class WallLevel
     }
 
     private bool Touches(Region piece, Region other)
-        => !piece.Offset(3 * Film, JoinStyle.Miter, 2, ArcTolerance, _engine).Intersect(other, _engine).IsEmpty;
+        => !piece.Offset(3 * ThinParts.Film, JoinStyle.Miter, 2, ArcTolerance, _engine).Intersect(other, _engine).IsEmpty;
 
-    private Region Opened(Region area, double thickness) => Mitered(Mitered(area, -thickness / 2), thickness / 2 + Film);
-
-    private Region Mitered(Region area, double distance) => area.Offset(distance, JoinStyle.Miter, MiterLimit, ArcTolerance, _engine);
-
-    private Region WithoutSmallContours(Region region) => region.WithoutSmallContours(0.05 * _spacing * _spacing);
+    private Region Mitered(Region area, double distance) => area.Offset(distance, JoinStyle.Miter, ThinParts.MiterLimit, ArcTolerance, _engine);
 
     // A short thick place, such as a junction of strips, is not worth a loop.
     private Region WithoutShort(Region core)
