@@ -92,5 +92,9 @@ public sealed class Formula
         public FormulaNode? Element(string name, FormulaNode index, Token at) => null;
 
         public bool IsArray(string name) => false;
+
+        public IEnumerable<string> Functions => [];
+
+        public FormulaNode? Call(Token name, List<FormulaNode> arguments) => null;
     }
 }

@@ -10,4 +10,7 @@ internal sealed class FormulaException(string code, string message, int line, in
     public int Line { get; } = line;
 
     public int Column { get; } = column;
+
+    /// <summary>The included file; null for the text itself.</summary>
+    public string? File { get; set; }
 }

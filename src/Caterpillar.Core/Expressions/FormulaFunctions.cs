@@ -11,7 +11,7 @@ internal static class FormulaFunctions
     [
         "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "abs", "min", "max", "floor", "ceil", "round", "trunc", "frac", "sign", "exp", "ln",
             "log", "pow", "mod", "hypot",
-        "clamp", "lerp", "step", "smoothstep", "deg", "rad", "random", "randint",
+        "clamp", "lerp", "step", "smoothstep", "deg", "rad", "random", "randint", "noise",
     ];
 
     public static bool Knows(string name)
@@ -25,7 +25,7 @@ internal static class FormulaFunctions
 
     public static FormulaNode Call(Token name, List<FormulaNode> a)
     {
-        var node = a.Count switch
+        var node = name.Text == "noise" ? Smooth(a) : a.Count switch
         {
             0 => name.Text == "random" ? new FormulaNode(c => c.Random.NextDouble()) : null,
             1 => One(name.Text, a[0]),
@@ -112,6 +112,18 @@ internal static class FormulaFunctions
         return new FormulaNode(c => f(p(c), q(c), r(c)), Math.Max(a.Depth, Math.Max(b.Depth, t.Depth)) + 1);
     }
 
+    // It depends on the seed, so that constants are not folded.
+    private static FormulaNode? Smooth(List<FormulaNode> a)
+    {
+        if (a.Count is 0 or > 3) return null;
+        var x = a[0].Evaluate;
+        var y = a.Count > 1 ? a[1].Evaluate : _ => 0;
+        var z = a.Count > 2 ? a[2].Evaluate : _ => 0;
+        var depth = 0;
+        foreach (var node in a) depth = Math.Max(depth, node.Depth);
+        return new FormulaNode(c => Noise.At(c.Random.Seed, x(c), y(c), z(c)), depth + 1);
+    }
+
     private static double Tan(double degrees)
     {
         var (sin, cos) = Angle.SinCos(degrees);
@@ -135,6 +147,7 @@ internal static class FormulaFunctions
     {
         "random" => "no value (the next number), one (a seed) or two (from, to)",
         "min" or "max" => "at least one value",
+        "noise" => "one to three values (x, y, z)",
         "log" => "one or two values (value, base)",
         "atan2" or "pow" or "mod" or "hypot" or "step" or "randint" => "two values",
         "clamp" or "lerp" or "smoothstep" => "three values",

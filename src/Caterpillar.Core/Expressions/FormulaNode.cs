@@ -98,6 +98,12 @@ internal interface IFormulaScope
 
     bool IsArray(string name);
 
+    /// <summary>Names of its own functions, for suggestions.</summary>
+    IEnumerable<string> Functions { get; }
+
+    /// <summary>A call of one of its own functions, or null if it has none of that name.</summary>
+    FormulaNode? Call(Token name, List<FormulaNode> arguments);
+
     /// <summary>An element of the array of that name, or null.</summary>
     FormulaNode? Element(string name, FormulaNode index, Token at);
 }

@@ -183,14 +183,14 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
                 name.Column);
             return variable;
         }
-        if (Next.Is("(") && FormulaFunctions.Knows(name.Text)) return Call(name);
+        if (Next.Is("(") && (FormulaFunctions.Knows(name.Text) || scope.Functions.Contains(name.Text))) return Call(name);
         if (name.Text == "pi") return new FormulaNode(System.Math.PI);
         if (name.Text == "tau") return new FormulaNode(2 * System.Math.PI);
         if (FormulaFunctions.Knows(name.Text)) throw new FormulaException("formula.syntax", $"The function '{name.Text}' needs '('.", name.Line, name.Column);
         if (scope.IsArray(name.Text)) throw new FormulaException("formula.syntax", $"'{name.Text}' is an array; use {name.Text}[index].", name.Line,
             name.Column);
         var function = Next.Is("(") && !Next.SpaceBefore;
-        var known = function ? FormulaFunctions.Names : scope.Names.Concat(["pi", "tau"]).Concat(FormulaFunctions.Names);
+        var known = function ? scope.Functions.Concat(FormulaFunctions.Names) : scope.Names.Concat(["pi", "tau"]).Concat(FormulaFunctions.Names);
         throw new FormulaException("formula.unknown",
             $"There is no {(function ? "function" : "variable")} '{name.Text}'.{SpellingSuggestion.Hint(name.Text, known)}", name.Line, name.Column);
     }
@@ -212,7 +212,7 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
         Close(")", open);
         if (arguments.Count > 64) throw TooDeep(name);
         UsesRandom |= name.Text == "randint" || (name.Text == "random" && arguments.Count != 1);
-        return Checked(FormulaFunctions.Call(name, arguments), name);
+        return Checked(scope.Call(name, arguments) ?? FormulaFunctions.Call(name, arguments), name);
     }
 
     private void Close(string bracket, Token open)

@@ -12,7 +12,14 @@ public sealed class SeededRandom
 
     private ulong _state;
 
-    public SeededRandom(int seed = 0) => _state = Mix(unchecked((ulong)seed * Golden + Golden));
+    public SeededRandom(int seed = 0)
+    {
+        Seed = seed;
+        _state = Mix(unchecked((ulong)seed * Golden + Golden));
+    }
+
+    /// <summary>What it began with.</summary>
+    public int Seed { get; }
 
     /// <summary>The next number, at least 0 and below 1.</summary>
     public double NextDouble()
@@ -34,7 +41,8 @@ public sealed class SeededRandom
 
     private static double ToUnit(ulong bits) => (bits >> 11) * (1.0 / 9007199254740992.0);
 
-    private static ulong Mix(ulong z)
+    /// <summary>Scrambles bits.</summary>
+    internal static ulong Mix(ulong z)
     {
         unchecked
         {

@@ -62,11 +62,18 @@ public sealed class Deformation
         if (!(tolerance >= 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance must be 0 mm or more.");
         var problems = new DiagnosticList();
         var mapped = new List<PrintPath>(paths.Count);
+        var segments = 0L;
         for (var i = 0; i < paths.Count; i++)
         {
             cancel.ThrowIfCancellationRequested();
             progress?.Report((double)i / paths.Count);
-            if (Apply(paths[i], tolerance, i, problems, cancel) is { } path) mapped.Add(path);
+            if (Apply(paths[i], tolerance, i, problems, cancel) is not { } path) continue;
+            mapped.Add(path);
+            segments += path.SegmentCount;
+            if (segments <= PathDivision.MaxSegments) continue;
+            problems.Add(Severity.Error, "shape.too_fine",
+                $"The tolerance asks for more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in all.");
+            break;
         }
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : mapped, problems.ToList());
     }
@@ -78,7 +85,7 @@ public sealed class Deformation
         var values = divided.Beads;
         var areas = Array.ConvertAll(values, v => v.Area);
         var speeds = Array.ConvertAll(values, v => v.Speed);
-        if (Run(ref points, areas, speeds) is { } problem)
+        if (Run(ref points, areas, speeds, cancel) is { } problem)
         {
             problems.Add(problem with { Source = new SourceLocation(Step: number) });
             return null;
@@ -96,13 +103,14 @@ public sealed class Deformation
     /// Maps a run of points, and the areas (mm²) and speeds (mm/s) of the segments between them; returns the error of a map, after which the results are
     /// useless.
     /// </summary>
-    internal Diagnostic? Run(ref Vec3[] points, double[] areas, double[] speeds)
+    internal Diagnostic? Run(ref Vec3[] points, double[] areas, double[] speeds, CancellationToken cancel)
     {
         foreach (var stage in _stages)
         {
             var before = stage.Coordinates(points);
             for (var i = 0; i < areas.Length; i++)
             {
+                if ((i & 0xFFF) == 0) cancel.ThrowIfCancellationRequested();
                 var middle = (before[i] + before[i + 1]) * 0.5;
                 areas[i] = stage.Area?.Invoke(areas[i], middle) ?? areas[i];
                 speeds[i] = stage.Speed?.Invoke(speeds[i], middle) ?? speeds[i];

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -70,6 +71,12 @@ public sealed record Modulation
         var problems = new DiagnosticList();
         var modulated = new List<PrintPath>(paths.Count);
         double least = double.MaxValue, greatest = 0;
+        if (Resolution > 0 && !(paths.Sum(LengthOf) / Resolution <= PathDivision.MaxSegments))
+        {
+            problems.Add(Severity.Error, "shape.too_fine",
+                $"The resolution asks for more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in all.");
+            return new Result<IReadOnlyList<PrintPath>>(null, problems.ToList());
+        }
         for (var i = 0; i < paths.Count; i++)
         {
             cancel.ThrowIfCancellationRequested();
@@ -88,12 +95,20 @@ public sealed record Modulation
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : modulated, problems.ToList());
     }
 
+    private static double LengthOf(PrintPath path)
+    {
+        var length = 0.0;
+        for (var i = 0; i < path.SegmentCount; i++) length += path.LengthOf(i);
+        return length;
+    }
+
     private PrintPath? Scale(PrintPath path, int number, DiagnosticList problems, ref double least, ref double greatest, CancellationToken cancel)
     {
         var (points, beads, closed, arcs) = Parts(path, cancel);
         var places = new PathSamples(points, path, number, closed);
         for (var i = 0; i < beads.Length; i++)
         {
+            if ((i & 0xFFF) == 0) cancel.ThrowIfCancellationRequested();
             var change = ValueAt(places.Middle(i), 1, number, problems);
             if (change is not { } factor) return null;
             if (!(factor > 0 || (factor == 0 && Mode == ModulationMode.Flow)))
@@ -127,6 +142,7 @@ public sealed record Modulation
         var moved = new Vec3[points.Length];
         for (var i = 0; i < points.Length; i++)
         {
+            if ((i & 0xFFF) == 0) cancel.ThrowIfCancellationRequested();
             if (ValueAt(places.Vertex(i), 0, number, problems) is not { } amount) return null;
             moved[i] = points[i] + (Mode == ModulationMode.DisplaceUp ? Vec3.UnitZ : places.Left(i)) * amount;
         }

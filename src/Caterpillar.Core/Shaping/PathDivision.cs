@@ -10,6 +10,9 @@ namespace Caterpillar.Shaping;
 /// <summary>Divides the segments of a path: before a deformation until its image is smooth, before a modulation until it resolves the field.</summary>
 internal static class PathDivision
 {
+    /// <summary>The most segments of all paths of one call; each takes some hundred bytes until it is written.</summary>
+    public const int MaxSegments = 20_000_000;
+
     // mm; arcs have no straight ends to keep.
     private const double ArcTolerance = 0.01;
 
@@ -26,7 +29,7 @@ internal static class PathDivision
         Func<Vec3[], Vec3[]> map = deformation.Map;
         for (var i = 0; i < path.SegmentCount; i++)
         {
-            if ((i & 0xFFF) == 0) cancel.ThrowIfCancellationRequested();
+            cancel.ThrowIfCancellationRequested();
             SmoothDivision.Divide(path.Points[i], path.EndOf(i), path.ArcOf(i), tolerance, map, points);
             while (beads.Count < points.Count - 1) beads.Add(path.BeadOf(i));
         }
@@ -42,13 +45,13 @@ internal static class PathDivision
         var beads = new List<Bead>();
         for (var i = 0; i < path.SegmentCount; i++)
         {
-            if ((i & 0xFFF) == 0) cancel.ThrowIfCancellationRequested();
             var piece = new Piece(path, i);
             var parts = path.ArcOf(i)?.ChordCount(path.Points[i], ArcTolerance) ?? 1.0;
             if (maximum > 0) parts = Math.Max(parts, Math.Ceiling(path.LengthOf(i) / maximum - 1e-9));
             parts = Math.Min(parts, 10_000_000);
             for (var k = 1; k <= parts; k++)
             {
+                if ((points.Count & 0x3FFF) == 0) cancel.ThrowIfCancellationRequested();
                 points.Add(k == parts ? piece.End : piece.At(k / parts));
                 beads.Add(path.BeadOf(i));
             }

@@ -57,7 +57,7 @@ public static class ToolpathDeformation
                 areas[i] = move.Kind == MoveKind.Print && move.Length > 0 ? move.Deposited / move.Length * (run.Toolpath.VolumePerE(move.Tool) ?? 1) : 0;
             }
             var before = areas.ToArray();
-            if (deformation.Run(ref points, areas, speeds) is { } problem)
+            if (deformation.Run(ref points, areas, speeds, default) is { } problem)
             {
                 var first = run.Toolpath[run.Moves[0]];
                 Problem ??= problem with { Source = run.Toolpath.Source == MoveSource.Lines ? new SourceLocation(Line: first.Source)

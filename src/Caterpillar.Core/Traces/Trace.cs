@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -17,6 +18,9 @@ public sealed class Trace
     public const int DefaultStringsPerTurn = 72;
 
     private readonly List<TraceString> _strings = [];
+
+    /// <summary>Stops long shapes with <see cref="OperationCanceledException"/>.</summary>
+    public CancellationToken Cancel { get; init; }
 
     /// <summary>An empty part at a point.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The area is negative or not finite.</exception>
@@ -223,6 +227,7 @@ public sealed class Trace
     private Trace Draw(Vec3 to, double area)
     {
         if (CheckFinite(to, nameof(to)) == Position) return this;
+        if ((_strings.Count & 0xFFF) == 0) Cancel.ThrowIfCancellationRequested();
         _strings.Add(new TraceString(Position, to, area, Speed));
         Position = to;
         return this;

@@ -22,6 +22,9 @@ internal enum ScriptOp : byte
     Grow,
     NextLetter,
     Stop,
+    Print,
+    BeginShaping,
+    EndShaping,
 }
 
 /// <summary>One instruction of a compiled script.</summary>
@@ -55,6 +58,11 @@ internal sealed class Instruction(ScriptOp op, Token at)
     public IReadOnlyList<(string Name, int Slot, bool Local)> Variables { get; init; } = [];
 
     public string Name { get; init; } = "";
+
+    /// <summary>The included file; null for the script itself.</summary>
+    public string? File { get; set; }
+
+    public ShapingRules? Shaping { get; init; }
 }
 
 /// <summary>A compiled number of a command and its position.</summary>
@@ -79,6 +87,9 @@ internal sealed class Procedure(string name, IReadOnlyList<string> parameters, T
     public int Start { get; set; } = -1;
 
     public int FrameSize { get; set; }
+
+    /// <summary>True if it returns a value somewhere, so that formulas can call it.</summary>
+    public bool ReturnsValue { get; set; }
 }
 
 /// <summary>A text with {formulas} that are evaluated.</summary>
@@ -98,6 +109,9 @@ internal sealed class ScriptCode
     public int GlobalCount { get; init; }
 
     public int ArrayCount { get; init; }
+
+    /// <summary>True if a formula calls a procedure.</summary>
+    public bool CallsFunctions { get; init; }
 
     /// <summary>Parameters that can be set from outside, in order.</summary>
     public IReadOnlyList<string> Parameters { get; init; } = [];

@@ -48,12 +48,12 @@ internal sealed partial class ScriptCompiler
         var body = _code.Count;
         if (variable >= 0) Emit(new Instruction(ScriptOp.Set, token) { Slot = variable, Local = start.Local,
             Arguments = [new Argument(LoopValue(start), token)] });
-        _breaks.Push([]);
+        _breaks.Push(new Leaving(_shapings.Count));
         Block();
         next.Target = body;
         Emit(next);
         start.Target = _code.Count;
-        foreach (var jump in _breaks.Pop()) jump.Target = _code.Count;
+        foreach (var jump in _breaks.Pop().Jumps) jump.Target = _code.Count;
     }
 
     // from + turn * step, so that long loops do not drift.
@@ -102,22 +102,23 @@ internal sealed partial class ScriptCompiler
         var start = _code.Count;
         var condition = Formula("while");
         var leave = Emit(new Instruction(ScriptOp.JumpIfFalse, token) { Arguments = [condition] });
-        _breaks.Push([]);
+        _breaks.Push(new Leaving(_shapings.Count));
         Block();
         Emit(new Instruction(ScriptOp.Jump, token) { Target = start });
         leave.Target = _code.Count;
-        foreach (var jump in _breaks.Pop()) jump.Target = _code.Count;
+        foreach (var jump in _breaks.Pop().Jumps) jump.Target = _code.Count;
     }
 
     private void Break(Token token)
     {
         if (_breaks.Count == 0) throw Error("turtle.syntax", "'break' is only allowed in a loop.", token);
-        _breaks.Peek().Add(Emit(new Instruction(ScriptOp.Jump, token)));
+        CloseShapings(_breaks.Peek().Shapings, token);
+        _breaks.Peek().Jumps.Add(Emit(new Instruction(ScriptOp.Jump, token)));
     }
 
     private void Define(Token token)
     {
-        if (_nesting > 1 || _scope.InProcedure) throw Error("turtle.syntax", "Procedures must be defined outside of blocks.", token);
+        if (_nesting > _outermost || _scope.InProcedure) throw Error("turtle.syntax", "Procedures must be defined outside of blocks.", token);
         if (Next.Kind != TokenKind.Name) throw Error("turtle.syntax", "'def' needs a name: def square side [ … ].", Next);
         var procedure = _procedures[Next.Text];
         while (Next.Kind == TokenKind.Name || Next.Is(",")) _at++;
@@ -158,6 +159,14 @@ internal sealed partial class ScriptCompiler
         Emit(new Instruction(ScriptOp.Set, name) { Slot = slot, Local = local, Arguments = [value], Name = name.Text });
     }
 
+    // The jumps out of a loop, and the shaping blocks around it.
+    private sealed class Leaving(int shapings)
+    {
+        public int Shapings { get; } = shapings;
+
+        public List<Instruction> Jumps { get; } = [];
+    }
+
     // param side = 10: a value set from outside takes precedence.
     private void Param(Token token)
     {
@@ -195,7 +204,7 @@ internal sealed partial class ScriptCompiler
     private void Use(Token token)
     {
         const string Usage = "use \"printer\" [\"material\"] [\"settings\"]";
-        if (_nesting > 1 || _scope.InProcedure) throw Error("turtle.syntax", "'use' must not be inside a block.", token);
+        NotInBlock(token);
         if (_profiles.Count > 0) throw Error("turtle.syntax", "There is a 'use' already; a script is for one printer.", token);
         for (; Next.Kind == TokenKind.Text && _profiles.Count < 3; _at++) _profiles.Add(Next.Text);
         if (_profiles.Count == 0 || !EndsStatement(Next)) throw Error("turtle.values", $"'use' needs one to three texts: {Usage}.", token);

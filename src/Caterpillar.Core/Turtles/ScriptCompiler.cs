@@ -13,27 +13,34 @@ internal sealed partial class ScriptCompiler
     private static readonly string[] Keywords =
     [
         "repeat", "for", "to", "step", "if", "else", "while", "break", "let", "param", "array", "seed", "def", "return", "stop", "lsystem", "use", "keep",
-        "and", "or", "not",
+        "and", "or", "not", "print", "include", "image", "deform", "modulate", "gap_bead", "cool_layers",
     ];
 
-    private readonly List<Token> _tokens;
     private readonly List<Instruction> _code = [];
-    private readonly ScriptScope _scope = new();
     private readonly Dictionary<string, Procedure> _procedures = new(StringComparer.Ordinal);
+    private readonly ScriptScope _scope;
     private readonly List<string> _parameters = [];
-    private readonly Stack<List<Instruction>> _breaks = new();
+    private readonly Stack<Leaving> _breaks = new();
     private readonly List<string> _profiles = [];
+    private ScriptSource _source;
+    private List<Token> _tokens;
     private int _at;
     private int _nesting;
+    private int _outermost = 1;
 
-    private ScriptCompiler(List<Token> tokens) => _tokens = tokens;
+    private ScriptCompiler(ScriptSource source)
+    {
+        _scope = new ScriptScope(_procedures);
+        _source = source;
+        _tokens = source.Tokens;
+    }
 
     private Token Next => _tokens[_at];
 
     /// <exception cref="FormulaException">The text is not a program.</exception>
-    public static ScriptCode Compile(string text)
+    public static ScriptCode Compile(string text, string? file, ScriptFiles files)
     {
-        var compiler = new ScriptCompiler(Lexer.Read(text));
+        var compiler = new ScriptCompiler(ScriptSource.Read(text, file, files));
         compiler.Declare();
         compiler.Statements(end: null);
         compiler._code.Add(new Instruction(ScriptOp.Stop, compiler.Next));
@@ -42,60 +49,13 @@ internal sealed partial class ScriptCompiler
             Instructions = compiler._code.ToArray(),
             GlobalCount = compiler._scope.GlobalCount,
             ArrayCount = compiler._scope.ArrayCount,
+            CallsFunctions = compiler._scope.CallsFunctions,
             Parameters = compiler._parameters,
             Profiles = compiler._profiles,
             Letters = compiler._procedures.Values.Where(p => p.Name.Length == 1).ToDictionary(p => p.Name[0]),
             StepSlot = compiler._scope.GlobalSlot("step_length"),
             AngleSlot = compiler._scope.GlobalSlot("turn_angle"),
         };
-    }
-
-    // Names of procedures, globals and arrays are known everywhere, even before their line.
-    private void Declare()
-    {
-        var depth = 0;
-        var procedure = -1;
-        for (var i = 0; i + 1 < _tokens.Count; i++)
-        {
-            var token = _tokens[i];
-            var next = _tokens[i + 1];
-            if (token.Is("[")) depth++;
-            else if (token.Is("]") && --depth == procedure) procedure = -1;
-            if (token.IsWord("def") && procedure < 0)
-            {
-                if (next.Kind == TokenKind.Name) DeclareProcedure(i + 1);
-                procedure = depth;
-            }
-            else if (token.IsWord("array") && next.Kind == TokenKind.Name)
-            {
-                NewName(next, "array");
-                _scope.DeclareArray(next.Text);
-            }
-            else if (procedure < 0 && token.Kind == TokenKind.Name && next.Is("="))
-            {
-                NewName(token, "variable");
-                _scope.DeclareGlobal(token.Text);
-            }
-        }
-    }
-
-    private void DeclareProcedure(int at)
-    {
-        var name = _tokens[at];
-        NewName(name, "procedure");
-        if (TurtleCommands.Find(name.Text) is not null) throw Error("turtle.name",
-            $"'{name.Text}' is already a command; choose another name for the procedure.",
-            name);
-        if (_procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"The procedure '{name.Text}' is defined twice.", name);
-        var parameters = new List<string>();
-        for (var i = at + 1; _tokens[i].Kind == TokenKind.Name || _tokens[i].Is(","); i++)
-        {
-            if (_tokens[i].Kind != TokenKind.Name) continue;
-            NewName(_tokens[i], "parameter");
-            if (parameters.Contains(_tokens[i].Text)) throw Error("turtle.name", $"The parameter '{_tokens[i].Text}' is declared twice.", _tokens[i]);
-            parameters.Add(_tokens[i].Text);
-        }
-        _procedures.Add(name.Text, new Procedure(name.Text, parameters, name));
     }
 
     private static void NewName(Token name, string kind)
@@ -106,7 +66,7 @@ internal sealed partial class ScriptCompiler
 
     private void Statements(Token? end)
     {
-        if (++_nesting > MaxNesting) throw Error("turtle.nesting", "Blocks are nested too deeply.", Next);
+        if (++_nesting > MaxNesting) throw Error("turtle.nesting", $"Blocks are nested more than {Basics.NumberFormatter.Format(MaxNesting)} deep.", Next);
         while (true)
         {
             while (Next.Kind == TokenKind.NewLine || Next.Is(";")) _at++;
@@ -152,8 +112,12 @@ internal sealed partial class ScriptCompiler
             case "param": Param(token); return;
             case "array": NewArray(token); return;
             case "seed": Emit(new Instruction(ScriptOp.Seed, token) { Arguments = [Value("seed", "a number")] }); return;
-            case "return": Emit(new Instruction(_scope.InProcedure ? ScriptOp.Return : ScriptOp.Stop, token)); return;
+            case "return": Return(token); return;
             case "stop": Emit(new Instruction(ScriptOp.Stop, token)); return;
+            case "print": Print(token); return;
+            case "include": Include(token); return;
+            case "image": Image(token); return;
+            case "deform" or "modulate" or "gap_bead" or "cool_layers": Shape(token); return;
             case "lsystem": Grow(token); return;
             case "use": Use(token); return;
         }
@@ -209,7 +173,7 @@ internal sealed partial class ScriptCompiler
         }
         if (values.Count < required)
         {
-            if (Next.Kind == TokenKind.Name && !Next.IsWord("keep") && !BeginsStatement(Next)) Value(command.Text, usage);
+            if (Next.Kind == TokenKind.Name && !Next.IsWord("keep") && (!BeginsStatement(Next) || IsBeforeBracket(_at))) Value(command.Text, usage);
             throw Error("turtle.values", $"'{command.Text}' needs {Count(required)}: {usage}.", command);
         }
         if (!EndsStatement(Next) && Next.Kind != TokenKind.Name) throw Error("turtle.values", $"Found {Next}, expected the end of the command: {usage}.", Next);
@@ -241,9 +205,14 @@ internal sealed partial class ScriptCompiler
         TokenKind.Number => true,
         TokenKind.Symbol => t.Text is "(" or "-" or "+" or "!",
         TokenKind.Name => t.Text is "keep" or "not" or "pi" or "tau" || _scope.Variable(t.Text, t) is not null || _scope.IsArray(t.Text)
-            || (FormulaFunctions.Knows(t.Text) && !BeginsStatement(t)),
+            || (FormulaFunctions.Knows(t.Text) && !BeginsStatement(t)) || IsCall(t),
         _ => false,
     };
+
+    // A function directly before its '('; with a space it is a statement.
+    private bool IsCall(Token t) => _scope.IsFunction(t.Text) && IsBeforeBracket(_at);
+
+    private bool IsBeforeBracket(int at) => _tokens[at + 1].Is("(") && !_tokens[at + 1].SpaceBefore;
 
     private bool BeginsStatement(Token t)
         => _procedures.ContainsKey(t.Text) || TurtleCommands.Find(t.Text) is not null || (Keywords.Contains(t.Text) && t.Text is not ("keep" or "not"));
@@ -257,6 +226,7 @@ internal sealed partial class ScriptCompiler
 
     private Instruction Emit(Instruction instruction)
     {
+        instruction.File = _source.File;
         _code.Add(instruction);
         return instruction;
     }

@@ -8,48 +8,89 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Turtles;
 
 /// <summary>Runs a compiled script with a stack of its own, so that deep recursion ends at a limit and does not overflow the thread's stack.</summary>
-internal sealed class ScriptMachine
+internal sealed partial class ScriptMachine
 {
+    // Steps and moves between two looks at the clock and at the memory.
+    private const int Pulse = 2048;
+
+    // Numbers of an array that count as one step.
+    private const int NumbersPerStep = 64;
+
     private readonly ScriptCode _code;
-    private readonly Turtle _turtle;
     private readonly TurtleLimits _limits;
     private readonly IReadOnlyDictionary<string, double> _given;
     private readonly FormulaContext _context;
-    private readonly List<Frame> _frames = [];
     private readonly List<Letters> _words = [];
-    private readonly double[] _numbers = new double[4];
-    private LSystemInterpretation? _standard;
-    private double _standardStep;
-    private double _standardAngle;
-    private int _frameSize;
+    private readonly double[] _numbers = new double[TurtleCommand.MaxValues];
+    private readonly CancellationToken _cancel;
+    private Instruction _current;
+    private long _steps;
+    private long _pulse;
+    private long _arrayNumbers;
+    private bool _stopped;
 
-    public ScriptMachine(ScriptCode code, Turtle turtle, TurtleLimits limits, IReadOnlyDictionary<string, double> given, int seed)
+    public ScriptMachine(
+        ScriptCode code, Turtle turtle, TurtleLimits limits, IReadOnlyDictionary<string, double> given, int seed, CancellationToken cancel)
     {
         _code = code;
-        _turtle = turtle;
+        _current = code.Instructions[0];
+        Turtle = turtle;
         _limits = limits;
         _given = given;
+        _cancel = cancel;
         _frameSize = code.GlobalCount;
-        _context = new FormulaContext(new double[Math.Max(64, code.GlobalCount)], new SeededRandom(seed)) { Host = turtle,
+        _context = new FormulaContext(new double[Math.Max(64, code.GlobalCount)], new SeededRandom(seed)) { Host = this,
             Arrays = new double[]?[code.ArrayCount] };
         for (var i = 0; i < _frameSize; i++) _context.Values[i] = double.NaN;
+        Look();
     }
+
+    public Turtle Turtle { get; }
 
     /// <summary>What was noticed while it ran.</summary>
     public DiagnosticList Remarks { get; } = new();
 
+    /// <summary>An estimate of what the program holds, in bytes.</summary>
+    private long Bytes => Turtle.Bytes + 8 * (_arrayNumbers + _context.Values.Length);
+
     /// <exception cref="FormulaException">The program failed.</exception>
-    public void Run(CancellationToken cancel)
+    public void Run()
+    {
+        if (_code.CallsFunctions) OnLargeStack(RunHere);
+        else RunHere();
+    }
+
+    private void RunHere()
+    {
+        try
+        {
+            try
+            {
+                Loop(0);
+            }
+            catch (StopException)
+            {
+                // 'stop' in a function: the program ends here as well.
+            }
+            while (_open.Count > 0) EndShaping();
+            Weigh();
+        }
+        catch (FormulaException e) when (e.File is null)
+        {
+            e.File = _current.File;
+            throw;
+        }
+    }
+
+    // Until the program stops, or the function of a formula returns.
+    private void Loop(int pc)
     {
         var code = _code.Instructions;
-        var pc = 0;
-        var steps = 0L;
         while (true)
         {
             var at = code[pc];
-            if (++steps > _limits.MaxSteps) throw Error(at, "turtle.endless",
-                $"The program was stopped after {Text(_limits.MaxSteps)} steps. Does a loop never end?");
-            if ((steps & 0x3FFF) == 0) cancel.ThrowIfCancellationRequested();
+            _current = at;
+            if (++_steps >= _pulse) Look();
             pc++;
             switch (at.Op)
             {
@@ -66,7 +107,7 @@ internal sealed class ScriptMachine
                     SetElement(at);
                     break;
                 case ScriptOp.NewArray:
-                    _context.Arrays[at.Slot] = new double[Size(at)];
+                    NewArray(at);
                     break;
                 case ScriptOp.Seed:
                     _context.Random = new SeededRandom((int)(Integer(at.Arguments[0]!, -1e9, 1e9)));
@@ -93,18 +134,46 @@ internal sealed class ScriptMachine
                     pc = at.Procedure!.Start;
                     break;
                 case ScriptOp.Return:
-                    pc = Return();
+                    pc = Return(at);
+                    if (pc == ToFormula) return;
                     break;
                 case ScriptOp.Grow:
-                    _words.Add(new Letters(Grow(at, cancel)));
+                    _words.Add(new Letters(Grow(at)));
                     break;
                 case ScriptOp.NextLetter:
                     pc = NextLetter(at, pc);
                     break;
+                case ScriptOp.Print:
+                    Print(at);
+                    break;
+                case ScriptOp.BeginShaping:
+                    BeginShaping(at);
+                    break;
+                case ScriptOp.EndShaping:
+                    EndShaping();
+                    break;
                 default:
+                    _stopped = true;
                     return;
             }
         }
+    }
+
+    // Every so many steps, and after large ones: the limits and the user.
+    private void Look()
+    {
+        _cancel.ThrowIfCancellationRequested();
+        if (_steps > _limits.MaxSteps) throw Error(_current, "turtle.endless",
+            $"The program was stopped after {Text(_limits.MaxSteps)} steps. Does a loop never end?");
+        Weigh();
+        _pulse = Math.Min(_steps + Pulse, Math.Min(_limits.MaxSteps, long.MaxValue - 1) + 1);
+    }
+
+    private void Weigh()
+    {
+        if (Turtle.StackDepth > _limits.MaxStates) throw Error(_current, "turtle.too_many_states",
+            $"The program was stopped with {Text(_limits.MaxStates)} pushed states. Is there a push without a pop?");
+        if (_limits.Memory.Refuse(Bytes, "What the program has drawn and stored") is { } refusal) throw Error(_current, refusal.Code, refusal.Message);
     }
 
     private int Slot(Instruction at) => at.Local ? _context.Base + at.Slot : at.Slot;
@@ -113,16 +182,41 @@ internal sealed class ScriptMachine
     {
         var arguments = at.Arguments;
         for (var i = 0; i < arguments.Length; i++) _numbers[i] = arguments[i] is { } argument ? Number(argument) : double.NaN;
-        if (_turtle.MoveCount >= _limits.MaxMoves) throw Error(at, "turtle.too_many_moves", $"The program was stopped after {Text(_limits.MaxMoves)} moves.");
+        var moves = Turtle.MoveCount;
+        if (moves >= _limits.MaxMoves) throw TooManyMoves(at);
         try
         {
-            TurtleCommand.Apply(_turtle, at.Action, arguments.Length, _numbers[0], _numbers[1], _numbers[2], _numbers[3], at.Text is null ? ""
-                : TextOf(at.Text));
+            if (TraceShape.Of(at.Action, arguments.Length, _numbers) is { } shape) Draw(at, shape);
+            else TurtleCommand.Apply(Turtle, at.Action, arguments.Length, _numbers, at.Text is null ? "" : TextOf(at.Text));
         }
         catch (Exception e) when (e is ArgumentException or InvalidOperationException)
         {
             throw Error(at, "turtle.value", $"'{at.Name}': {Messages.Clean(e)}");
         }
+        moves = Turtle.MoveCount - moves;
+        if (moves > 1) _pulse -= moves;
+    }
+
+    // A shape made of strings is counted before it is made.
+    private void Draw(Instruction at, TraceShape shape)
+    {
+        if (!(Turtle.MoveCount + shape.Strings <= _limits.MaxMoves)) throw TooManyMoves(at);
+        if (_limits.Memory.Refuse(Bytes + shape.Strings * TraceShape.StringBytes, $"{NumberFormatter.Format(shape.Strings, 0)} strings") is { } refusal)
+            throw Error(at, refusal.Code, refusal.Message);
+        Turtle.Draw(shape.Make(Turtle.Bead, _cancel));
+    }
+
+    private FormulaException TooManyMoves(Instruction at)
+        => Error(at, "turtle.too_many_moves", $"The program was stopped after {Text(_limits.MaxMoves)} moves.");
+
+    private void NewArray(Instruction at)
+    {
+        var size = (int)Integer(at.Arguments[0]!, 0, _limits.MaxSymbols);
+        _arrayNumbers += size - (_context.Arrays[at.Slot]?.Length ?? 0);
+        // Before it is made; an array counts for its size, so that a loop of them ends.
+        _steps += size / NumbersPerStep;
+        Look();
+        _context.Arrays[at.Slot] = new double[size];
     }
 
     private double Number(Argument argument)
@@ -151,8 +245,6 @@ internal sealed class ScriptMachine
         array[index] = Number(at.Arguments[1]!);
     }
 
-    private int Size(Instruction at) => (int)Integer(at.Arguments[0]!, 0, _limits.MaxSymbols);
-
     private void StartLoop(int slot, double count)
     {
         _context.Values[slot] = 0;
@@ -177,108 +269,6 @@ internal sealed class ScriptMachine
 
     private bool NextTurn(int slot) => ++_context.Values[slot] < _context.Values[slot + 1];
 
-    private void Call(Instruction at, int back)
-    {
-        var procedure = at.Procedure!;
-        var values = Enter(procedure, at, back, out var start);
-        // Formulas still see the caller's variables; the new frame comes after them.
-        for (var i = 0; i < at.Arguments.Length; i++)
-        {
-            var value = Number(at.Arguments[i]!);
-            values[start + i] = value;
-        }
-        _context.Base = start;
-        _frameSize = procedure.FrameSize;
-    }
-
-    private double[] Enter(Procedure procedure, Instruction at, int back, out int start)
-    {
-        if (_frames.Count >= _limits.MaxDepth) throw Error(at, "turtle.recursion",
-            $"Procedures call each other {Text(_limits.MaxDepth)} levels deep. Does a recursion never end?");
-        start = _context.Base + _frameSize;
-        _frames.Add(new Frame(back, _context.Base, _frameSize, _words.Count));
-        var values = _context.Values;
-        if (start + procedure.FrameSize > values.Length)
-        {
-            Array.Resize(ref values, 2 * (start + procedure.FrameSize));
-            _context.Values = values;
-        }
-        for (var i = start; i < start + procedure.FrameSize; i++) values[i] = double.NaN;
-        return values;
-    }
-
-    private int Return()
-    {
-        var frame = _frames[_frames.Count - 1];
-        _frames.RemoveAt(_frames.Count - 1);
-        _context.Base = frame.Base;
-        _frameSize = frame.Size;
-        _words.RemoveRange(frame.Words, _words.Count - frame.Words);
-        return frame.Back;
-    }
-
-    private LSystemWord Grow(Instruction at, CancellationToken cancel)
-    {
-        var generations = (int)Integer(at.Arguments[0]!, 0, 1000);
-        var seed = (int)_context.Random.NextInteger(0, int.MaxValue);
-        var variables = new double[at.Variables.Count];
-        for (var i = 0; i < variables.Length; i++)
-        {
-            var (name, slot, local) = at.Variables[i];
-            variables[i] = _context.Values[local ? _context.Base + slot : slot];
-            if (double.IsNaN(variables[i]) && at.System!.Variables.Uses(name))
-                throw Error(at, "turtle.no_value", $"The variable '{name}' has no value yet.");
-        }
-        var result = at.System!.Grow(variables, generations, seed, _limits.MaxSymbols, null, cancel);
-        if (result.Value is null) throw Error(at, result.Diagnostics[0].Code, result.Diagnostics[0].Message);
-        foreach (var remark in result.Diagnostics) Remarks.Add(remark with { Source = new SourceLocation(Line: at.Line, Column: at.Column) });
-        return result.Value;
-    }
-
-    // One letter of the word on top; a procedure of its name returns here.
-    private int NextLetter(Instruction at, int pc)
-    {
-        var letters = _words[_words.Count - 1];
-        if (letters.At >= letters.Word.Count)
-        {
-            _words.RemoveAt(_words.Count - 1);
-            return pc;
-        }
-        var index = letters.At++;
-        var word = letters.Word;
-        if (_code.Letters.TryGetValue(word[index], out var procedure))
-        {
-            if (word.ValueCount(index) != procedure.Parameters.Count)
-                throw Error(at, "lsystem.value",
-                    $"The letter '{word[index]}' has {Text(word.ValueCount(index))} values, its procedure {Text(procedure.Parameters.Count)}.");
-            var values = Enter(procedure, at, pc - 1, out var start);
-            for (var v = 0; v < procedure.Parameters.Count; v++) values[start + v] = word.Value(index, v);
-            _context.Base = start;
-            _frameSize = procedure.FrameSize;
-            return procedure.Start;
-        }
-        if (_turtle.MoveCount >= _limits.MaxMoves) throw Error(at, "turtle.too_many_moves", $"The program was stopped after {Text(_limits.MaxMoves)} moves.");
-        try
-        {
-            Standard().Apply(_turtle, word, index);
-        }
-        catch (Exception e) when (e is ArgumentException or InvalidOperationException)
-        {
-            throw Error(at, e is InvalidOperationException ? "lsystem.bracket"
-                : "lsystem.value", $"Letter {Text(index + 1)} ('{word[index]}') of the word: {Messages.Clean(e)}");
-        }
-        return pc - 1;
-    }
-
-    private LSystemInterpretation Standard()
-    {
-        var step = _code.StepSlot < 0 || double.IsNaN(_context.Values[_code.StepSlot]) ? 1 : _context.Values[_code.StepSlot];
-        var angle = _code.AngleSlot < 0 || double.IsNaN(_context.Values[_code.AngleSlot]) ? 90 : _context.Values[_code.AngleSlot];
-        if (_standard is null || step != _standardStep || angle != _standardAngle) _standard = LSystemInterpretation.Standard(step, angle);
-        (_standardStep, _standardAngle) = (step, angle);
-        return _standard;
-    }
-
     private string TextOf(TextTemplate template)
     {
         if (template.Values.Count == 0) return template.Texts[0];
@@ -290,13 +280,4 @@ internal sealed class ScriptMachine
     private static string Text(long number) => NumberFormatter.Format(number);
 
     private static FormulaException Error(Instruction at, string code, string message) => new(code, message, at.Line, at.Column);
-
-    private readonly record struct Frame(int Back, int Base, int Size, int Words);
-
-    private sealed class Letters(LSystemWord word)
-    {
-        public LSystemWord Word { get; } = word;
-
-        public int At { get; set; }
-    }
 }

@@ -3,11 +3,12 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Expressions;
+using Caterpillar.Files;
 
 namespace Caterpillar.Turtles;
 
 /// <summary>Names of a script while it is compiled: globals, the locals of the current procedure, arrays, and the state of the turtle.</summary>
-internal sealed class ScriptScope : IFormulaScope
+internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedures) : IFormulaScope
 {
     private static readonly Dictionary<string, Func<Turtle, double>> State = new(StringComparer.Ordinal)
     {
@@ -26,6 +27,7 @@ internal sealed class ScriptScope : IFormulaScope
 
     private readonly Dictionary<string, int> _globals = new(StringComparer.Ordinal);
     private readonly Dictionary<string, int> _arrays = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, (GrayImage Image, bool Smooth)> _images = new(StringComparer.Ordinal);
     private Dictionary<string, int>? _locals;
     private int _localCount;
 
@@ -75,6 +77,20 @@ internal sealed class ScriptScope : IFormulaScope
         return slot;
     }
 
+    /// <summary>False if there is an image of that name already.</summary>
+    public bool DeclareImage(string name, GrayImage image, bool smooth)
+    {
+        if (_images.ContainsKey(name)) return false;
+        _images.Add(name, (image, smooth));
+        return true;
+    }
+
+    /// <summary>Names that only the values of a shaping block see, with their slots.</summary>
+    public Dictionary<string, (int Slot, bool Local)> Coordinates { get; } = new(StringComparer.Ordinal);
+
+    /// <summary>Those of the block at hand that its formulas read.</summary>
+    public HashSet<string> UsedCoordinates { get; } = new(StringComparer.Ordinal);
+
     /// <summary>A variable of the current procedure, or of the script outside of procedures.</summary>
     public (int Slot, bool Local) DeclareHere(string name)
     {
@@ -109,6 +125,11 @@ internal sealed class ScriptScope : IFormulaScope
     public FormulaNode? Variable(string name, Token at)
     {
         var (line, column) = (at.Line, at.Column);
+        if (Coordinates.TryGetValue(name, out var given))
+        {
+            UsedCoordinates.Add(name);
+            return given.Local ? new FormulaNode(c => c.Values[c.Base + given.Slot]) : new FormulaNode(c => c.Values[given.Slot]);
+        }
         if (_locals is not null && _locals.TryGetValue(name, out var local))
         {
             return new FormulaNode(c =>
@@ -130,10 +151,38 @@ internal sealed class ScriptScope : IFormulaScope
             var (slot, inFrame) = Repeats.Peek();
             return inFrame ? new FormulaNode(c => c.Values[c.Base + slot] + 1) : new FormulaNode(c => c.Values[slot] + 1);
         }
-        return State.TryGetValue(name, out var read) ? new FormulaNode(c => read((Turtle)c.Host!)) : null;
+        return State.TryGetValue(name, out var read) ? new FormulaNode(c => read(((ScriptMachine)c.Host!).Turtle)) : null;
     }
 
     public bool IsArray(string name) => _arrays.ContainsKey(name);
+
+    /// <summary>True if a formula calls a procedure.</summary>
+    public bool CallsFunctions { get; private set; }
+
+    public IEnumerable<string> Functions => procedures.Keys.Concat(_images.Keys);
+
+    /// <summary>True if formulas can call it.</summary>
+    public bool IsFunction(string name) => _images.ContainsKey(name) || (procedures.TryGetValue(name, out var procedure) && procedure.ReturnsValue);
+
+    public FormulaNode? Call(Token name, List<FormulaNode> arguments)
+    {
+        var image = _images.TryGetValue(name.Text, out var picture);
+        if (!procedures.TryGetValue(name.Text, out var procedure) && !image) return null;
+        if (procedure is { ReturnsValue: false })
+            throw new FormulaException("turtle.no_result", $"The procedure '{name.Text}' returns no value.", name.Line, name.Column);
+        var count = procedure?.Parameters.Count ?? 2;
+        if (arguments.Count != count) throw new FormulaException("formula.arguments",
+            $"'{name.Text}' takes {NumberFormatter.Format(count)} {(count == 1 ? "value" : "values")}, not {NumberFormatter.Format(arguments.Count)}.",
+            name.Line, name.Column);
+        var values = arguments.ConvertAll(a => a.Evaluate).ToArray();
+        var depth = arguments.Select(a => a.Depth).DefaultIfEmpty(0).Max() + 1;
+        CallsFunctions |= procedure is not null;
+        if (procedure is not null) return new FormulaNode(c => ((ScriptMachine)c.Host!).Call(procedure, values, name), depth);
+        var (u, v) = (values[0], values[1]);
+        return picture.Smooth
+            ? new FormulaNode(c => picture.Image.Between(u(c), v(c)), depth)
+            : new FormulaNode(c => picture.Image.Nearest(u(c), v(c)), depth);
+    }
 
     public FormulaNode? Element(string name, FormulaNode index, Token at)
     {

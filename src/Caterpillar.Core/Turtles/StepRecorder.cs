@@ -18,7 +18,16 @@ internal sealed class StepRecorder
     private PathTags? _tags;
     private double _travelSpeed;
 
+    private long _texts;
+
+    // A point and a bead, with the unused half of growing lists.
+    private const long MoveBytes = 100;
+    private const long EventBytes = 100;
+
     public long Moves { get; private set; }
+
+    /// <summary>An estimate of what is recorded, in bytes.</summary>
+    public long Bytes => MoveBytes * Moves + _texts;
 
     /// <summary>True if something has been recorded at a position, so that the start is fixed.</summary>
     public bool HasStarted { get; private set; }
@@ -29,7 +38,7 @@ internal sealed class StepRecorder
         HasStarted = true;
         if (from == to) return;
         CloseTravel();
-        if (_points.Count > 0 && !ReferenceEquals(tags, _tags) && tags != _tags) ClosePath();
+        if (_points.Count > 0 && (_points[_points.Count - 1] != from || (!ReferenceEquals(tags, _tags) && tags != _tags))) ClosePath();
         if (_points.Count == 0)
         {
             _points.Add(from);
@@ -63,9 +72,30 @@ internal sealed class StepRecorder
 
     public void Event(PrinterEvent what, Vec3 at, double speed)
     {
+        _texts += EventBytes + 2L * (what switch { CommentEvent comment => comment.Text.Length, RawEvent raw => raw.Line.Length, _ => 0 });
         if (what is ExtrudeEvent) StateStart(at, speed);
         Close();
         _steps.Add(new EventStep(what));
+    }
+
+    /// <summary>Ends the path at hand; the number of the next step.</summary>
+    public int Begin()
+    {
+        Close();
+        return _steps.Count;
+    }
+
+    /// <summary>The steps from a number on; the path at hand ends.</summary>
+    public IReadOnlyList<Step> From(int first)
+    {
+        Close();
+        return _steps.GetRange(first, _steps.Count - first);
+    }
+
+    public void Replace(int first, IReadOnlyList<Step> steps)
+    {
+        _steps.RemoveRange(first, _steps.Count - first);
+        _steps.AddRange(steps);
     }
 
     /// <summary>All steps so far; further moves continue the last path.</summary>

@@ -61,4 +61,10 @@ public enum TurtleAction : byte
 
     /// <summary>Repeats the commands of the body.</summary>
     Repeat,
+    CircleTrace,
+    SpiralTrace,
+    HelixTrace,
+    ConeTrace,
+    CylinderTrace,
+    SkirtTrace,
 }

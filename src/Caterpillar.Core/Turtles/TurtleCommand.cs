@@ -10,6 +10,9 @@ namespace Caterpillar.Turtles;
 /// <summary>One command as a value: an action, its numbers, and its text or body. Immutable.</summary>
 public sealed class TurtleCommand
 {
+    /// <summary>The most numbers of a command.</summary>
+    internal const int MaxValues = 6;
+
     private readonly double[] _values;
 
     private TurtleCommand(TurtleAction action, double[] values, string text, IReadOnlyList<TurtleCommand> body)
@@ -64,7 +67,8 @@ public sealed class TurtleCommand
     public void Apply(Turtle turtle)
     {
         if (Action == TurtleAction.Repeat) throw new InvalidOperationException("A repetition can only run in a program.");
-        Apply(turtle, Action, _values.Length, At(0), At(1), At(2), At(3), Text);
+        if (TraceShape.Of(Action, _values.Length, _values) is { } shape) turtle.Draw(shape.Make(turtle.Bead, default));
+        else Apply(turtle, Action, _values.Length, _values, Text);
     }
 
     /// <summary>As a line of a script.</summary>
@@ -77,8 +81,9 @@ public sealed class TurtleCommand
         return string.Join(" ", words);
     }
 
-    internal static void Apply(Turtle t, TurtleAction action, int count, double a, double b, double c, double d, string text)
+    internal static void Apply(Turtle t, TurtleAction action, int count, double[] values, string text)
     {
+        double a = At(values, 0), b = At(values, 1), c = At(values, 2), d = At(values, 3);
         switch (action)
         {
             case TurtleAction.Start: t.StartAt(a, b, count > 2 ? c : 0); break;
@@ -181,11 +186,11 @@ public sealed class TurtleCommand
 
     private static double? Keep(double value) => double.IsNaN(value) ? null : value;
 
-    private static int Integer(double value)
+    internal static int Integer(double value)
         => Math.Abs(value) <= 1e9 && value == Math.Floor(value) ? (int)value
             : throw new ArgumentOutOfRangeException(nameof(value), $"Found {Number(value)}, expected an integer.");
 
     private static string Number(double value) => NumberFormatter.Format(value, 12);
 
-    private double At(int index) => index < _values.Length ? _values[index] : double.NaN;
+    private static double At(double[] values, int index) => index < values.Length ? values[index] : double.NaN;
 }

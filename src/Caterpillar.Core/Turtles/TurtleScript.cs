@@ -15,6 +15,9 @@ namespace Caterpillar.Turtles;
 /// </summary>
 public sealed class TurtleScript
 {
+    /// <summary>Code of the remarks that are lines printed by the program (<c>print</c>); they come first, in their order.</summary>
+    public const string PrintCode = "turtle.print";
+
     private readonly ScriptCode _code;
     private readonly string? _file;
 
@@ -36,12 +39,13 @@ public sealed class TurtleScript
     /// <summary>Compiles a script. It never throws for the text; at max one error comes back, the first.</summary>
     /// <param name="text">The script.</param>
     /// <param name="file">Its name, for diagnostics.</param>
-    public static Result<TurtleScript> Compile(string text, string? file = null)
+    /// <param name="files">The files that it may read (<c>include</c>, <c>image</c>); none by default.</param>
+    public static Result<TurtleScript> Compile(string text, string? file = null, ScriptFiles? files = null)
     {
         if (text is null) throw new ArgumentNullException(nameof(text));
         try
         {
-            return new Result<TurtleScript>(new TurtleScript(text, file, ScriptCompiler.Compile(text)), []);
+            return new Result<TurtleScript>(new TurtleScript(text, file, ScriptCompiler.Compile(text, file, files ?? ScriptFiles.None)), []);
         }
         catch (FormulaException e)
         {
@@ -90,10 +94,10 @@ public sealed class TurtleScript
             diagnostics.Add(Severity.Error, "turtle.not_finite", $"The value of '{name}' is not finite.", _file is null ? null : new SourceLocation(_file));
         if (diagnostics.HasErrors) return diagnostics.ToList();
         var unclosed = turtle.StackDepth;
-        var machine = new ScriptMachine(_code, turtle, limits ?? new TurtleLimits(), given, seed);
+        var machine = new ScriptMachine(_code, turtle, limits ?? new TurtleLimits(), given, seed, cancel);
         try
         {
-            machine.Run(cancel);
+            machine.Run();
             if (turtle.StackDepth > unclosed)
                 diagnostics.Add(Severity.Remark, "turtle.push", $"{NumberFormatter.Format(turtle.StackDepth - unclosed)} pushed states are never popped.",
                     _file is null ? null : new SourceLocation(_file));
@@ -102,10 +106,12 @@ public sealed class TurtleScript
         {
             diagnostics.Add(Problem(e, _file));
         }
-        foreach (var remark in machine.Remarks.ToList()) diagnostics.Add(remark with { Source = remark.Source! with { File = _file } });
+        foreach (var remark in machine.Remarks.ToList()) diagnostics.Add(remark with { Source = remark.Source! with { File = remark.Source.File ?? _file } });
         progress?.Report(1);
-        return diagnostics.ToList();
+        return [.. machine.Prints().Select(p => p.Source is { File: null } place ? p with { Source = place with { File = _file } } : p),
+            .. diagnostics.ToList()];
     }
 
-    private static Diagnostic Problem(FormulaException e, string? file) => new(Severity.Error, e.Code, e.Message, new SourceLocation(file, e.Line, e.Column));
+    private static Diagnostic Problem(FormulaException e, string? file)
+        => new(Severity.Error, e.Code, e.Message, new SourceLocation(e.File ?? file, e.Line, e.Column));
 }

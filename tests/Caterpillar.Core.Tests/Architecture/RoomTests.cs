@@ -21,7 +21,7 @@ public class RoomTests
         ["Toolpaths"] = ["Basics", "Files", "Geometry", "Expressions"],
         ["Dialects"] = ["Basics", "Files", "Geometry", "Expressions", "Toolpaths"],
         ["Machines"] = ["Basics", "Files", "Geometry", "Expressions", "Toolpaths", "Dialects"],
-        ["Turtles"] = Data,
+        ["Turtles"] = [.. Data, "Traces", "Shaping"],
         ["Traces"] = Data,
         ["Drawings"] = Data,
         ["Slicing"] = Data,

@@ -1,0 +1,90 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Expressions;
+using Caterpillar.Files;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>
+/// The files that a script may read (<c>include</c>, <c>image</c>): those in certain folders and below them. A name is looked up next to the file that names
+/// it, then in the folders; whatever lies elsewhere is an error, also through <c>..</c> or a link.
+/// </summary>
+public sealed class ScriptFiles
+{
+    /// <summary>The largest file, bytes.</summary>
+    public const int MaxBytes = 64 << 20;
+
+    private readonly string[] _folders;
+
+    /// <param name="folders">The folder of the script first; none if it may read no file.</param>
+    public ScriptFiles(params string[] folders)
+        => _folders = (folders ?? throw new ArgumentNullException(nameof(folders))).Select(f => Path.GetFullPath(f.Length == 0 ? "." : f)).ToArray();
+
+    /// <summary>No file at all.</summary>
+    public static ScriptFiles None { get; } = new();
+
+    /// <summary>The path of a file that a token names, from a file or, for the script itself, null.</summary>
+    /// <exception cref="FormulaException">It does not exist or must not be read.</exception>
+    internal string Find(Token name, string? from)
+    {
+        if (_folders.Length == 0) throw Error("This script has no folder whose files it could read.", name);
+        var outside = false;
+        foreach (var folder in new[] { from is null ? _folders[0] : Path.GetDirectoryName(from)! }.Concat(_folders).Distinct(StringComparer.Ordinal))
+        {
+            if (Combine(folder, name) is not { } path) continue;
+            if (!IsInside(path))
+            {
+                outside = true;
+                continue;
+            }
+            if (Directory.Exists(path)) throw Error($"'{name.Text}' is a folder, not a file.", name);
+            if (!File.Exists(path)) continue;
+            if (!IsInside(Path.GetFullPath(FileLinks.Target(path)))) throw Error($"'{name.Text}' is a link out of the folders that the script may read.", name);
+            return path;
+        }
+        throw Error(outside ? $"'{name.Text}' is outside of the folders that the script may read." : $"There is no file '{name.Text}'.", name);
+    }
+
+    /// <exception cref="FormulaException">It cannot be read, or is too large.</exception>
+    internal static byte[] Read(string path, Token name)
+    {
+        try
+        {
+            using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read);
+            if (file.Length > MaxBytes) throw Error($"'{name.Text}' is larger than {MemoryLimit.Text(MaxBytes)}.", name);
+            var bytes = new byte[file.Length];
+            for (int at = 0, count; at < bytes.Length; at += count)
+            {
+                count = file.Read(bytes, at, bytes.Length - at);
+                if (count == 0) throw Error($"'{name.Text}' ended while it was read.", name);
+            }
+            return bytes;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw Error($"'{name.Text}' cannot be read.", name);
+        }
+    }
+
+    private static string? Combine(string folder, Token name)
+    {
+        try
+        {
+            return name.Text.Trim().Length == 0 ? null : Path.GetFullPath(Path.Combine(folder, name.Text));
+        }
+        catch (Exception e) when (e is ArgumentException or NotSupportedException or PathTooLongException)
+        {
+            return null;
+        }
+    }
+
+    private bool IsInside(string path) => _folders.Any(f => Below(path, f) || Below(path, Path.GetFullPath(FileLinks.Target(f))));
+
+    private static bool Below(string path, string folder)
+        => path.StartsWith(folder.TrimEnd(Path.DirectorySeparatorChar) + Path.DirectorySeparatorChar, StringComparison.Ordinal);
+
+    private static FormulaException Error(string message, Token name) => new("turtle.file", message, name.Line, name.Column);
+}

@@ -1,0 +1,43 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Toolpaths;
+using Caterpillar.Traces;
+
+namespace Caterpillar.Turtles;
+
+// Parts made of strings, and steps that are taken back to be shaped.
+public sealed partial class Turtle
+{
+    /// <summary>
+    /// Prints a part made of strings in the coordinates of the turtle: x is forward, y left, z up. The turtle stays where it is; with the pen up nothing is
+    /// printed. Strings without a speed have that of the turtle.
+    /// </summary>
+    public Turtle Draw(Trace part)
+    {
+        if (part is null) throw new ArgumentNullException(nameof(part));
+        if (!_state.PenDown) return this;
+        var (frame, own, tags) = (Pose, Bead, _state.Tags);
+        foreach (var s in part.Strings)
+            _recorder.Print(frame.ToWorld(s.Start), frame.ToWorld(s.End), new Bead(s.Area, own.Height, s.Speed > 0 ? s.Speed : own.Speed), tags);
+        return this;
+    }
+
+    /// <summary>Cross-section of strands that are given by width and height.</summary>
+    internal BeadShape Shape => _options.Shape;
+
+    /// <summary>An estimate of what has been drawn, in bytes.</summary>
+    internal long Bytes => _recorder.Bytes + StateBytes * _stack.Count + PoseBytes * (_poses?.Count ?? 0);
+
+    // With the unused half of a growing list.
+    private const long StateBytes = 300;
+    private const long PoseBytes = 192;
+
+    /// <summary>Where the following steps begin.</summary>
+    internal int BeginSteps() => _recorder.Begin();
+
+    /// <summary>The steps since then.</summary>
+    internal IReadOnlyList<Step> StepsFrom(int first) => _recorder.From(first);
+
+    /// <summary>Other steps instead of those since then.</summary>
+    internal void ReplaceSteps(int first, IReadOnlyList<Step> steps) => _recorder.Replace(first, steps);
+}

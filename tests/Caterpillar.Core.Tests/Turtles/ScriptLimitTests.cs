@@ -1,0 +1,76 @@
+using System;
+using System.Diagnostics;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Turtles;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Turtles;
+
+/// <summary>Programs that take too much are stopped with a sentence and a place, and every loop hears a cancel.</summary>
+internal sealed class ScriptLimitTests
+{
+    private static readonly TurtleLimits Small = new() { Memory = new MemoryLimit(20 << 20) };
+
+    [TestCase("\nrepeat 10000000 [ push ]", "turtle.too_many_states", 2, "1000000 pushed states")]
+    [TestCase("array a 10000000\nrepeat 40000000 [ array a 10000000 ]", "turtle.endless", 2, "50000000 steps")]
+    [TestCase("repeat 1000000 [ array a 6400000 ]", "turtle.endless", 1, "50000000 steps")]
+    public void Programs_without_end_are_stopped_within_a_second_or_two(string text, string code, int line, string message)
+    {
+        var limits = text.Contains("array") ? new TurtleLimits { MaxSteps = 2_000_000 } : new TurtleLimits();
+        var error = TurtleScript.Compile(text, "p").Value!.Run(limits: limits).Diagnostics.Single(d => d.Severity == Severity.Error);
+        Assert.That((error.Code, error.Source!.Line), Is.EqualTo((code, (int?)line)));
+        Assert.That(error.Message, Does.Contain(message.Replace("50000000", "2000000")));
+    }
+
+    [TestCase("repeat 1000000 [ push ]")]
+    [TestCase("array a 10000000")]
+    [TestCase("repeat 100 [ circle 10 100000 ]")]
+    [TestCase("def f n [\n array b 3000000\n b[0] = n\n f n + 1\n]\nf 0")]
+    [TestCase("helix_trace 10 1000 0.2")]
+    [TestCase("cylinder_trace 10 100 0.2 0.2")]
+    [TestCase("repeat 100000 [ comment \"a comment that is long enough to take memory, again and again and again\" ]")]
+    [TestCase("lsystem 30 \"F(1,2,3)\" \"F(a,b,c) -> F(a,b,c)F(a,b,c)\"")]
+    public void Memory_is_counted(string text)
+    {
+        var run = TurtleScript.Compile(text, "p").Value!.Run(limits: Small);
+        Assert.That(run.Value, Is.Null);
+        var error = run.Diagnostics.Single(d => d.Severity == Severity.Error);
+        Assert.That(error.Code, Is.EqualTo(text.StartsWith("lsystem", StringComparison.Ordinal) ? "lsystem.too_large" : MemoryLimit.Code));
+        Assert.That(error.Source!.Line, Is.Not.Null);
+        Assert.That(error.Message.Length, Is.LessThan(200));
+        Assert.That(TurtleScript.Compile(text.Replace("1000000", "10000").Replace("100000", "10").Replace("30 \"F", "9 \"F"), "p").Value!
+            .Run(limits: Small).Diagnostics.Any(d => d.Code == MemoryLimit.Code), Is.EqualTo(text.Contains("_trace") || text.Contains("array b")));
+    }
+
+    [TestCase("array a 10000000\nwhile 1 [ array a 10000000 ]")]
+    [TestCase("while 1 [ circle 1 1000 ]")]
+    [TestCase("def f n [ return n > 900 ? 1 : f(n + 1) ]\nwhile 1 [ x = f(0) ]")]
+    [TestCase("lsystem 1000 \"A\" \"A -> AB\"\nwhile 1 [ ]")]
+    [TestCase("cylinder_trace 1000 1000 0.001 0.001")]
+    [TestCase("deform r = r + sin(z), tolerance = 0.0001 [ repeat 200 [ helix_trace 50 100 1; lift 1 ] ]")]
+    [TestCase("modulate flow field = noise(x, y, z), resolution = 0.003 [ helix_trace 50 100 1 ]")]
+    public void A_cancel_is_heard_within_a_fifth_of_a_second(string text)
+    {
+        var limits = new TurtleLimits { MaxSteps = long.MaxValue, MaxMoves = long.MaxValue, Memory = MemoryLimit.None };
+        using var source = new CancellationTokenSource();
+        var script = TurtleScript.Compile(text).OrThrow();
+        var watch = new Stopwatch();
+        source.CancelAfter(100);
+        source.Token.Register(watch.Start);
+        Assert.That(() => script.Run(limits: limits, cancel: source.Token), Throws.InstanceOf<OperationCanceledException>());
+        TestContext.WriteLine(watch.Elapsed);
+        // Generous: other tests run at the same time.
+        Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(2));
+    }
+
+    [Test]
+    public void Nested_formulas_and_blocks_have_stated_limits()
+    {
+        string Message(string text) => TurtleScript.Compile(text, "p").Diagnostics.Single().ToString();
+        Assert.That(Message(string.Concat(Enumerable.Repeat("if 1 [ ", 100_000))), Does.StartWith("p:1:").And.Contains("more than 200 deep"));
+        Assert.That(Message("forward " + new string('(', 100_000)), Does.StartWith("p:1:").And.Contains("too deeply nested"));
+        Assert.That(Message("x = 0\ncomment \"" + string.Concat(Enumerable.Repeat("{if 1}", 100_000)) + "\""), Does.StartWith("p:2:").And.Length.LessThan(400));
+    }
+}
