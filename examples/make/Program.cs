@@ -39,6 +39,10 @@ internal static class Program
             File.WriteAllBytes(Path.Combine(curves, name), make());
             Console.WriteLine($"curves/{name}");
         }
+        var turtles = Path.Combine(folder, "..", "turtle");
+        Directory.CreateDirectory(turtles);
+        File.WriteAllBytes(Path.Combine(turtles, WorldMap.FileName), WorldMap.ToPbm());
+        Console.WriteLine($"turtle/{WorldMap.FileName}");
         return 0;
     }
 

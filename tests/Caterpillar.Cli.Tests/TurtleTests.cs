@@ -82,6 +82,38 @@ public class TurtleTests : CliFixture
     }
 
     [Test]
+    public void Printed_lines_go_to_standard_error_as_they_are()
+    {
+        var run = Run(Encoding.UTF8.GetBytes("start 50 50 0.2\nforward 10\nprint \"at {turtle_x}\"\nprint 1 + 1"), ["turtle", "-"]);
+        Assert.That(run.Code, Is.Zero);
+        Assert.That(run.Messages.Replace("\r", ""), Does.StartWith("at 60\n2\n"));
+        Assert.That(run.Text, Does.Not.Contain("at 60"));
+    }
+
+    [Test]
+    public void Files_are_included_from_the_folder_of_the_script_and_from_allowed_ones()
+    {
+        Directory.CreateDirectory("a/lib");
+        Directory.CreateDirectory("b");
+        File.WriteAllText("a/lib/square.turtle", "def square side [ repeat 4 [ forward side; left 90 ] ]\n");
+        File.WriteAllText("b/more.turtle", "square 10\n");
+        File.WriteAllText("a/main.turtle", "start 50 50 0.2\ninclude \"lib/square.turtle\"\ninclude \"more.turtle\"\n");
+        var missing = Run("turtle", "a/main.turtle", "-o", "x.gcode");
+        Assert.That(missing.Code, Is.EqualTo(1));
+        Assert.That(missing.Messages, Does.Contain("a/main.turtle:3:9: error turtle.file: There is no file 'more.turtle'."));
+        Assert.That(Run("turtle", "a/main.turtle", "-o", "x.gcode", "--include", "b").Code, Is.Zero);
+        Assert.That(Run("turtle", "a/main.turtle", "-o", "x.gcode", "--include", "nowhere").Code, Is.EqualTo(2));
+    }
+
+    [Test]
+    public void The_memory_limit_stops_a_script()
+    {
+        var run = Run(Encoding.UTF8.GetBytes("repeat 1000000 [ push ]"), ["turtle", "-", "--memory-limit", "64MB"]);
+        Assert.That(run.Code, Is.EqualTo(1));
+        Assert.That(run.Messages, Does.StartWith("standard input:1:").And.Contain("memory.limit"));
+    }
+
+    [Test]
     public void The_commands_of_the_language_are_listed()
     {
         var run = Run("turtle", "--commands");

@@ -1,4 +1,5 @@
 using System;
+using System.Text;
 using Caterpillar.Files;
 using Caterpillar.Shaping;
 
@@ -72,5 +73,26 @@ internal static class WorldMap
                 inside = !inside;
         }
         return inside;
+    }
+
+    /// <summary>Of the map that turtle scripts read.</summary>
+    public const string FileName = "world_map.pbm";
+
+    /// <summary>300 × 150 dots as a raw PBM; bits of land are 0, which is white.</summary>
+    public static byte[] ToPbm()
+    {
+        const int Width = 300, Height = 150, Row = (Width + 7) / 8;
+        var map = Draw(Width, Height);
+        var header = Encoding.ASCII.GetBytes($"P4\n{Width} {Height}\n");
+        var bytes = new byte[header.Length + Row * Height];
+        header.CopyTo(bytes, 0);
+        for (var y = 0; y < Height; y++)
+        {
+            for (var x = 0; x < Width; x++)
+            {
+                if (map[x, y] < 0.5) bytes[header.Length + y * Row + x / 8] |= (byte)(0x80 >> (x % 8));
+            }
+        }
+        return bytes;
     }
 }

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.CommandLine;
+using System.IO;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
@@ -22,6 +23,11 @@ internal sealed class TurtleVerb : Verb
         new("--plan") { Description = "\"drawn\": exactly what the turtle does; \"printer\": with the printer's retraction and lifts.",
         DefaultValueFactory = _ => "drawn" };
 
+    private readonly Option<string[]> _folders = new("--include")
+    {
+        Description = "A folder whose files the script may include or read as images, besides its own.", HelpName = "FOLDER",
+    };
+
     private readonly Option<bool> _commands = new("--commands") { Description = "List the commands of the language." };
 
     private readonly WriteOptions _write = new();
@@ -38,6 +44,7 @@ internal sealed class TurtleVerb : Verb
         Options.Add(_values);
         Options.Add(_seed);
         Options.Add(_plan);
+        Options.Add(_folders);
         Options.Add(_commands);
         _setup.AddTo(this);
     }
@@ -55,7 +62,8 @@ internal sealed class TurtleVerb : Verb
         var file = arguments.GetValue(_script) ?? throw new CliException(ExitCode.Usage, "A script is missing. See: caterpillar turtle --help");
         var target = _write.FileFor(arguments, file);
         var variables = Variables(arguments.GetValue(_values) ?? []);
-        var script = session.ValueOrFail(TurtleScript.Compile(Encoding.UTF8.GetString(session.ReadBytes(file)), Session.NameOf(file)));
+        var text = Encoding.UTF8.GetString(session.ReadBytes(file));
+        var script = session.ValueOrFail(TurtleScript.Compile(text, Session.NameOf(file), Files(file, arguments.GetValue(_folders) ?? [])));
         var setup = _setup.Resolve(arguments, session, script.Profiles);
         var options = new TurtleOptions
         {
@@ -63,14 +71,22 @@ internal sealed class TurtleVerb : Verb
             Shape = setup.Settings.BeadShape,
             MaxLiftSpeed = setup.Printer.MaxSpeed.Z > 0 ? setup.Printer.MaxSpeed.Z : double.PositiveInfinity,
         };
-        var turtle = session.WithProgress("Turtle",
-            progress => session.ValueOrFail(script.Run(options, variables, arguments.GetValue(_seed), null, progress, session.Cancel)));
+        var limits = new TurtleLimits { Memory = session.Memory };
+        var run = session.WithProgress("Turtle", progress => script.Run(options, variables, arguments.GetValue(_seed), limits, progress, session.Cancel));
+        foreach (var line in run.Diagnostics.Where(d => d.Code == TurtleScript.PrintCode)) session.Messages.WriteLine(line.Message);
+        var turtle = session.ValueOrFail(new Result<Turtle>(run.Value, [.. run.Diagnostics.Where(d => d.Code != TurtleScript.PrintCode)]));
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;
         var toolpath = session.WithProgress("Planning",
             progress => session.ValueOrFail(Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = policy, Memory = session.Memory }, progress,
                 session.Cancel)));
         if (toolpath.Count == 0) throw new CliException(ExitCode.BadInput, $"{Session.NameOf(file)}: the program draws nothing.");
         return _write.Write(arguments, session, toolpath, setup, target);
+    }
+
+    private static ScriptFiles Files(string script, string[] more)
+    {
+        foreach (var folder in more.Where(f => !Directory.Exists(f))) throw new CliException(ExitCode.Usage, $"--include {folder}: there is no such folder.");
+        return new ScriptFiles([script == "-" ? "." : Path.GetDirectoryName(Path.GetFullPath(script))!, .. more]);
     }
 
     private static Dictionary<string, double> Variables(IEnumerable<string> values)

@@ -23,6 +23,10 @@ public class ExampleCurveTests
         => Assert.That(ExampleCurves.All.Single(c => c.Name == name).Make().SequenceEqual(File.ReadAllBytes(PathOf(name))),
             "run: dotnet run --project examples/make");
 
+    [Test]
+    public void The_generator_reproduces_the_map_of_the_globe()
+        => Assert.That(WorldMap.ToPbm().SequenceEqual(File.ReadAllBytes(Path.Combine(TestData.Repository, "examples", "turtle", WorldMap.FileName))));
+
     [TestCase("pimples.json", "generic", true)]
     [TestCase("thick_cup.csv", "generic", false)]
     [TestCase("calligraphy.svg", "pen_plotter", false)]

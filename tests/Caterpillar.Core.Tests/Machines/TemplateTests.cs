@@ -16,6 +16,16 @@ public class TemplateTests
     private static readonly PrintSetup Pla = new(new Printer(), new Material { NozzleTemperature = 205, BedTemperature = 60 }, new PrintSettings());
 
     [Test]
+    public void Conditions_are_nested_up_to_a_hundred_deep()
+    {
+        string Nested(int depth) => string.Concat(Enumerable.Repeat("{if 1}", depth)) + "G28" + string.Concat(Enumerable.Repeat("{endif}", depth));
+        Assert.That(Render(Pla, Nested(100)), Is.EqualTo(new[] { "G28" }));
+        var error = Template.Parse([Nested(100_000)]).Diagnostics.Single();
+        Assert.That((error.Code, error.Source!.Line, error.Source.Column), Is.EqualTo(("template.nesting", (int?)1, (int?)602)));
+        Assert.That(error.Message, Is.EqualTo("Conditions are nested more than 100 deep."));
+    }
+
+    [Test]
     public void Keys_are_replaced_by_their_values()
         => Assert.That(Render(Pla, "M104 S{nozzle_temperature_c} ; {material_name} on {dialect}"), Is.EqualTo(new[] { "M104 S205 ; pla on marlin2" }));
 

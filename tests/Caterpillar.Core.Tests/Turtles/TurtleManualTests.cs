@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using Caterpillar.Expressions;
+using Caterpillar.Toolpaths;
 using Caterpillar.Turtles;
 using NUnit.Framework;
 
@@ -35,6 +36,9 @@ internal sealed class TurtleManualTests
         var example = text.Substring(text.IndexOf("```\n", StringComparison.Ordinal) + 4);
         example = example.Substring(0, example.IndexOf("```", StringComparison.Ordinal));
         Assert.That(TurtleScript.Compile(example).Value!.Run().Value!.Z, Is.EqualTo(12.2).Within(1e-9));
+        var plate = text.Substring(text.IndexOf("```\nstart 110 110 0.3", StringComparison.Ordinal) + 4);
+        var cup = TurtleScript.Compile(plate.Substring(0, plate.IndexOf("```", StringComparison.Ordinal))).OrThrow().Run().OrThrow();
+        Assert.That(cup.ToSteps().OfType<PathStep>().Max(p => p.Path.Bounds.Max.Z), Is.EqualTo(0.3 + 9).Within(1e-9));
         // Every C# name of the mapping is a member.
         var members = typeof(Turtle).GetMembers().Concat(typeof(TurtleOptions).GetMembers()).Concat(typeof(TurtleHistory).GetMembers()).Select(m => m.Name)
             .ToArray();

@@ -10,11 +10,16 @@ namespace Caterpillar.Machines;
 /// <summary>Cuts lines into text, values and directives, and checks that these fit together.</summary>
 internal sealed class TemplateParser(SourceLocation source)
 {
+    // Every part asks all the conditions around it.
+    private const int MaxNesting = 100;
+
     private readonly List<TemplatePart> _parts = [];
     private readonly List<Diagnostic> _problems = [];
 
     // For each open if: its location, and whether its else has come.
     private readonly Stack<(SourceLocation Place, bool Else)> _open = new();
+
+    private bool _tooDeep;
 
     public IReadOnlyList<TemplatePart> Parts => _parts;
 
@@ -74,7 +79,10 @@ internal sealed class TemplateParser(SourceLocation source)
         switch (word)
         {
             case "if":
-                Condition(TemplatePartKind.If, inside, word, place);
+                if (_open.Count == MaxNesting && !_tooDeep)
+                    Problem("template.nesting", $"Conditions are nested more than {NumberFormatter.Format(MaxNesting)} deep.", place);
+                _tooDeep |= _open.Count == MaxNesting;
+                if (!_tooDeep) Condition(TemplatePartKind.If, inside, word, place);
                 _open.Push((place, false));
                 return;
             case "elsif" or "elseif" or "elif":
