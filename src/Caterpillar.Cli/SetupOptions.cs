@@ -31,6 +31,20 @@ internal sealed class SetupOptions
     /// <summary>True if a printer was named, and not just the default one.</summary>
     public bool IsGiven(ParseResult arguments) => arguments.GetResult(Printer) is { Implicit: false };
 
+    /// <summary>The options as they were given, for another verb.</summary>
+    public IEnumerable<string> Given(ParseResult arguments)
+    {
+        foreach (var option in new Option[] { Printer, Material, Settings, Set })
+        {
+            if (arguments.GetResult(option) is not { Implicit: false } given) continue;
+            foreach (var token in given.Tokens)
+            {
+                yield return option.Name;
+                yield return token.Value;
+            }
+        }
+    }
+
     /// <summary>The requested setup; its problems are printed. Without a named printer, <paramref name="own"/> are the profiles named in the input.</summary>
     /// <exception cref="CliException">There is no such profile or key (wrong usage), or a profile is bad (bad input).</exception>
     public PrintSetup Resolve(ParseResult arguments, Session session, IReadOnlyList<string>? own = null)

@@ -16,6 +16,7 @@ internal static class Verbs
         new TurtleVerb(),
         new CurvesVerb(),
         new PictureVerb(),
+        new ViewVerb(),
         new CheckVerb(),
         new PrintersVerb(),
     ];

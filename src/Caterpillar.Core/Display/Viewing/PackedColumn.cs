@@ -1,0 +1,71 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Display;
+
+/// <summary>
+/// A column of whole numbers as bytes: each as its difference from the one before, seven bits a byte, the sign in the lowest bit. Columns of long equal
+/// runs are written as runs: a difference, then how often the number is repeated.
+/// </summary>
+internal sealed class PackedColumn
+{
+    private readonly bool _runs;
+    private readonly List<byte> _bytes = [];
+    private long _last;
+    private long _run;
+
+    public PackedColumn(string name, bool runs = false)
+    {
+        Name = name;
+        _runs = runs;
+    }
+
+    public string Name { get; }
+
+    public int Count { get; private set; }
+
+    public void Add(long value)
+    {
+        Count++;
+        if (_runs && _run > 0 && value == _last)
+        {
+            _run++;
+            return;
+        }
+        EndRun();
+        Difference(value);
+        _run = 1;
+    }
+
+    /// <summary>A number in steps of <paramref name="step"/>, rounded.</summary>
+    public void Add(double value, double step)
+    {
+        var steps = value / step;
+        Add(steps > -1e15 && steps < 1e15 ? (long)Math.Round(steps) : steps > 0 ? (long)1e15 : steps < 0 ? (long)-1e15 : 0);
+    }
+
+    public byte[] ToBytes()
+    {
+        EndRun();
+        _run = 0;
+        return _bytes.ToArray();
+    }
+
+    private void EndRun()
+    {
+        if (_runs && _run > 0) Number((ulong)_run);
+    }
+
+    private void Difference(long value)
+    {
+        var change = value - _last;
+        Number((ulong)((change << 1) ^ (change >> 63)));
+        _last = value;
+    }
+
+    private void Number(ulong value)
+    {
+        for (; value >= 0x80; value >>= 7) _bytes.Add((byte)(value | 0x80));
+        _bytes.Add((byte)value);
+    }
+}

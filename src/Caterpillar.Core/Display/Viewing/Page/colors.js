@@ -1,0 +1,103 @@
+const kinds = { print: 0, travel: 1, wipe: 2, retract: 3, restore: 4, movingRestore: 5, prime: 6, dwell: 7 };
+
+const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
+
+function scaleColor(scale, part) {
+  const place = Math.min(Math.max(part, 0), 1) * (scale.length - 1);
+  const band = Math.min(Math.floor(place), scale.length - 2);
+  return [0, 1, 2].map((i) => scale[band][i] + (scale[band + 1][i] - scale[band][i]) * (place - band));
+}
+
+// For every row the value that an event set last: nozzle or bed temperature, fan.
+function eventValues(moves, head, name) {
+  const values = new Float32Array(moves.rows);
+  let row = 0, value = 0;
+  for (const [at, what, next] of head.events) {
+    if (what !== name) continue;
+    values.fill(value, row, at);
+    row = at;
+    value = next;
+  }
+  values.fill(value, row);
+  return values;
+}
+
+// What colors can show. A category has names and colors of its own, all others run over a scale.
+function colorings(moves, head) {
+  const map = (f) => {
+    const values = new Float32Array(moves.rows);
+    for (let i = 0; i < moves.rows; i++) values[i] = f(i);
+    return values;
+  };
+  const toolColors = ["#e07b39", "#3b7dd8", "#4ca64c", "#b04fb0", "#c9a227", "#2aa6a6", "#c0392b", "#7f8c8d"];
+  const tools = [...new Set(moves.tool)].sort((a, b) => a - b);
+  const list = [
+    { id: "role", name: "Role", of: (i) => moves.role[i], category: head.roles },
+    { id: "speed", name: "Speed", unit: "mm/s", of: (i) => moves.speed[i] },
+    { id: "flow", name: "Flow", unit: "mm³/s", of: (i) => moves.area[i] * moves.speed[i] },
+    { id: "width", name: "Width", unit: "mm", of: (i) => moves.width[i] },
+    { id: "height", name: "Layer height", unit: "mm", of: (i) => moves.height[i] },
+    { id: "layer", name: "Layer", unit: "", of: (i) => moves.layer[i] },
+    { id: "time", name: "Time", unit: "s", of: head.timed ? (i) => moves.time[i] : (i) => i },
+    { id: "layertime", name: "Time of the layer", unit: "s", lazy: () => layerTimes(moves, head) },
+    { id: "tool", name: "Tool", of: (i) => Math.max(tools.indexOf(moves.tool[i]), 0), category: tools.map((t, i) => [`T${t}`, toolColors[i % toolColors.length]]) },
+    { id: "temperature", name: "Nozzle temperature", unit: "°C", lazy: () => eventValues(moves, head, "nozzle") },
+    { id: "fan", name: "Fan", unit: "%", lazy: () => eventValues(moves, head, "fan").map((v) => v * 100) },
+  ];
+  if (!head.timed) list.splice(list.findIndex((c) => c.id === "layertime"), 1);
+  for (const coloring of list) {
+    let values = null;
+    coloring.values = () => (values ??= coloring.lazy ? coloring.lazy() : map(coloring.of));
+  }
+  return list;
+}
+
+function layerTimes(moves, head) {
+  const sums = new Float64Array(head.layers.length + 1);
+  for (let i = 0; i < moves.rows; i++) sums[moves.layer[i] + 1] += moves.time[i] - (i > 0 ? moves.time[i - 1] : 0);
+  return Float32Array.from({ length: moves.rows }, (_, i) => sums[moves.layer[i] + 1]);
+}
+
+// The scale leaves out the rarest values at both ends, so that one odd strand does not hide all differences.
+function rangeOf(values, moves) {
+  const sample = [];
+  const step = Math.max(1, Math.floor(moves.rows / 20000));
+  let least = Infinity, greatest = -Infinity;
+  for (let i = 0; i < moves.rows; i++) {
+    if (moves.kind[i] !== kinds.print || !(moves.area[i] > 0)) continue;
+    least = Math.min(least, values[i]);
+    greatest = Math.max(greatest, values[i]);
+    if (i % step === 0) sample.push(values[i]);
+  }
+  if (!(greatest >= least)) return { low: 0, high: 0, clippedLow: false, clippedHigh: false };
+  sample.sort((a, b) => a - b);
+  const low = sample.length > 100 ? sample[Math.floor(sample.length * 0.005)] : least;
+  const high = sample.length > 100 ? sample[Math.ceil(sample.length * 0.995) - 1] : greatest;
+  return high > low ? { low, high, clippedLow: least < low, clippedHigh: greatest > high } : { low: least, high: greatest };
+}
+
+// A color for each row, four bytes each.
+function paint(coloring, moves, head, into) {
+  const values = coloring.values();
+  const scale = head.scale.map(rgb);
+  if (coloring.category) {
+    const colors = coloring.category.map((entry) => rgb(entry[1]));
+    for (let i = 0; i < moves.rows; i++) {
+      const color = colors[values[i]] ?? colors[0];
+      into[4 * i] = color[0];
+      into[4 * i + 1] = color[1];
+      into[4 * i + 2] = color[2];
+    }
+    return null;
+  }
+  const range = rangeOf(values, moves);
+  const size = Math.max(range.high - range.low, 1e-9);
+  const table = Array.from({ length: 256 }, (_, i) => scaleColor(scale, i / 255));
+  for (let i = 0; i < moves.rows; i++) {
+    const color = table[Math.min(Math.max(Math.round((values[i] - range.low) / size * 255), 0), 255)];
+    into[4 * i] = color[0];
+    into[4 * i + 1] = color[1];
+    into[4 * i + 2] = color[2];
+  }
+  return range;
+}

@@ -1,0 +1,377 @@
+// State of the view; what can be shared stands in the address after #.
+const state = { dark: false, bed: true, head: true, model: true, travel: false, retractions: false, seams: false, row: 0, part: 1, nozzle: null, background: [1, 1, 1] };
+let head, moves, scene, camera, list, coloring, total, box;
+let layersRange, movesRange, firstLayer = 0, lastLayer = 0, ranks = [], playing = false, queued = false;
+const hidden = new Set();
+const lines = new FileLines();
+
+// Where a whole picture takes long, changes are shown by every n-th strand, and the whole follows when they pause.
+const wholePicture = 80, pause = 250;
+let pictureTime = 0, resting = 0, started = false;
+
+function redraw() {
+  if (!started) return;
+  clearTimeout(resting);
+  const slow = pictureTime > wholePicture;
+  if (slow) resting = setTimeout(() => scene.draw(camera, state), pause);
+  if (queued) return;
+  queued = true;
+  requestAnimationFrame((start) => {
+    queued = false;
+    const skip = slow ? Math.min(Math.ceil(pictureTime / wholePicture), 60) : 1;
+    scene.draw(camera, state, skip);
+    if (skip > 1) return;
+    // The next frame comes when this one has been drawn.
+    requestAnimationFrame((end) => { pictureTime = end - start; });
+  });
+}
+
+// Layers by height: several objects share a place on the slider where they share a height.
+function rankLayers() {
+  const heights = [...new Set(head.layers.map((l) => Math.round(l[1] * 1000)))].sort((a, b) => a - b);
+  const rank = new Map(heights.map((z, i) => [z, i]));
+  ranks = head.layers.map((l) => rank.get(Math.round(l[1] * 1000)));
+  return heights;
+}
+
+function boundsOf() {
+  const least = [Infinity, Infinity, Infinity], greatest = [-Infinity, -Infinity, -Infinity];
+  const include = (p) => p.forEach((v, i) => {
+    least[i] = Math.min(least[i], v);
+    greatest[i] = Math.max(greatest[i], v);
+  });
+  if (moves) {
+    for (let i = 0; i < moves.rows; i++) {
+      if (moves.kind[i] !== kinds.print || head.roles[moves.role[i]][0] === "Purge") continue;
+      const half = moves.width[i] / 2, high = moves.height[i];
+      for (const k of i > 0 ? [i - 1, i] : [i]) {
+        include([moves.x[k] - half, moves.y[k] - half, moves.z[k] - (high || half)]);
+        include([moves.x[k] + half, moves.y[k] + half, moves.z[k] + (high ? 0 : half)]);
+      }
+    }
+  }
+  if (scene?.modelData) for (let i = 0; i < scene.modelData.x.length; i++) include([scene.modelData.x[i], scene.modelData.y[i], scene.modelData.z[i]]);
+  return least[0] <= greatest[0] ? [least, greatest] : [[0, 0, 0], [1, 1, 1]];
+}
+
+function inLayers(i) {
+  if (ranks.length === 0) return true;
+  const layer = moves.layer[i];
+  // What belongs to no layer is shown with the whole print.
+  if (layer < 0) return firstLayer === 0;
+  return ranks[layer] >= firstLayer && ranks[layer] <= lastLayer;
+}
+
+function filter() {
+  const beads = [], travels = [], retractions = [], seams = [];
+  let before = -1;
+  for (let i = 0; i < moves.rows; i++) {
+    const kind = moves.kind[i];
+    const role = kind === kinds.print ? moves.role[i] : -1;
+    if (inLayers(i)) {
+      if (role >= 0) {
+        if (!hidden.has(role)) beads.push(i);
+        if (before < 0 && (role === 1 || role === 0)) seams.push(i);
+      } else if (kind === kinds.retract) retractions.push(i);
+      else if (kind === kinds.travel || kind === kinds.wipe || kind === kinds.movingRestore) travels.push(i);
+    }
+    before = role;
+  }
+  scene.list("beads", Uint32Array.from(beads));
+  scene.list("travels", Uint32Array.from(travels));
+  scene.list("retractions", Uint32Array.from(retractions));
+  scene.list("seams", Uint32Array.from(seams));
+  scene.until(state.row);
+}
+
+function showLayers() {
+  layersRange.set(firstLayer, lastLayer);
+  const z = (rank) => number((heights[rank] ?? 0) / 1000, 3);
+  byId("layersText").textContent = heights.length ? `${firstLayer} – ${lastLayer} · Z ${z(firstLayer)} – ${z(lastLayer)} mm` : "none";
+}
+
+let heights = [];
+
+function setLayers(first, last) {
+  firstLayer = first;
+  lastLayer = last;
+  showLayers();
+  filter();
+  redraw();
+}
+
+// The moment: a row and the part of it that is done.
+function setMoment(row, part = 1) {
+  state.row = Math.min(Math.max(row, 0), moves.rows - 1);
+  state.part = part;
+  const r = state.row;
+  const from = r > 0 ? [moves.x[r - 1], moves.y[r - 1], moves.z[r - 1]] : head.start;
+  const to = [moves.x[r], moves.y[r], moves.z[r]];
+  state.nozzle = [0, 1, 2].map((i) => from[i] + (to[i] - from[i]) * part - scene.middle[i]);
+  scene.until(r);
+  movesRange.set(r);
+  const seconds = r > 0 ? moves.time[r - 1] + (moves.time[r] - moves.time[r - 1]) * part : moves.time[r] * part;
+  byId("movesText").textContent = head.timed ? `${duration(seconds)} of ${duration(moves.time[moves.rows - 1])}` : `move ${moves.move[r]} of ${head.moves}`;
+  redraw();
+}
+
+function pickRow(row) {
+  showMove(row, moves, head);
+  lines.show(row >= 0 && head.source === "line" ? moves.line[row] : 0, byId("lines"));
+}
+
+function momentAt(seconds) {
+  if (!head.timed) {
+    const row = Math.min(Math.floor(seconds), moves.rows - 1);
+    return [row, 1];
+  }
+  let low = 0, high = moves.rows - 1;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (moves.time[middle] < seconds) low = middle + 1;
+    else high = middle;
+  }
+  const begin = low > 0 ? moves.time[low - 1] : 0, size = moves.time[low] - begin;
+  return [low, size > 0 ? Math.min(Math.max((seconds - begin) / size, 0), 1) : 1];
+}
+
+function play() {
+  playing = !playing;
+  byId("play").textContent = playing ? "■" : "▶";
+  if (!playing) return;
+  const end = head.timed ? moves.time[moves.rows - 1] : moves.rows - 1;
+  let seconds = state.row >= moves.rows - 1 ? 0 : head.timed ? (state.row > 0 ? moves.time[state.row - 1] : 0) : state.row;
+  let last = performance.now();
+  const step = (now) => {
+    if (!playing) return;
+    seconds += (now - last) / 1000 * Number(byId("rate").value);
+    last = now;
+    setMoment(...momentAt(Math.min(seconds, end)));
+    if (seconds >= end) play();
+    else requestAnimationFrame(step);
+  };
+  requestAnimationFrame(step);
+}
+
+function recolor(id) {
+  coloring = list.find((c) => c.id === id) ?? list[0];
+  byId("color").value = coloring.id;
+  const range = paint(coloring, moves, head, scene.colorBytes);
+  scene.recolor();
+  showLegend(coloring, range, head, total, hidden, (role, hide) => {
+    if (hide) hidden.add(role);
+    else hidden.delete(role);
+    filter();
+    redraw();
+  });
+  redraw();
+}
+
+function theme(dark) {
+  state.dark = dark;
+  document.documentElement.classList.toggle("dark", dark);
+  state.background = dark ? [0.106, 0.118, 0.133] : [0.957, 0.957, 0.945];
+  redraw();
+}
+
+function goTo(finding) {
+  let row = finding.row ?? -1;
+  if (row < 0 && finding.line !== undefined && moves) row = moves.line.findIndex((line) => line >= finding.line);
+  if (row < 0 || !moves) return;
+  row = Math.min(row, moves.rows - 1);
+  const rank = moves.layer[row] >= 0 ? ranks[moves.layer[row]] : firstLayer;
+  if (rank < firstLayer || rank > lastLayer) setLayers(Math.min(rank, firstLayer), Math.max(rank, lastLayer));
+  setMoment(row, 1);
+  pickRow(row);
+  camera.target = [moves.x[row], moves.y[row], moves.z[row]].map((v, i) => v - scene.middle[i]);
+  camera.distance = Math.min(camera.distance, 60);
+  redraw();
+}
+
+const switches = { travel: "T", retractions: "R", seams: "S", bed: "B", nozzle: "N", model: "M" };
+
+function flip(id) {
+  state[id === "nozzle" ? "head" : id] = byId(id).checked;
+  redraw();
+}
+
+const keys = [
+  ["space", "play or stop", () => moves && play()],
+  ["↑ ↓", "one layer more or fewer"],
+  ["← →", "one move back or on (with Shift: 100)"],
+  ["F", "show all", () => camera.fit(camera.box)],
+  ["1", "from above", () => camera.look(-90, 90)],
+  ["2", "from the front", () => camera.look(-90, 0)],
+  ["3", "from the right", () => camera.look(0, 0)],
+  ["4", "from the front right and above", () => camera.look(-60, 28)],
+  ["D", "light or dark", () => theme(!state.dark)],
+  ["?", "these keys", () => byId("keys").showModal()],
+];
+
+function listen() {
+  for (const [id, key] of Object.entries(switches)) {
+    byId(id).addEventListener("change", () => flip(id));
+    keys.push([key, byId(id).parentElement.textContent.trim().toLowerCase(), () => {
+      byId(id).checked = !byId(id).checked;
+      flip(id);
+    }]);
+  }
+  fillTable(byId("keyTable"), keys.map(([key, what]) => [element("kbd", {}, key), what]));
+  const press = { fit: "F", top: "1", front: "2", right: "3", corner: "4", theme: "D", help: "?" };
+  for (const [id, key] of Object.entries(press)) byId(id).addEventListener("click", () => keys.find((k) => k[0] === key)[2]());
+  document.addEventListener("keydown", (e) => {
+    if (e.target.matches("input[type=text], select") || e.ctrlKey || e.metaKey || e.altKey || byId("keys").open) return;
+    if (moves && (e.key === "ArrowLeft" || e.key === "ArrowRight")) {
+      setMoment(state.row + (e.key === "ArrowRight" ? 1 : -1) * (e.shiftKey ? 100 : 1));
+      pickRow(state.row);
+    } else if (moves && (e.key === "ArrowUp" || e.key === "ArrowDown")) {
+      setLayers(Math.min(firstLayer, lastLayer), Math.min(Math.max(lastLayer + (e.key === "ArrowUp" ? 1 : -1), firstLayer), Math.max(heights.length - 1, 0)));
+    } else {
+      const entry = keys.find((k) => k[2] && (k[0] === "space" ? e.key === " " : k[0].toLowerCase() === e.key.toLowerCase()));
+      if (!entry || (e.key === " " && e.target.matches("button, input, a"))) return;
+      entry[2]();
+    }
+    e.preventDefault();
+  });
+  window.addEventListener("resize", () => {
+    cover();
+    redraw();
+  });
+  if (!moves) return;
+  byId("play").addEventListener("click", play);
+  byId("color").addEventListener("change", (e) => recolor(e.target.value));
+  const view = byId("view");
+  let down = null, waiting = 0;
+  view.addEventListener("pointerdown", (e) => { down = [e.clientX, e.clientY]; });
+  view.addEventListener("pointerup", (e) => {
+    if (down && Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 4) pickRow(scene.pick(camera, state, e.clientX, e.clientY));
+    down = null;
+  });
+  // What lies under a resting pointer is shown; a click keeps it.
+  view.addEventListener("pointermove", (e) => {
+    clearTimeout(waiting);
+    if (e.buttons) return;
+    waiting = setTimeout(() => {
+      const row = scene.pick(camera, state, e.clientX, e.clientY);
+      view.title = row < 0 ? "" : describe(row);
+    }, 250);
+  });
+}
+
+function describe(row) {
+  const role = head.roles[moves.role[row]][0], place = moves.line[row] >= 0 ? `${head.source} ${moves.line[row]}` : `move ${moves.move[row]}`;
+  return `${role}, ${place}, ${number(moves.speed[row])} mm/s, ${number(moves.width[row], 3)} mm wide`;
+}
+
+// #color=speed&layers=0-10&at=0.5&view=-60,28&show=travel,seams&dark
+function fromAddress() {
+  const values = new URLSearchParams(location.hash.slice(1));
+  if (values.has("light")) theme(false);
+  if (values.has("dark")) theme(true);
+  for (const id of (values.get("show") ?? "").split(",")) {
+    if (!(id in switches)) continue;
+    byId(id).checked = true;
+    flip(id);
+  }
+  for (const id of (values.get("hide") ?? "").split(",")) {
+    if (!(id in switches)) continue;
+    byId(id).checked = false;
+    flip(id);
+  }
+  if (moves) {
+    if (values.has("color")) recolor(values.get("color"));
+    if (values.has("layers")) {
+      const [first, last] = values.get("layers").split("-").map(Number);
+      const top = Math.max(heights.length - 1, 0);
+      setLayers(Math.min(Math.max(first || 0, 0), top), Math.min(Math.max(last ?? first ?? top, first || 0), top));
+    }
+    if (values.has("at")) {
+      const part = Math.min(Math.max(Number(values.get("at")) || 0, 0), 1);
+      setMoment(...momentAt(part * (head.timed ? moves.time[moves.rows - 1] : moves.rows - 1)));
+    }
+    if (values.has("line")) goTo({ line: Number(values.get("line")) });
+  }
+  if (values.has("view")) {
+    const [azimuth, elevation] = values.get("view").split(",").map(Number);
+    camera.look(azimuth || 0, elevation || 0);
+  }
+}
+
+async function start() {
+  head = JSON.parse(byId("head").textContent);
+  byId("title").textContent = head.title;
+  const bytes = await unpacked("moveData"), model = await unpacked("modelData");
+  if (bytes) moves = readMoves(bytes, head);
+  const modelData = model ? readModel(model) : null;
+  scene = { modelData };
+  box = boundsOf();
+  const middle = times(add(box[0], box[1]), 0.5);
+  scene = new Scene(byId("view"), middle);
+  camera = new Camera(byId("view"), redraw);
+  theme(window.matchMedia("(prefers-color-scheme: dark)").matches);
+  if (head.printer) {
+    const bed = bedLines(head.printer, middle);
+    scene.mesh("bedThin", bed.thin, 3);
+    scene.mesh("bedBold", bed.bold, 3);
+    scene.mesh("head", headMesh(head.printer), 6);
+  }
+  if (modelData) {
+    scene.mesh("model", modelTriangles(modelData, middle), 6);
+    byId("modelSwitch").hidden = !moves;
+  }
+  for (const id of ["coloring", "pickedSection"]) byId(id).hidden = !moves;
+  if (moves) {
+    total = sums(moves, head.start);
+    scene.load(moves, head.start);
+    list = colorings(moves, head);
+    byId("color").append(...list.map((c) => element("option", { value: c.id }, c.name)));
+    heights = rankLayers();
+    lastLayer = Math.max(heights.length - 1, 0);
+    layersRange = new Range(byId("layers"), ["First layer", "Last layer"], ([a, b]) => setLayers(a, b));
+    layersRange.limits(0, lastLayer);
+    movesRange = new Range(byId("moves"), ["Moment"], ([row]) => {
+      setMoment(row);
+      pickRow(row);
+    });
+    movesRange.limits(0, moves.rows - 1);
+    state.row = moves.rows - 1;
+    recolor("role");
+    setLayers(0, lastLayer);
+    setMoment(moves.rows - 1);
+    state.nozzle = null;
+  }
+  showStatistics(moves, head, total, box, heights.length);
+  showFindings(head, goTo);
+  listen();
+  byId("panel").hidden = false;
+  byId("bar").hidden = !moves;
+  cover();
+  camera.fit([0, 1, 2].reduce((b, i) => {
+    b[0][i] = box[0][i] - middle[i];
+    b[1][i] = box[1][i] - middle[i];
+    return b;
+  }, [[], []]));
+  camera.look(-60, 28);
+  fromAddress();
+  scene.draw(camera, state);
+  started = true;
+  byId("message").hidden = true;
+  document.documentElement.dataset.state = "ready";
+  document.documentElement.dataset.beads = String(scene.lists.beads?.count ?? 0);
+}
+
+function cover() {
+  const view = byId("view"), panel = byId("panel").getBoundingClientRect(), bar = byId("bar").getBoundingClientRect();
+  const beside = panel.width < view.clientWidth / 2;
+  const bottom = view.clientHeight - Math.min(bar.height ? bar.top : view.clientHeight, beside ? view.clientHeight : panel.top);
+  camera.covered = [beside ? view.clientWidth - panel.left : 0, bottom];
+}
+
+function failed(error) {
+  byId("message").textContent = error.message;
+  byId("message").className = "error";
+  document.documentElement.dataset.state = "failed";
+}
+
+window.addEventListener("error", (e) => failed(e.error ?? new Error(e.message)));
+start().catch(failed);

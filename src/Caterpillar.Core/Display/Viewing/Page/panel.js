@@ -1,0 +1,152 @@
+const byId = (id) => document.getElementById(id);
+
+function element(tag, properties = {}, ...children) {
+  const node = Object.assign(document.createElement(tag), properties);
+  node.append(...children);
+  return node;
+}
+
+function number(value, decimals = 2) {
+  const text = value.toFixed(decimals);
+  return decimals > 0 ? text.replace(/\.?0+$/, "") : text;
+}
+
+function duration(seconds) {
+  const whole = Math.round(seconds);
+  const [h, m, s] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
+  return h > 0 ? `${h} h ${m} min` : m > 0 ? `${m} min ${s} s` : `${number(seconds, seconds < 10 ? 1 : 0)} s`;
+}
+
+function fillTable(table, rows) {
+  table.replaceChildren(...rows.map(([name, value]) => element("tr", {}, element("td", {}, name), element("td", {}, value))));
+}
+
+// Sums over all rows, and by role.
+function sums(moves, start) {
+  const all = { printed: 0, travel: 0, volume: 0, retractions: 0, roles: new Map() };
+  let [x, y, z] = start, before = 0;
+  for (let i = 0; i < moves.rows; i++) {
+    const length = Math.hypot(moves.x[i] - x, moves.y[i] - y, moves.z[i] - z);
+    const seconds = moves.time[i] - before;
+    [x, y, z, before] = [moves.x[i], moves.y[i], moves.z[i], moves.time[i]];
+    if (moves.kind[i] === kinds.print) {
+      all.printed += length;
+      all.volume += length * moves.area[i];
+      const role = all.roles.get(moves.role[i]) ?? { length: 0, seconds: 0, volume: 0 };
+      role.length += length;
+      role.seconds += seconds;
+      role.volume += length * moves.area[i];
+      all.roles.set(moves.role[i], role);
+    } else if (moves.kind[i] === kinds.retract) all.retractions++;
+    else all.travel += length;
+  }
+  return all;
+}
+
+function showStatistics(moves, head, total, box, layers) {
+  const rows = [];
+  const size = [0, 1, 2].map((i) => number(box[1][i] - box[0][i], 1)).join(" × ");
+  if (moves) {
+    if (head.timed) rows.push(["Time", duration(moves.rows ? moves.time[moves.rows - 1] : 0)]);
+    rows.push(["Size", size + " mm"]);
+    if (layers) rows.push(["Layers", String(layers)]);
+    rows.push(["Printed path", number(total.printed / 1000) + " m"], ["Travel", number(total.travel / 1000) + " m"]);
+    if (total.volume > 0) rows.push(["Material", number(total.volume / 1000) + " cm³" + (head.density ? `, ${number(total.volume / 1000 * head.density)} g` : "")]);
+    rows.push(["Retractions", String(total.retractions)], ["Moves", String(head.moves)]);
+  } else rows.push(["Size", size + " mm"]);
+  if (head.printer) rows.push(["Printer", head.printer.title]);
+  if (head.timed && head.limits) rows.push(["Times by", head.limits]);
+  fillTable(byId("statistics"), rows);
+}
+
+// The legend: names with switches for categories, a scale with ticks for values.
+function showLegend(coloring, range, head, total, hidden, toggled) {
+  const legend = byId("legend");
+  if (!coloring.category) {
+    const ticks = Array.from({ length: 5 }, (_, i) => range.low + (range.high - range.low) * i / 4);
+    const decimals = range.high - range.low > 20 ? 0 : range.high - range.low > 1 ? 1 : 3;
+    const show = coloring.unit === "s" && range.high >= 100 ? (v) => duration(v) : (v) => number(v, decimals);
+    const edge = (i) => (i === 0 && range.clippedLow ? "≤ " : i === 4 && range.clippedHigh ? "≥ " : "");
+    legend.replaceChildren(
+      element("div", { className: "scale", style: `background: linear-gradient(to right, ${head.scale.join(", ")})` }),
+      element("div", { className: "ticks" }, ...(range.high > range.low ? ticks : [range.low]).map((v, i) => element("span", {}, edge(i) + show(v)))),
+      element("div", { className: "ticks" }, element("span", {}, coloring.unit === "s" && range.high >= 100 ? "" : coloring.unit)));
+    return;
+  }
+  if (coloring.id !== "role") {
+    legend.replaceChildren(...coloring.category.map(([name, color]) => element("div", { className: "entry" }, element("span"),
+      element("span", { className: "swatch", style: `background: ${color}` }), element("span", {}, name), element("span"))));
+    return;
+  }
+  const used = [...total.roles.keys()].sort((a, b) => a - b);
+  legend.replaceChildren(...used.map((role) => {
+    const box = element("input", { type: "checkbox", checked: !hidden.has(role) });
+    box.addEventListener("change", () => toggled(role, !box.checked));
+    const sum = total.roles.get(role);
+    const amount = head.timed ? duration(sum.seconds) : number(sum.length / 1000) + " m";
+    return element("label", { className: "entry" }, box, element("span", { className: "swatch", style: `background: ${head.roles[role][1]}` }),
+      element("span", {}, head.roles[role][0]), element("span", {}, amount));
+  }));
+}
+
+function showFindings(head, go) {
+  byId("findingsSection").hidden = head.findings.length === 0;
+  byId("findings").replaceChildren(...head.findings.map((finding) => {
+    const text = `${finding.message}${finding.count > 1 ? ` (${finding.count} times)` : ""}`;
+    const button = element("button", { className: finding.severity, title: `${finding.severity} ${finding.code} ${finding.place}` }, text);
+    button.addEventListener("click", () => go(finding));
+    return element("li", {}, button);
+  }));
+}
+
+function showMove(row, moves, head) {
+  if (row < 0 || row >= moves.rows) {
+    fillTable(byId("picked"), []);
+    return;
+  }
+  const layer = moves.layer[row] >= 0 ? head.layers[moves.layer[row]] : null;
+  const rows = [];
+  if (moves.line[row] >= 0) rows.push([head.source === "line" ? "Line" : "Step", String(moves.line[row])]);
+  rows.push(["Move", `${moves.move[row]}, ${head.kinds[moves.kind[row]].toLowerCase()}`]);
+  if (moves.kind[row] === kinds.print) rows.push(["Role", head.roles[moves.role[row]][0]]);
+  rows.push(["To", `${number(moves.x[row], 3)}, ${number(moves.y[row], 3)}, ${number(moves.z[row], 3)} mm`]);
+  rows.push(["Speed", number(moves.speed[row]) + " mm/s"]);
+  if (moves.area[row] > 0) {
+    rows.push(["Strand", `${number(moves.width[row], 3)} × ${number(moves.height[row] || moves.width[row], 3)} mm`]);
+    rows.push(["Flow", number(moves.area[row] * moves.speed[row], 2) + " mm³/s"]);
+  }
+  if (layer) rows.push(["Layer", `${layer[0]}, Z ${number(layer[1], 3)} mm${layer[3] ? ", " + layer[3] : ""}`]);
+  if (head.timed) rows.push(["Time", duration(moves.time[row])]);
+  fillTable(byId("picked"), rows);
+}
+
+// The lines of the file around one, unpacked when they are first asked for.
+class FileLines {
+  constructor() { this.starts = null; }
+
+  async load() {
+    if (this.starts) return;
+    this.bytes = await unpacked("gcodeData") ?? new Uint8Array(0);
+    const starts = [0];
+    for (let i = 0; i < this.bytes.length; i++) if (this.bytes[i] === 10 || (this.bytes[i] === 13 && this.bytes[i + 1] !== 10)) starts.push(i + 1);
+    this.starts = starts;
+  }
+
+  text(line) {
+    const end = this.starts[line] ?? this.bytes.length;
+    return new TextDecoder().decode(this.bytes.subarray(this.starts[line - 1], end)).replace(/[\r\n]+$/, "");
+  }
+
+  async show(line, out) {
+    await this.load();
+    if (this.bytes.length === 0 || line < 1) {
+      out.replaceChildren();
+      return;
+    }
+    const entries = [];
+    for (let n = Math.max(1, line - 4); n <= Math.min(this.starts.length, line + 4); n++) {
+      entries.push(element("div", { className: n === line ? "now" : "" }, `${n}  ${this.text(n)}`));
+    }
+    out.replaceChildren(...entries);
+  }
+}

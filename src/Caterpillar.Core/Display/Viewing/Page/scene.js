@@ -1,0 +1,378 @@
+const textureWidth = 4096;
+
+// Beads: each instance is a row; its ends, and those of its neighbors for mitered joints, come from the texture of points.
+const beadVertex = `#version 300 es
+precision highp float; precision highp int; precision highp sampler2D;
+layout(location = 0) in vec3 corner;
+layout(location = 1) in uint row;
+uniform sampler2D points;
+uniform sampler2D colors;
+uniform mat4 matrix;
+uniform float unit, part, thin;
+uniform uint last;
+uniform bool picking;
+out vec3 normal;
+flat out vec4 color;
+vec4 point(int i) { return texelFetch(points, ivec2(i % ${textureWidth}, i / ${textureWidth}), 0); }
+vec3 sideOf(vec3 d) { return length(d.xy) > 1e-6 ? normalize(vec3(d.y, -d.x, 0)) : vec3(1, 0, 0); }
+void main() {
+  int i = int(row);
+  vec4 a = point(i), b = point(i + 1);
+  if (row == last) b.xyz = mix(a.xyz, b.xyz, part);
+  float size = abs(b.w), width = floor(size / 4096.0) * unit, height = mod(size, 4096.0) * unit;
+  vec3 d = b.xyz - a.xyz;
+  d = length(d) > 1e-6 ? normalize(d) : vec3(1, 0, 0);
+  vec3 side = sideOf(d), up = cross(side, d);
+  bool end = corner.z > 0.5;
+  vec4 other = point(end ? i + 2 : i - 1);
+  // The width of a row is with its end; a row without width is no strand.
+  float otherWidth = end ? other.w : a.w;
+  vec3 o = end ? other.xyz - b.xyz : a.xyz - other.xyz;
+  vec3 across = side;
+  if (otherWidth != 0.0 && row != last && length(o) > 1e-6 && (end || i > 0)) {
+    vec3 otherSide = sideOf(normalize(o));
+    float c = dot(side, otherSide);
+    if (c > -0.3) across = (side + otherSide) / (1.0 + c);
+  }
+  vec3 p = end ? b.xyz : a.xyz;
+  if (b.w > 0.0) p.z -= height * 0.5;
+  p += across * corner.x * max(width, thin) + up * corner.y * max(height, thin);
+  normal = normalize(side * corner.x / max(width, 1e-3) + up * corner.y / max(height, 1e-3));
+  color = picking ? vec4(float(row & 255u), float((row >> 8) & 255u), float((row >> 16) & 255u), float(row >> 24) + 1.0) / 255.0
+    : texelFetch(colors, ivec2(i % ${textureWidth}, i / ${textureWidth}), 0);
+  gl_Position = matrix * vec4(p, 1);
+}`;
+
+const beadFragment = `#version 300 es
+precision highp float;
+in vec3 normal;
+flat in vec4 color;
+uniform bool picking;
+uniform vec3 eyeSide, eyeBack;
+out vec4 result;
+void main() {
+  if (picking) { result = color; return; }
+  vec3 n = normalize(normal);
+  vec3 light = normalize(vec3(0, 0, 0.75) + eyeBack * 0.5 - eyeSide * 0.45);
+  float bright = 0.42 + 0.5 * max(dot(n, light), 0.0) + 0.16 * max(dot(n, eyeBack), 0.0);
+  result = vec4(color.rgb * bright, 1);
+}`;
+
+const lineVertex = `#version 300 es
+precision highp float; precision highp int; precision highp sampler2D;
+layout(location = 1) in uint row;
+uniform sampler2D points;
+uniform mat4 matrix;
+vec4 point(int i) { return texelFetch(points, ivec2(i % ${textureWidth}, i / ${textureWidth}), 0); }
+void main() {
+  gl_Position = matrix * vec4(point(int(row) + gl_VertexID).xyz, 1);
+  // Travels run along the tops of strands; a little nearer they are seen.
+  gl_Position.z -= 2e-4 * gl_Position.w;
+}`;
+
+const markVertex = `#version 300 es
+precision highp float; precision highp int; precision highp sampler2D;
+layout(location = 1) in uint row;
+uniform sampler2D points;
+uniform mat4 matrix;
+uniform float size;
+void main() {
+  int i = int(row);
+  gl_Position = matrix * vec4(texelFetch(points, ivec2(i % ${textureWidth}, i / ${textureWidth}), 0).xyz, 1);
+  gl_PointSize = size;
+}`;
+
+const plainVertex = `#version 300 es
+layout(location = 0) in vec3 place;
+uniform mat4 matrix;
+void main() { gl_Position = matrix * vec4(place, 1); }`;
+
+const plainFragment = `#version 300 es
+precision highp float;
+uniform vec4 tint;
+out vec4 result;
+void main() { result = tint; }`;
+
+const solidVertex = `#version 300 es
+layout(location = 0) in vec3 place;
+layout(location = 2) in vec3 facing;
+uniform mat4 matrix;
+uniform vec3 shift;
+out vec3 normal;
+void main() { normal = facing; gl_Position = matrix * vec4(place + shift, 1); }`;
+
+const solidFragment = `#version 300 es
+precision highp float;
+in vec3 normal;
+uniform vec4 tint;
+uniform vec3 eyeSide, eyeBack;
+out vec4 result;
+void main() {
+  vec3 n = normalize(normal);
+  vec3 light = normalize(vec3(0, 0, 0.75) + eyeBack * 0.5 - eyeSide * 0.45);
+  result = vec4(tint.rgb * (0.45 + 0.6 * max(dot(n, light), dot(-n, light) * 0.5)), tint.a);
+}`;
+
+class Scene {
+  constructor(canvas, middle) {
+    const gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
+    if (!gl) throw new Error("This browser has no WebGL 2, which the view needs.");
+    this.gl = gl;
+    this.canvas = canvas;
+    this.middle = middle;
+    this.beads = this.program(beadVertex, beadFragment);
+    this.lines = this.program(lineVertex, plainFragment);
+    this.marks = this.program(markVertex, plainFragment);
+    this.plain = this.program(plainVertex, plainFragment);
+    this.solid = this.program(solidVertex, solidFragment);
+    this.shapes = [8, 6, 4].map((sides) => this.shape(prism(sides)));
+    this.lists = {};
+    this.meshes = {};
+    gl.enable(gl.DEPTH_TEST);
+  }
+
+  program(vertex, fragment) {
+    const gl = this.gl, program = gl.createProgram();
+    for (const [type, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+    const uniforms = {};
+    for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); i++) {
+      const { name } = gl.getActiveUniform(program, i);
+      uniforms[name] = gl.getUniformLocation(program, name);
+    }
+    return { program, uniforms };
+  }
+
+  buffer(data, target = this.gl.ARRAY_BUFFER) {
+    const buffer = this.gl.createBuffer();
+    this.gl.bindBuffer(target, buffer);
+    this.gl.bufferData(target, data, this.gl.STATIC_DRAW);
+    return buffer;
+  }
+
+  shape({ corners, triangles }) {
+    return { corners: this.buffer(corners), triangles: this.buffer(triangles, this.gl.ELEMENT_ARRAY_BUFFER), count: triangles.length };
+  }
+
+  texture(unit, format, type, layout, data, rows) {
+    const gl = this.gl, texture = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE0 + unit);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, format, textureWidth, rows, 0, layout, type, data);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    return texture;
+  }
+
+  // Points with the sizes of the strands that end in them: 4096 · width + height in whole units, negative for round ones.
+  load(moves, start) {
+    const gl = this.gl, rows = Math.ceil((moves.rows + 3) / textureWidth);
+    const points = new Float32Array(rows * textureWidth * 4);
+    const widest = moves.width.reduce((a, b) => Math.max(a, b), 0.1);
+    this.unit = Math.max(widest / 4000, 0.001);
+    const place = (i, x, y, z) => points.set([x - this.middle[0], y - this.middle[1], z - this.middle[2]], 4 * i);
+    place(0, ...start);
+    for (let i = 0; i < moves.rows; i++) {
+      const at = 4 * (i + 1);
+      points[at] = moves.x[i] - this.middle[0];
+      points[at + 1] = moves.y[i] - this.middle[1];
+      points[at + 2] = moves.z[i] - this.middle[2];
+      if (moves.kind[i] !== kinds.print || !(moves.width[i] > 0)) continue;
+      const width = Math.min(Math.round(moves.width[i] / this.unit), 4095), round = !(moves.height[i] > 0);
+      const height = round ? width : Math.min(Math.round(moves.height[i] / this.unit), 4095);
+      points[at + 3] = (width * 4096 + height) * (round ? -1 : 1);
+    }
+    this.points = this.texture(0, gl.RGBA32F, gl.FLOAT, gl.RGBA, points, rows);
+    this.colorRows = rows;
+    this.colorBytes = new Uint8Array(rows * textureWidth * 4).fill(255);
+    this.colors = this.texture(1, gl.RGBA8, gl.UNSIGNED_BYTE, gl.RGBA, this.colorBytes, rows);
+  }
+
+  recolor() {
+    const gl = this.gl;
+    gl.activeTexture(gl.TEXTURE1);
+    gl.bindTexture(gl.TEXTURE_2D, this.colors);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, textureWidth, this.colorRows, gl.RGBA, gl.UNSIGNED_BYTE, this.colorBytes);
+  }
+
+  // Rows to draw, ascending, by name: beads, travels, retractions, seams.
+  list(name, rows) {
+    const gl = this.gl, entry = this.lists[name] ??= { buffer: gl.createBuffer() };
+    gl.bindBuffer(gl.ARRAY_BUFFER, entry.buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, rows, gl.DYNAMIC_DRAW);
+    entry.rows = rows;
+    entry.count = rows.length;
+  }
+
+  // Draws the rows up to one.
+  until(row) {
+    for (const entry of Object.values(this.lists)) {
+      let low = 0, high = entry.rows.length;
+      while (low < high) {
+        const middle = (low + high) >> 1;
+        if (entry.rows[middle] <= row) low = middle + 1;
+        else high = middle;
+      }
+      entry.count = low;
+    }
+  }
+
+  mesh(name, data, floats) {
+    this.meshes[name] = { buffer: this.buffer(data), count: data.length / floats };
+  }
+
+  resize() {
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const width = Math.round(this.canvas.clientWidth * ratio), height = Math.round(this.canvas.clientHeight * ratio);
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
+  }
+
+  use(entry, camera) {
+    const gl = this.gl, { program, uniforms } = entry;
+    gl.useProgram(program);
+    gl.uniformMatrix4fv(uniforms.matrix, false, camera.matrix());
+    if (uniforms.points) gl.uniform1i(uniforms.points, 0);
+    if (uniforms.colors) gl.uniform1i(uniforms.colors, 1);
+    if (uniforms.eyeBack) gl.uniform3fv(uniforms.eyeBack, camera.back);
+    if (uniforms.eyeSide) gl.uniform3fv(uniforms.eyeSide, camera.right);
+    for (let i = 0; i < 3; i++) gl.disableVertexAttribArray(i);
+    return uniforms;
+  }
+
+  rowsOf(name, skip = 1) {
+    const gl = this.gl, entry = this.lists[name];
+    gl.bindBuffer(gl.ARRAY_BUFFER, entry.buffer);
+    gl.enableVertexAttribArray(1);
+    gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_INT, 4 * skip, 0);
+    gl.vertexAttribDivisor(1, 1);
+    return entry.count;
+  }
+
+  drawBeads(camera, state, picking, skip = 1) {
+    const gl = this.gl, all = this.lists.beads?.count ?? 0, count = Math.floor(all / skip);
+    if (!count) return;
+    const uniforms = this.use(this.beads, camera);
+    gl.uniform1f(uniforms.unit, this.unit);
+    gl.uniform1f(uniforms.part, state.part);
+    // Strands thinner than a pixel would flicker.
+    gl.uniform1f(uniforms.thin, camera.distance * 2 * Math.tan(0.35) / this.canvas.height * (picking ? 3 : 0.8));
+    gl.uniform1ui(uniforms.last, state.part < 1 ? state.row : 0xffffffff);
+    gl.uniform1i(uniforms.picking, picking ? 1 : 0);
+    const shape = this.shapes[count < 60000 ? 0 : count < 300000 ? 1 : 2];
+    gl.bindBuffer(gl.ARRAY_BUFFER, shape.corners);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    gl.vertexAttribDivisor(0, 0);
+    this.rowsOf("beads", skip);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, shape.triangles);
+    gl.drawElementsInstanced(gl.TRIANGLES, shape.count, gl.UNSIGNED_SHORT, 0, count);
+  }
+
+  drawRows(program, name, camera, tint, mode, points, size) {
+    if (!this.lists[name]?.count) return;
+    const gl = this.gl, uniforms = this.use(program, camera);
+    gl.uniform4fv(uniforms.tint, tint);
+    if (uniforms.size) gl.uniform1f(uniforms.size, size);
+    gl.drawArraysInstanced(mode, 0, points, this.rowsOf(name));
+  }
+
+  drawLines(name, camera, tint) {
+    const mesh = this.meshes[name];
+    if (!mesh?.count) return;
+    const gl = this.gl, uniforms = this.use(this.plain, camera);
+    gl.uniform4fv(uniforms.tint, tint);
+    gl.bindBuffer(gl.ARRAY_BUFFER, mesh.buffer);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    gl.vertexAttribDivisor(0, 0);
+    gl.drawArrays(gl.LINES, 0, mesh.count);
+  }
+
+  drawSolid(name, camera, tint, shift) {
+    const mesh = this.meshes[name];
+    if (!mesh?.count) return;
+    const gl = this.gl, uniforms = this.use(this.solid, camera);
+    gl.uniform4fv(uniforms.tint, tint);
+    gl.uniform3fv(uniforms.shift, shift);
+    gl.bindBuffer(gl.ARRAY_BUFFER, mesh.buffer);
+    for (const [location, offset] of [[0, 0], [2, 12]]) {
+      gl.enableVertexAttribArray(location);
+      gl.vertexAttribPointer(location, 3, gl.FLOAT, false, 24, offset);
+      gl.vertexAttribDivisor(location, 0);
+    }
+    gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
+  }
+
+  draw(camera, state, skip = 1) {
+    const gl = this.gl;
+    this.resize();
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.clearColor(...state.background, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    const ink = state.dark ? 1 : 0;
+    if (state.bed) {
+      const grey = (light, dark) => [state.dark ? dark : light, state.dark ? dark : light, state.dark ? dark : light, 1];
+      this.drawLines("bedThin", camera, grey(0.83, 0.24));
+      this.drawLines("bedBold", camera, grey(0.5, 0.5));
+    }
+    this.drawBeads(camera, state, false, skip);
+    if (state.travel) this.drawRows(this.lines, "travels", camera, [0.35, 0.5, 0.85, 1], gl.LINES, 2);
+    gl.disable(gl.DEPTH_TEST);
+    if (state.retractions) this.drawRows(this.marks, "retractions", camera, [0.85, 0.2, 0.55, 1], gl.POINTS, 1, 5);
+    if (state.seams) this.drawRows(this.marks, "seams", camera, [ink, ink, ink, 1], gl.POINTS, 1, 5);
+    gl.enable(gl.DEPTH_TEST);
+    if (state.model) this.drawSolid("model", camera, [0.62, 0.74, 0.6, 1], [0, 0, 0]);
+    if (state.head && state.nozzle) {
+      gl.enable(gl.BLEND);
+      gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+      this.drawSolid("head", camera, [0.5, 0.55, 0.62, 0.4], state.nozzle);
+      gl.disable(gl.BLEND);
+    }
+  }
+
+  // The row under a place of the canvas in CSS pixels, or -1.
+  pick(camera, state, x, y) {
+    const gl = this.gl, ratio = this.canvas.width / this.canvas.clientWidth;
+    if (!this.target || this.target.width !== this.canvas.width || this.target.height !== this.canvas.height) this.target = this.pickTarget();
+    const px = Math.floor(x * ratio), py = this.canvas.height - 1 - Math.floor(y * ratio);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.frame);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(px, py, 1, 1);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    this.drawBeads(camera, state, true);
+    const color = new Uint8Array(4);
+    gl.readPixels(px, py, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, color);
+    gl.disable(gl.SCISSOR_TEST);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return color[3] === 0 ? -1 : color[0] + color[1] * 256 + color[2] * 65536 + (color[3] - 1) * 16777216;
+  }
+
+  pickTarget() {
+    const gl = this.gl, { width, height } = this.canvas;
+    if (this.target) {
+      gl.deleteFramebuffer(this.target.frame);
+      gl.deleteRenderbuffer(this.target.color);
+      gl.deleteRenderbuffer(this.target.depth);
+    }
+    const frame = gl.createFramebuffer(), color = gl.createRenderbuffer(), depth = gl.createRenderbuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    for (const [buffer, format, attachment] of [[color, gl.RGBA8, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
+      gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+      gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
+    }
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return { frame, color, depth, width, height };
+  }
+}

@@ -1,0 +1,175 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+using Newtonsoft.Json;
+
+namespace Caterpillar.Display;
+
+/// <summary>What a viewer page knows besides its columns, as JSON: layers, events, tools, printer, findings and colors.</summary>
+internal static class PageHead
+{
+    public static string ToJson(ViewerContent content, MoveColumns? moves)
+    {
+        using var text = new StringWriter(CultureInfo.InvariantCulture) { NewLine = "\n" };
+        using (var json = new JsonTextWriter(text) { StringEscapeHandling = StringEscapeHandling.EscapeHtml })
+        {
+            json.WriteStartObject();
+            Text(json, "title", content.Title);
+            Text(json, "limits", content.Limits);
+            Flag(json, "timed", content.EndOf is not null);
+            Text(json, "source", content.GCode is not null ? "line" : content.Toolpath?.Source == MoveSource.Steps ? "step" : "line");
+            Text(json, "shape", content.Shape.ToString());
+            Number(json, "density", content.Density);
+            if (content.Toolpath is { } toolpath) Toolpath(json, toolpath, moves!);
+            if (content.Printer is { } printer) Printer(json, printer);
+            Findings(json, content, moves);
+            Colors(json);
+            json.WriteEndObject();
+        }
+        return text.ToString();
+    }
+
+    private static void Toolpath(JsonTextWriter json, Toolpath toolpath, MoveColumns moves)
+    {
+        Number(json, "rows", moves.Rows);
+        Number(json, "moves", toolpath.Count);
+        Array(json, "start", Numbers(toolpath.Start ?? Vec3.Zero));
+        Array(json, "columns", moves.All.Select(c => c.Name));
+        json.WritePropertyName("layers");
+        json.WriteStartArray();
+        foreach (var layer in toolpath.Layers)
+        {
+            json.WriteStartArray();
+            json.WriteValue(layer.Index);
+            Value(json, layer.Z);
+            Value(json, layer.Thickness);
+            json.WriteValue(layer.Object);
+            json.WriteEndArray();
+        }
+        json.WriteEndArray();
+        Events(json, toolpath, moves);
+    }
+
+    private static void Events(JsonTextWriter json, Toolpath toolpath, MoveColumns moves)
+    {
+        json.WritePropertyName("events");
+        json.WriteStartArray();
+        foreach (var (move, happening) in toolpath.Events)
+        {
+            (string Name, double Value)? entry = happening switch
+            {
+                NozzleTemperatureEvent nozzle => ("nozzle", nozzle.Celsius),
+                BedTemperatureEvent bed => ("bed", bed.Celsius),
+                FanEvent fan => ("fan", fan.Speed),
+                PauseEvent => ("pause", 0),
+                _ => null,
+            };
+            if (entry is not { } known) continue;
+            json.WriteStartArray();
+            json.WriteValue(moves.RowOf(move));
+            json.WriteValue(known.Name);
+            Value(json, known.Value);
+            json.WriteEndArray();
+        }
+        json.WriteEndArray();
+    }
+
+    private static void Printer(JsonTextWriter json, Machines.Printer printer)
+    {
+        json.WritePropertyName("printer");
+        json.WriteStartObject();
+        Text(json, "title", printer.Title);
+        Array(json, "min", Numbers(printer.BuildBounds.Min));
+        Array(json, "max", Numbers(printer.BuildBounds.Max));
+        Flag(json, "round", printer.BedShape != Machines.BedShape.Rectangle);
+        Array(json, "head", printer.HeadOutline.SelectMany(p => new[] { p.Radius, p.Height }).Select(NumberText));
+        Array(json, "boxes", printer.HeadBoxes.SelectMany(b => Numbers(b.Min).Concat(Numbers(b.Max))));
+        Array(json, "excluded", printer.ExcludedAreas.SelectMany(b => Numbers(b.Min).Concat(Numbers(b.Max))));
+        json.WriteEndObject();
+    }
+
+    private static void Findings(JsonTextWriter json, ViewerContent content, MoveColumns? moves)
+    {
+        json.WritePropertyName("findings");
+        json.WriteStartArray();
+        foreach (var finding in content.Findings)
+        {
+            json.WriteStartObject();
+            Text(json, "severity", finding.Severity.ToString());
+            Text(json, "code", finding.Code);
+            Text(json, "message", finding.Message);
+            Text(json, "place", finding.Source?.ToString() ?? "");
+            Number(json, "count", finding.Count);
+            if (moves is not null && finding.Source?.Move is { } move) Number(json, "row", moves.RowOf(move));
+            if (finding.Source?.Line is { } line) Number(json, "line", line);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+    }
+
+    private static void Colors(JsonTextWriter json)
+    {
+        json.WritePropertyName("roles");
+        json.WriteStartArray();
+        foreach (Role role in Enum.GetValues(typeof(Role)))
+        {
+            json.WriteStartArray();
+            json.WriteValue(Spaced(role.ToString()));
+            json.WriteValue(Hex(Palette.Of(role)));
+            json.WriteEndArray();
+        }
+        json.WriteEndArray();
+        Array(json, "kinds", Enum.GetNames(typeof(MoveKind)).Select(Spaced));
+        Text(json, "travelColor", Hex(Palette.Travel));
+        Array(json, "scale", Enumerable.Range(0, 5).Select(i => Hex(Palette.At(i / 4.0))));
+    }
+
+    private static string Hex(Rgb color) => "#" + color.R.ToString("x2", CultureInfo.InvariantCulture)
+        + color.G.ToString("x2", CultureInfo.InvariantCulture) + color.B.ToString("x2", CultureInfo.InvariantCulture);
+
+    // "OuterWall" is shown as "Outer wall".
+    private static string Spaced(string name)
+        => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? " " + char.ToLowerInvariant(c) : c.ToString()));
+
+    private static string[] Numbers(Vec3 point) => [NumberText(point.X), NumberText(point.Y), NumberText(point.Z)];
+
+    private static string NumberText(double value) => NumberFormatter.Format(double.IsNaN(value) || double.IsInfinity(value) ? 0 : value, 6);
+
+    private static void Value(JsonTextWriter json, double value) => json.WriteRawValue(NumberText(value));
+
+    private static void Number(JsonTextWriter json, string name, double value)
+    {
+        json.WritePropertyName(name);
+        Value(json, value);
+    }
+
+    private static void Text(JsonTextWriter json, string name, string value)
+    {
+        json.WritePropertyName(name);
+        json.WriteValue(value);
+    }
+
+    private static void Flag(JsonTextWriter json, string name, bool value)
+    {
+        json.WritePropertyName(name);
+        json.WriteValue(value);
+    }
+
+    // Numbers come as text of our formatter, other texts are quoted.
+    private static void Array(JsonTextWriter json, string name, System.Collections.Generic.IEnumerable<string> values)
+    {
+        json.WritePropertyName(name);
+        json.WriteStartArray();
+        foreach (var value in values)
+        {
+            if (NumberReader.TryParse(value, out _)) json.WriteRawValue(value);
+            else json.WriteValue(value);
+        }
+        json.WriteEndArray();
+    }
+}

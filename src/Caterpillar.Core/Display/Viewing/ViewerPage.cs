@@ -1,0 +1,109 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.IO.Compression;
+using System.Text;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Display;
+
+/// <summary>
+/// A web page that shows a print or a model in 3D: beads with their true size, colors by role, speed and more, layers and time on sliders, the head, the
+/// lines of the file, findings. One file that needs nothing else; browsers with WebGL 2 show it.
+/// </summary>
+public static class ViewerPage
+{
+    private static readonly string[] Scripts = ["unpack.js", "colors.js", "camera.js", "shapes.js", "scene.js", "range.js", "panel.js", "main.js"];
+
+    /// <summary>Writes the page in UTF-8.</summary>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public static void Write(ViewerContent content, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (content is null) throw new ArgumentNullException(nameof(content));
+        if (stream is null) throw new ArgumentNullException(nameof(stream));
+        var moves = content.Toolpath is null ? null : MoveColumns.Of(content, progress, cancel);
+        using var text = new StreamWriter(stream, new UTF8Encoding(false), 1 << 16, leaveOpen: true) { NewLine = "\n" };
+        foreach (var piece in Resource("viewer.html").Split(new[] { "{{" }, StringSplitOptions.None))
+        {
+            var end = piece.IndexOf("}}", StringComparison.Ordinal);
+            if (end >= 0) Part(piece.Substring(0, end), text, content, moves, cancel);
+            text.Write(end >= 0 ? piece.Substring(end + 2) : piece);
+        }
+    }
+
+    /// <summary>Writes the page to a file, whole or not at all.</summary>
+    /// <exception cref="IOException">The disk failed.</exception>
+    /// <exception cref="OperationCanceledException">Canceled; no part of the file is left.</exception>
+    public static void WriteFile(ViewerContent content, string path, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (path is null) throw new ArgumentNullException(nameof(path));
+        using var file = new AtomicFile(path);
+        Write(content, file.Stream, progress, cancel);
+        file.Commit();
+    }
+
+    private static void Part(string name, TextWriter text, ViewerContent content, MoveColumns? moves, CancellationToken cancel)
+    {
+        switch (name)
+        {
+            case "title": text.Write(Escaped(content.Title)); break;
+            case "style": text.Write(Resource("viewer.css")); break;
+            case "head": text.Write(PageHead.ToJson(content, moves)); break;
+            case "moves": if (moves is not null) Packed(text, Columns(moves), cancel); break;
+            case "model": if (content.Model is { TriangleCount: > 0 } model) Packed(text, ModelColumns.Of(model), cancel); break;
+            case "gcode": if (content.GCode is { } code) GCode(text, code, cancel); break;
+            case "script": foreach (var script in Scripts) text.Write(Resource(script)); break;
+            default: throw new InvalidOperationException($"The page has no part {name}.");
+        }
+    }
+
+    private static IEnumerable<byte[]> Columns(MoveColumns moves)
+    {
+        foreach (var column in moves.All) yield return column.ToBytes();
+    }
+
+    private static void GCode(TextWriter text, byte[] code, CancellationToken cancel)
+    {
+        if (GzipReader.IsPacked(code, code.Length)) Base64(text, code, code.Length, cancel);
+        else Packed(text, [code], cancel, lengths: false);
+    }
+
+    // Each part with its length in four bytes, all of it as gzip in base 64.
+    private static void Packed(TextWriter text, IEnumerable<byte[]> parts, CancellationToken cancel, bool lengths = true)
+    {
+        using var memory = new MemoryStream();
+        using (var gzip = new GZipStream(memory, CompressionLevel.Optimal, leaveOpen: true))
+        {
+            foreach (var part in parts)
+            {
+                cancel.ThrowIfCancellationRequested();
+                if (lengths) gzip.Write([(byte)part.Length, (byte)(part.Length >> 8), (byte)(part.Length >> 16), (byte)(part.Length >> 24)], 0, 4);
+                gzip.Write(part, 0, part.Length);
+            }
+        }
+        Base64(text, memory.GetBuffer(), (int)memory.Length, cancel);
+    }
+
+    private static void Base64(TextWriter text, byte[] bytes, int count, CancellationToken cancel)
+    {
+        const int Piece = 3 << 16;
+        for (var at = 0; at < count; at += Piece)
+        {
+            cancel.ThrowIfCancellationRequested();
+            text.Write(Convert.ToBase64String(bytes, at, Math.Min(Piece, count - at)));
+        }
+    }
+
+    private static string Resource(string name)
+    {
+        using var stream = typeof(ViewerPage).Assembly.GetManifestResourceStream("viewer/" + name)
+            ?? throw new InvalidOperationException($"The resource viewer/{name} is missing.");
+        using var reader = new StreamReader(stream, Encoding.UTF8);
+        return reader.ReadToEnd();
+    }
+
+    private static string Escaped(string text) => text.Replace("&", "&amp;").Replace("<", "&lt;").Replace("{", "&#123;");
+}

@@ -1,0 +1,124 @@
+using System;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Caterpillar.Cli.Tests;
+
+public class ViewTests : CliFixture
+{
+    private const string Code = "G28\nG90\nM83\nM109 S200\nG1 Z0.2 F600\n;LAYER:0\n;TYPE:WALL-OUTER\nG1 X10 Y10 F6000\nG1 X60 Y10 E2 F1200\nG1 X60 Y60 E2\n"
+        + ";LAYER:1\nG1 Z0.4 F600\n;TYPE:FILL\nG1 X10 Y60 E2 F3000\nG1 X10 Y10 E2\n";
+
+    [Test]
+    public void A_page_is_named_after_its_input()
+    {
+        File.WriteAllText("a.gcode", Code);
+        Assert.That(Run("view", "a.gcode").Code, Is.Zero);
+        Assert.That(File.ReadAllText("a.html"), Does.StartWith("<!DOCTYPE html>").And.Contain("a.gcode"));
+    }
+
+    [Test]
+    public void Models_turtle_programs_and_curves_are_shown()
+    {
+        File.WriteAllText("box.stl", Box(20, 10, 2));
+        File.WriteAllText("star.turtle", "start 100 100 0.2\nrepeat 5 [ forward 30; left 144 ]\n");
+        File.WriteAllText("line.csv", "x,y,z\n10,10,0.2\n50,10,0.2\n");
+        foreach (var file in new[] { "box.stl", "star.turtle", "line.csv" })
+        {
+            var run = Run("view", file);
+            Assert.That(run.Code, Is.Zero, file + ": " + run.Messages);
+        }
+        Assert.That(Part("box.html", "modelData"), Is.Not.Empty);
+        Assert.That(Part("star.html", "moveData"), Is.Not.Empty);
+        Assert.That(Part("line.html", "gcodeData"), Is.Not.Empty);
+    }
+
+    [Test]
+    public void Findings_are_listed_for_a_named_printer()
+    {
+        File.WriteAllText("a.gcode", Code.Replace("X60", "X600"));
+        Run("view", "a.gcode", "--printer", "generic");
+        Assert.That(Part("a.html", "head"), Does.Contain("bed.outside"));
+    }
+
+    [Test]
+    public void The_text_of_the_file_can_be_left_out()
+    {
+        File.WriteAllText("a.gcode", Code);
+        Run("view", "a.gcode", "--no-lines");
+        Assert.That(Part("a.html", "gcodeData"), Is.Empty);
+    }
+
+    [Test]
+    public void Wrong_usage_says_so()
+    {
+        File.WriteAllText("a.gcode", Code);
+        Assert.That(Run("view", "a.gcode", "--serve", "--output", "a.html").Code, Is.EqualTo(2));
+        Assert.That(Run("view", "-", "--serve").Code, Is.EqualTo(2));
+        Assert.That(Run("view", "a.gcode", "--serve", "0").Code, Is.EqualTo(2));
+        Assert.That(Run("view", "a.gcode", "-o", "a.png").Code, Is.EqualTo(2));
+        Assert.That(Run("view", "none.gcode").Code, Is.EqualTo(1));
+        Assert.That(Directory.GetFiles(".", "*.html"), Is.Empty);
+    }
+
+    [Test]
+    public void The_page_works_in_a_browser()
+    {
+        File.WriteAllText("a.gcode", Code);
+        Run("view", "a.gcode", "--printer", "generic");
+        var document = Browse("a.html", "", "--dump-dom");
+        Assert.That(document, Does.Contain("data-state=\"ready\"").And.Contain("data-beads=\"4\""));
+        Assert.That(document, Does.Contain("Outer wall").And.Contain("0 – 1 · Z 0.2 – 0.4 mm"));
+        foreach (var coloring in Regex.Matches(document, "<option value=\"([a-z]+)\">").Select(m => m.Groups[1].Value))
+        {
+            var colored = Browse("a.html", "#light&color=" + coloring, "--dump-dom");
+            Assert.That(colored, Does.Contain("data-state=\"ready\""), coloring);
+            Assert.That(Regex.Match(colored, "<div id=\"legend\">(.*?)</section>", RegexOptions.Singleline).Value,
+                Does.Contain("class=\"").And.Contain("<span"), coloring);
+        }
+    }
+
+    [Test]
+    public void Layers_moments_and_colors_change_what_is_drawn()
+    {
+        File.WriteAllText("a.gcode", Code);
+        Run("view", "a.gcode", "--printer", "generic");
+        var pictures = new[] { "#light", "#light&layers=0-0", "#light&at=0.5", "#light&color=speed", "#light&view=-90,90", "#dark", "#light&hide=bed" }
+            .Select(hash => Convert.ToBase64String(Screen(hash))).ToArray();
+        Assert.That(pictures, Is.Unique);
+        Assert.That(Convert.ToBase64String(Screen("#light")), Is.EqualTo(pictures[0]));
+    }
+
+    private static byte[] Screen(string hash)
+    {
+        Browse("a.html", hash, "--screenshot=" + Path.GetFullPath("screen.png"));
+        return File.ReadAllBytes("screen.png");
+    }
+
+    private static string Part(string page, string id)
+        => Regex.Match(File.ReadAllText(page), $"id=\"{id}\">(.*?)</script>", RegexOptions.Singleline).Groups[1].Value;
+
+    private static string Browse(string page, string hash, string action)
+    {
+        var browser = new[] { "/usr/bin/chromium", "/usr/bin/google-chrome" }.FirstOrDefault(File.Exists);
+        if (browser is null) Assert.Ignore("Skipped: no Chromium is installed, in which the page could be opened.");
+        var profile = Path.GetFullPath("profile");
+        var start = new ProcessStartInfo(browser!) { RedirectStandardOutput = true, RedirectStandardError = true };
+        string[] arguments =
+        [
+            "--headless", "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+            "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--window-size=800,600", "--virtual-time-budget=15000", "--user-data-dir=" + profile,
+            "--enable-logging=stderr", action, new Uri(Path.GetFullPath(page)) + hash,
+        ];
+        foreach (var argument in arguments) start.ArgumentList.Add(argument);
+        using var process = Process.Start(start)!;
+        var messages = process.StandardError.ReadToEndAsync();
+        var text = process.StandardOutput.ReadToEnd();
+        process.WaitForExit();
+        Assert.That(messages.Result.Split('\n').Where(line => line.Contains("CONSOLE")), Is.Empty);
+        return text;
+    }
+}
