@@ -72,7 +72,7 @@ internal sealed class ConvertVerb : Verb
                 new DecodeOptions { Dialect = from, Memory = session.Memory,
                     FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, p,
                 session.Cancel)));
-        var edited = _edits.Edit(decoding.Toolpath, Tolerance(arguments), arguments, session);
+        var edited = _edits.Edit(decoding.Toolpath, Tolerance(arguments), () => Pause(arguments, session), arguments, session);
         if (arguments.GetValue(_arcs) == "fit") edited = edited.FitArcs(new ArcFitOptions { Tolerance = Tolerance(arguments) });
         var code = _edits.Code(arguments);
         var written = document;
@@ -123,6 +123,13 @@ internal sealed class ConvertVerb : Verb
         var decoding = Again(text, dialect, arguments, session);
         return session.ValueOrFail(session.WithProgress("Checking",
             p => SafeWriter.ToDocument(decoding, decoding.Toolpath, setup, arguments.GetValue(_reason), null, p, session.Cancel)), ExitCode.Refused);
+    }
+
+    // How high a printer goes is known only of one that is named.
+    private Pause Pause(ParseResult arguments, Session session)
+    {
+        var pause = PauseMoves.Of(_setup.Resolve(arguments, session));
+        return _setup.IsGiven(arguments) ? pause : pause with { MaxHeight = double.PositiveInfinity };
     }
 
     // Null if nothing is to be converted.

@@ -28,7 +28,12 @@ internal sealed class ToolpathEditOptions
     private readonly Option<string?> _axis = new("--axis") { Description = "Formulas in r, theta (degrees) and z about this vertical axis.",
         HelpName = "X,Y|middle" };
     private readonly Option<bool> _remove = new("--remove") { Description = "Remove the selection." };
-    private readonly Option<int[]> _pauses = new("--pause-at-layer") { Description = "Insert a pause before a layer; may be repeated.", HelpName = "N" };
+    private readonly Option<int[]> _pauses = new("--pause-at-layer")
+    {
+        Description = "Insert a pause before a layer, lifted and parked by the printer's keys; may be repeated.", HelpName = "N",
+    };
+
+    private readonly Option<bool> _plainPause = new("--plain-pause") { Description = "Pause on the spot, by the command alone." };
     private readonly Option<string[]> _tools = new("--tool-at-layer") { Description = "Change the tool before a layer; may be repeated.",
         HelpName = "N=TOOL" };
     private readonly Option<string[]> _lines = new("--line-at-layer") { Description = "Insert a line of G-code before a layer; may be repeated.",
@@ -41,13 +46,13 @@ internal sealed class ToolpathEditOptions
     public void AddTo(Verb verb)
     {
         _filter.AddTo(verb);
-        foreach (var option in new Option[] { _speed, _flow, _scale, _turn, _move, _deform, _axis, _remove, _pauses, _tools, _lines, _start,
+        foreach (var option in new Option[] { _speed, _flow, _scale, _turn, _move, _deform, _axis, _remove, _pauses, _plainPause, _tools, _lines, _start,
             _end }) verb.Options.Add(option);
     }
 
     /// <summary>The edited toolpath; the same one if no edit is asked for.</summary>
     /// <exception cref="CliException">An option is wrong, or a formula gives no point.</exception>
-    public Toolpath Edit(Toolpath toolpath, double tolerance, ParseResult arguments, Session session)
+    public Toolpath Edit(Toolpath toolpath, double tolerance, Func<Pause> pause, ParseResult arguments, Session session)
     {
         var filter = _filter.Of(toolpath, arguments);
         var strands = filter with { Kinds = [MoveKind.Print] };
@@ -70,7 +75,7 @@ internal sealed class ToolpathEditOptions
         {
             throw new CliException(ExitCode.Usage, "--axis needs --deform.");
         }
-        foreach (var layer in arguments.GetValue(_pauses) ?? []) toolpath = AtLayer(toolpath, layer, new PauseEvent());
+        toolpath = Pauses(toolpath, pause, arguments);
         foreach (var text in arguments.GetValue(_tools) ?? [])
         {
             var (layer, tool) = Numbers.Pair(text, "--tool-at-layer");
@@ -88,6 +93,22 @@ internal sealed class ToolpathEditOptions
         if (!arguments.GetValue(_remove)) return toolpath;
         if (!_filter.IsGiven(arguments)) throw new CliException(ExitCode.Usage, "--remove needs layers, roles, objects, a tool or a box to cut out.");
         return toolpath.Remove(_filter.NamesStrands(arguments) ? strands : filter);
+    }
+
+    private Toolpath Pauses(Toolpath toolpath, Func<Pause> lifted, ParseResult arguments)
+    {
+        var layers = arguments.GetValue(_pauses) ?? [];
+        if (layers.Length == 0)
+        {
+            return !arguments.GetValue(_plainPause) ? toolpath : throw new CliException(ExitCode.Usage, "--plain-pause needs --pause-at-layer.");
+        }
+        var pause = arguments.GetValue(_plainPause) ? Pause.Plain : lifted();
+        foreach (var layer in layers)
+        {
+            var changed = toolpath.PauseAtLayer(layer, pause);
+            toolpath = changed.Value ?? throw new CliException(ExitCode.Usage, changed.Diagnostics[0].Message);
+        }
+        return toolpath;
     }
 
     /// <summary>New start and end code.</summary>

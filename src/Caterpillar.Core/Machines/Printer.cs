@@ -8,7 +8,7 @@ namespace Caterpillar.Machines;
 /// A printer: its build volume, its limits and its style of G-code. Lengths in mm, speeds in mm/s, accelerations in mm/s². The keys of profiles are in
 /// <see cref="ProfileKeys"/>; a value outside its key's range throws an <see cref="ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
-public sealed record Printer
+public sealed partial record Printer
 {
     /// <summary>Name of the profile.</summary>
     public string Name { get; init; } = "generic";

@@ -27,7 +27,8 @@ public sealed class StrandMeshTests
         var sum = 0.0;
         for (var i = 0; i < mesh.Quads.Count; i += 4)
         {
-            Vec3 a = mesh.Vertices[mesh.Quads[i]], b = mesh.Vertices[mesh.Quads[i + 1]], c = mesh.Vertices[mesh.Quads[i + 2]], d = mesh.Vertices[mesh.Quads[i + 3]];
+            Vec3 a = mesh.Vertices[mesh.Quads[i]], b = mesh.Vertices[mesh.Quads[i + 1]], c = mesh.Vertices[mesh.Quads[i + 2]],
+                d = mesh.Vertices[mesh.Quads[i + 3]];
             sum += (Vec3.Dot(a, Vec3.Cross(b, c)) + Vec3.Dot(a, Vec3.Cross(c, d))) / 6;
         }
         return sum;

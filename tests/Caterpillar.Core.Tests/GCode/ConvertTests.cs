@@ -22,7 +22,7 @@ public class ConvertTests
     {
         const string Text = "G21\nG90\nG1 X1 Y1 Z.2 F1800\nG1 X5 A.5\nG92 A0\nG1 X9 A1\n";
         Assert.That(ConvertText(Text, new ConvertOptions { Dialect = DialectTable.Marlin2, RelativeE = false }, "cnc"), Is.EqualTo(
-            "G21\nG90\nG1 X1 Y1 Z.2 F1800\nG1 X5 E.5\nG92 E0\nG1 X9 E1\n"));
+            "; Dialect marlin2\nG21\nG90\nG1 X1 Y1 Z.2 F1800\nG1 X5 E.5\nG92 E0\nG1 X9 E1\n"));
     }
 
     [Test]

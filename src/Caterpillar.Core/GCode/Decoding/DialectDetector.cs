@@ -66,6 +66,14 @@ internal static class DialectDetector
         return new Detection(DialectTable.Find(name)!, evidence, false);
     }
 
+    /// <summary>True where comments state the dialect, and nothing that counts more says otherwise; a conversion states the new one there.</summary>
+    public static bool IsStated(IReadOnlyList<GCodeChunk> chunks)
+    {
+        var text = Text(chunks);
+        var evidence = new List<string>();
+        return Declared(text, evidence) is not null || (ByCommand(text, evidence) is null && ByFlavor(text, evidence) is not null);
+    }
+
     // What SetupFormat writes into the header.
     private static string? Declared(string text, List<string> evidence)
     {

@@ -48,12 +48,7 @@ internal sealed class CommentScale
         if (!IsActive || line.End - line.Start is < 2 or > LongestComment || !MayChange(line)) return line;
         var text = TextEncoding.Decode(line.Text, line.Start, line.End);
         var changed = Changed(text, number);
-        if (changed == text) return line;
-        var bytes = TextEncoding.Encode(changed);
-        var all = new byte[bytes.Length + line.Next - line.End];
-        Buffer.BlockCopy(bytes, 0, all, 0, bytes.Length);
-        Buffer.BlockCopy(line.Text, line.End, all, bytes.Length, line.Next - line.End);
-        return new FileLine(all, 0, bytes.Length, all.Length);
+        return changed == text ? line : line.WithText(TextEncoding.Encode(changed));
     }
 
     // PrusaSlicer's ;BEFORE_LAYER_CHANGE and ;AFTER_LAYER_CHANGE are followed by the bare height.

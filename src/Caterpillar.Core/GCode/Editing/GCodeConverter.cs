@@ -65,6 +65,8 @@ public static class GCodeConverter
         var problems = new DiagnosticList();
         var target = ConvertTarget.Of(decoding, options, problems);
         if (target is null) return problems.ToList();
+        if (options.DecimalsXyz is { } decimals && LayerRounding.Check(decoding.Toolpath, decimals, new SourceLocation(decoding.Document.Name)) is { } rounded)
+            return [.. problems.ToList(), rounded];
         var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target);
         splicer.Run(progress, cancel);
         problems.AddRange(splicer.Diagnostics.ToList());

@@ -20,6 +20,7 @@ internal sealed class Splicer
     private readonly CodeReplacement _code;
     private readonly CommentBuffer _comments;
     private readonly CommentScale _scale;
+    private readonly DialectComments _dialect;
     private readonly MoveWriter _moves;
     private readonly OtherLines _others;
 
@@ -32,6 +33,7 @@ internal sealed class Splicer
         _tasks = new SpliceTasks(_context, plan, new MoveCursor(edited));
         _code = new CodeReplacement(_context, options, plan);
         _comments = new CommentBuffer(_context);
+        _dialect = new DialectComments(decoding, target);
         _scale = new CommentScale(decoding.Toolpath, edited);
         if (_scale.ChangesLayers) plan.Touch(1, int.MaxValue);
         var conversion = new MoveConversion(_context);
@@ -93,6 +95,7 @@ internal sealed class Splicer
             var mark = TextEncoding.MarkLength(chunk);
             _context.Text.Copy(text, at, at + mark);
             at += mark;
+            if (_dialect.Statement is { } statement) _context.Text.AddOwn(TextEncoding.Encode(statement), statement.Length);
         }
         for (_context.Number = before + 1; at < chunk.End; _context.Number++)
         {
@@ -112,7 +115,7 @@ internal sealed class Splicer
         var events = _context.Read.LastEvents.Count;
         if (!_code.Keeps(number)) _tasks.SkipTo(number + 1);
         else if (moves > 0 || commands > 0) WriteMotion(line, moves, commands, events);
-        else if (_context.Line.Shape == LineShape.Empty) _comments.Add(_scale.Image(line, number));
+        else if (_context.Line.Shape == LineShape.Empty) _comments.Add(_dialect.Image(_scale.Image(line, number)));
         else WriteOther(line, events);
         _tasks.SkipEvents(events);
     }

@@ -26,6 +26,7 @@ public static class SetupFormat
         // Layer and tool templates are tried once with the values of the first, so that an error is found before anything is written.
         if (layers is not null && toolpath.Layers.Count > 0) problems.AddRange(layers.Render(OfLayer(values, toolpath, 0)).Diagnostics);
         if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
+        if (LayerRounding.Check(toolpath, printer.DecimalsXyz, new SourceLocation(printer.Name, Key: "decimals_xyz")) is { } rounded) problems.Add(rounded);
         if (problems.HasErrors) return new Result<GCodeFormat>(null, problems.ToList());
         var format = new GCodeFormat
         {

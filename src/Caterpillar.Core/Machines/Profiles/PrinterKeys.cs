@@ -219,7 +219,7 @@ internal static class PrinterKeys
         InstantaneousCornerVelocity, PlannerQueue, ArcSegment, NozzleHeating, BedHeating, ToolChangeTime, HomingTime, ToolOffsets, HeadOutline, HeadBoxes,
         ExcludedAreas,
         MaxFlow, MinExtrusionTemperature, MaxNozzleTemperature, MaxBedTemperature, MaxStationaryVolume, StartTemplate, EndTemplate, LayerTemplate,
-            ToolChangeTemplate,
+            ToolChangeTemplate, .. PauseKeys.All,
     ];
 
     private static string? Ascends(ValueList<HeadPoint> outline)

@@ -1,0 +1,45 @@
+using System;
+using System.Text.RegularExpressions;
+using Caterpillar.Dialects;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Comments that say for which firmware a file is, in a conversion for another one: the result is read by the rules that it was written for.</summary>
+internal sealed class DialectComments
+{
+    private const int LongestComment = 200;
+    private static readonly Regex Flavor =
+        new(@"^(;FLAVOR:|; Dialect |;?\s*(?:machine_)?gcode_flavor = )(\S.*)$", RegexOptions.CultureInvariant);
+
+    private readonly DialectRules? _target;
+
+    public DialectComments(DecodedGCode decoding, ConvertTarget? target)
+    {
+        if (target is null || target.Dialect.Name == decoding.Dialect.Name) return;
+        _target = target.Dialect;
+        var chunks = decoding.Document!.Chunks;
+        if (!DialectDetector.IsStated(chunks) && DialectDetector.Detect(chunks, decoding.Axis).Dialect.Name != _target.Name)
+            Statement = "; Dialect " + _target.Name;
+    }
+
+    /// <summary>A first line that names the dialect where no other comment can; or null.</summary>
+    public string? Statement { get; }
+
+    /// <summary>The comment as it is to be written.</summary>
+    public FileLine Image(FileLine line)
+    {
+        if (_target is null || line.End - line.Start is < 8 or > LongestComment || line.Text[line.Start] is not ((byte)';' or (byte)' ')) return line;
+        var text = TextEncoding.Decode(line.Text, line.Start, line.End);
+        var changed = text;
+        var match = Flavor.Match(text);
+        if (match.Success && DialectDetector.OfFlavor(match.Groups[2].Value) is not null) changed = match.Groups[1].Value + Name(match.Groups[1].Value);
+        else if (_target.Name != DialectTable.Bambu.Name && text.IndexOf("BambuStudio", StringComparison.Ordinal) >= 0)
+            changed = text.Replace("BambuStudio", "Bambu Studio");
+        return changed == text ? line : line.WithText(TextEncoding.Encode(changed));
+    }
+
+    // Slicers' "marlin" is Marlin 1, Cura's is Marlin 2.
+    private string Name(string key)
+        => key[1] == 'F' ? (_target!.Name == DialectTable.Marlin2.Name ? "Marlin" : _target.Name)
+            : _target!.Name == DialectTable.Marlin1.Name && key[2] != 'D' ? "marlin" : _target.Name;
+}

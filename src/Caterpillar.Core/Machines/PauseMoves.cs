@@ -1,0 +1,28 @@
+using System;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Machines;
+
+/// <summary>The pause of a printer.</summary>
+public static class PauseMoves
+{
+    /// <summary>A pause by the printer's keys <c>pause_lift_mm</c> and so on.</summary>
+    public static Pause Of(PrintSetup setup)
+    {
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        var printer = setup.Printer;
+        return new Pause
+        {
+            Lift = printer.PauseLift,
+            MaxHeight = printer.BuildVolume.Z,
+            Park = printer.PausePark.Count > 0 ? printer.PausePark[0] : null,
+            Retraction = printer.PauseRetraction,
+            Prime = printer.PausePrime,
+            FilamentArea = ExtrusionModel.FilamentAreaOf(setup.Material.FilamentDiameter),
+            TravelSpeed = setup.Settings.TravelSpeed,
+            LiftSpeed = printer.LiftSpeed,
+            RetractionSpeed = printer.RetractionSpeed,
+            Command = string.Join("\n", printer.PauseCommand),
+        };
+    }
+}

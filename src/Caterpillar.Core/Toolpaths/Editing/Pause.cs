@@ -1,0 +1,35 @@
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>How a print pauses. Lengths in mm, speeds in mm/s.</summary>
+public sealed record Pause
+{
+    /// <summary>The command alone, on the spot.</summary>
+    public static Pause Plain { get; } = new();
+
+    /// <summary>Height above everything printed so far; 0 stays on the spot, and then nothing is parked or retracted.</summary>
+    public double Lift { get; init; }
+
+    /// <summary>The greatest height of the nozzle.</summary>
+    public double MaxHeight { get; init; } = double.PositiveInfinity;
+
+    /// <summary>Where the head waits; null for the corner with the least X and Y that the print reaches.</summary>
+    public Vec3? Park { get; init; }
+
+    /// <summary>Filament that is retracted, and what is extruded beyond it afterwards; of the cross-section <see cref="FilamentArea"/>, mm².</summary>
+    public double Retraction { get; init; }
+
+    public double Prime { get; init; }
+
+    public double FilamentArea { get; init; } = 1;
+
+    public double TravelSpeed { get; init; } = 100;
+
+    public double LiftSpeed { get; init; } = 10;
+
+    public double RetractionSpeed { get; init; } = 35;
+
+    /// <summary>The command, or empty for that of the dialect.</summary>
+    public string Command { get; init; } = "";
+}

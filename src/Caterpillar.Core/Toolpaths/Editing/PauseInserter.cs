@@ -1,0 +1,84 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>Pauses in a finished toolpath.</summary>
+public static class PauseInserter
+{
+    /// <summary>
+    /// Pauses before the first move of a layer, by its number: retracts, lifts, parks and waits, and then comes back and restores.
+    /// </summary>
+    /// <returns>The toolpath, or none with the error <c>toolpath.no_layer</c>.</returns>
+    public static Result<Toolpath> PauseAtLayer(this Toolpath toolpath, int layer, Pause pause)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (pause is null) throw new ArgumentNullException(nameof(pause));
+        PrinterEvent what = pause.Command.Length > 0 ? new RawEvent(pause.Command) : new PauseEvent();
+        if (!(pause.Lift > 0)) return toolpath.InsertAtLayer(layer, what);
+        var first = toolpath.Moves().FirstOrDefault(m => toolpath.NumberOfLayer(m) == layer);
+        if (toolpath.NumberOfLayer(first) != layer || toolpath.Count == 0) return toolpath.InsertAtLayer(layer, what);
+        return new Result<Toolpath>(Insert(toolpath, first, pause, what), []);
+    }
+
+    private static Toolpath Insert(Toolpath toolpath, Move before, Pause pause, PrinterEvent what)
+    {
+        var block = toolpath.BlockOf(before.Index);
+        var columns = toolpath.Blocks[block].Columns;
+        var editor = BlockEditor.After(toolpath, block);
+        var made = 0;
+        for (var i = 0; i < columns.Count; i++)
+        {
+            var move = toolpath[toolpath.FirstOf(block) + i];
+            if (move.Index == before.Index) made = Moves(toolpath, before, pause, editor);
+            editor.Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source, move.Arc);
+            editor.Turn(columns, i);
+        }
+        // The head waits after retracting, rising and parking.
+        var parked = before.Index + made / 2;
+        var events = toolpath.Events.Select(e => e.Move >= before.Index && !IsBefore(toolpath, e, before) ? e with { Move = e.Move + made } : e).ToList();
+        events.Insert(events.FindIndex(e => e.Move > parked) is >= 0 and var at ? at : events.Count, new MoveEvent(parked, what));
+        var blocks = toolpath.Blocks.Take(block).Concat(editor.ToBlocks()).Concat(toolpath.Blocks.Skip(block + 1));
+        return toolpath.WithBlocks(blocks, events);
+    }
+
+    // What the file says before the first move of the layer stays there, up to a dwell or homing, whose move it is.
+    private static bool IsBefore(Toolpath toolpath, MoveEvent e, Move before)
+        => e.Move == before.Index && before.Kind != MoveKind.Dwell && toolpath.HomeOf(before) is null;
+
+    // As many moves after the pause as before it.
+    private static int Moves(Toolpath toolpath, Move before, Pause pause, BlockEditor editor)
+    {
+        var from = before.Start;
+        double top = from.Z, leastX = from.X, leastY = from.Y;
+        var hasE = false;
+        foreach (var move in toolpath.Moves())
+        {
+            hasE |= move.E != 0;
+            if (toolpath.HomeOf(move) is not null) continue;
+            if (move.Index < before.Index && move.Kind == MoveKind.Print) top = Math.Max(top, Math.Max(move.Start.Z, move.End.Z));
+            if (move.Kind != MoveKind.Print) continue;
+            leastX = Math.Min(leastX, Math.Min(move.Start.X, move.End.X));
+            leastY = Math.Min(leastY, Math.Min(move.Start.Y, move.End.Y));
+        }
+        var height = Math.Max(Math.Min(top + pause.Lift, pause.MaxHeight), top);
+        var park = pause.Park ?? new Vec3(leastX, leastY, 0);
+        var unit = toolpath.VolumePerE(before.Tool) == 1 ? pause.FilamentArea : 1;
+        var count = 0;
+        void Add(Vec3 end, double e, double speed, MoveKind kind)
+        {
+            editor.Add(end, e, kind == MoveKind.Restore ? pause.Prime * unit : 0, speed, kind, Role.Unspecified, before.Layer, before.Tool, -1, null);
+            count++;
+        }
+        if (hasE && pause.Retraction > 0) Add(from, -pause.Retraction * unit, pause.RetractionSpeed, MoveKind.Retract);
+        Add(from.WithZ(height), 0, pause.LiftSpeed, MoveKind.Travel);
+        Add(park.WithZ(height), 0, pause.TravelSpeed, MoveKind.Travel);
+        Add(from.WithZ(height), 0, pause.TravelSpeed, MoveKind.Travel);
+        Add(from, 0, pause.LiftSpeed, MoveKind.Travel);
+        if (hasE && pause.Retraction > 0) Add(from, (pause.Retraction + pause.Prime) * unit, pause.RetractionSpeed, MoveKind.Restore);
+        return count;
+    }
+}

@@ -1,0 +1,76 @@
+using System.Linq;
+using System.Text;
+using Caterpillar.Dialects;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.GCode;
+
+/// <summary>A pause retracts, lifts, parks and waits, and then goes on where it was.</summary>
+public class PauseTests
+{
+    private const string Print = "G90\nM83\n;LAYER:0\nG0 X10 Y20 Z0.2 F6000\nG1 X30 E1 F1200\n;LAYER:1\nM106 S255\nG0 Z0.4 F600\nG1 X10 E1 F1200\n";
+    private static readonly Pause Lifted = new() { Lift = 5, Retraction = 2, Prime = 0.1, TravelSpeed = 100, LiftSpeed = 10, RetractionSpeed = 30 };
+
+    [Test]
+    public void The_head_leaves_the_part_and_comes_back()
+        => Assert.That(Written(Print, 1, Lifted), Is.EqualTo("G90\nM83\n;LAYER:0\nG0 X10 Y20 Z0.2 F6000\nG1 X30 E1 F1200\n;LAYER:1\nM106 S255\n"
+            + "G1 E-2 F1800\nG0 Z5.2 F600\nG0 X10 F6000\nM0\nG0 X30\nG0 Z0.2 F600\nG1 E2.1 F1800\nG0 Z0.4 F600\nG1 X10 E1 F1200\n"));
+
+    [Test]
+    public void A_plain_pause_is_the_command_alone()
+        => Assert.That(Written(Print, 1, Pause.Plain), Is.EqualTo(Print.Replace("G0 Z0.4", "M0\nG0 Z0.4")));
+
+    [Test]
+    public void Place_height_and_command_can_be_chosen()
+    {
+        var text = Written(Print, 1, Lifted with { Park = new Vec3(-7, 99, 0), MaxHeight = 3, Command = "M25" });
+        Assert.That(text, Does.Contain("G0 Z3 F600\nG0 X-7 Y99 F6000\nM25\nG0 X30 Y20\nG0 Z0.2"));
+    }
+
+    [Test]
+    public void Absolute_E_goes_on_as_it_was()
+    {
+        var text = "M82\n;LAYER:0\nG0 X10 Y20 Z0.2 F6000\nG1 X30 E1 F1200\n;LAYER:1\nG0 Z0.4 F600\nG1 X10 E2 F1200\n";
+        var toolpath = Decode(Written(text, 1, Lifted with { Prime = 0 }));
+        Assert.That(toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.E), Is.EqualTo(new[] { 1.0, 1.0 }).Within(1e-9));
+        Assert.That(toolpath.Events.Count(e => e.Event is PauseEvent), Is.EqualTo(1));
+        var pause = toolpath.Events.Single(e => e.Event is PauseEvent).Move;
+        Assert.That(toolpath[pause].Start, Is.EqualTo(new Vec3(10, 20, 5.2)));
+    }
+
+    [Test]
+    public void Files_of_slicers_print_the_same_around_it([Values("cu_plate_marlin_absE.gcode", "ps_plate_smoothie_volE_fwr.gcode")] string file)
+    {
+        var decoded = GCodeDecoder.Decode(GCodeFiles.Document(file)).Value!;
+        var edited = decoded.Toolpath.PauseAtLayer(3, Lifted with { Prime = 0 }).Value!;
+        var back = GCodeDecoder.Decode(GCodeEditor.ToDocument(decoded, edited).Value!, new DecodeOptions { Dialect = decoded.Dialect }).Value!.Toolpath;
+        (Vec3, Vec3)[] Strands(Toolpath t) => t.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => (m.Start, m.End)).ToArray();
+        Assert.That(Strands(back), Is.EqualTo(Strands(decoded.Toolpath)));
+        Assert.That(back.Moves().Sum(m => m.Deposited), Is.EqualTo(decoded.Toolpath.Moves().Sum(m => m.Deposited)).Within(1e-3));
+    }
+
+    [Test]
+    public void The_keys_of_the_printer_say_how()
+    {
+        var pause = PauseMoves.Of(new PrintSetup(new Printer { PauseLift = 7, PausePark = new(new Vec3(1, 2, 0)), PauseCommand = new("M600") }, new Material(),
+            new PrintSettings()));
+        Assert.That((pause.Lift, pause.Park, pause.Retraction, pause.Command), Is.EqualTo((7, new Vec3(1, 2, 0), 2, "M600")));
+    }
+
+    [Test]
+    public void A_layer_that_is_not_there_is_an_error()
+        => Assert.That(Decode(Print).PauseAtLayer(9, Lifted).Diagnostics.Single().Code, Is.EqualTo("toolpath.no_layer"));
+
+    private static Toolpath Decode(string text)
+        => GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!.Toolpath;
+
+    private static string Written(string text, int layer, Pause pause)
+    {
+        var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!;
+        return Encoding.ASCII.GetString(GCodeEditor.ToDocument(decoded, decoded.Toolpath.PauseAtLayer(layer, pause).Value!).Value!.ToBytes());
+    }
+}
