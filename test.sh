@@ -47,6 +47,20 @@ for project in tests/*.Tests/*.Tests.csproj; do
   done
 done
 
+# The plug-in's tests again on McNeel's own RhinoCommon and GH_IO, where they lie next to the project.
+real=../shared/reference/real
+if [ -f "$real/RhinoCommon.dll" ] && [ -f "$real/librhcommon_c.so" ]; then
+  for framework in $frameworks; do
+    echo "Testing Caterpillar.GH.Tests on $framework with the real RhinoCommon and GH_IO"
+    out="$log/real.$framework"
+    dotnet build tests/Caterpillar.GH.Tests -f "$framework" -p:RhinoSdk=real --nologo -v quiet || { failed_steps=$((failed_steps + 1)); continue; }
+    dotnet test tests/Caterpillar.GH.Tests -f "$framework" -p:RhinoSdk=real --no-build --nologo -v quiet >"$out" 2>&1 || failed_steps=$((failed_steps + 1))
+    grep -vE '^(Test run for|VSTest version|Starting test execution|A total of)' "$out" | sed '/^ *$/d'
+  done
+else
+  echo "Skipped: the plug-in's tests on the real RhinoCommon and GH_IO, which are not at $real"
+fi
+
 # "Passed!  - Failed:     0, Passed:    65, Skipped:     0, Total:    65, ..."
 total() { sed -nE "s/.*- Failed: .*$1: +([0-9]+),.*/\1/p" "$log"/* | awk '{ n += $1 } END { print n + 0 }'; }
 failed=$(sed -nE 's/.*- Failed: +([0-9]+), Passed.*/\1/p' "$log"/* | awk '{ n += $1 } END { print n + 0 }')

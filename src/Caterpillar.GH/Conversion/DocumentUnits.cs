@@ -2,20 +2,20 @@ using Rhino;
 
 namespace Caterpillar.GH.Conversion;
 
-/// <summary>The units of the Rhino document relative to mm, the unit of the library.</summary>
+/// <summary>The units of the Rhino document relative to mm, the unit of the library. A document without units is in mm.</summary>
 internal readonly struct DocumentUnits
 {
-    private DocumentUnits(UnitSystem system)
+    private const double MillimetersPerMeter = 1000;
+
+    private DocumentUnits(double toMillimeters, string name)
     {
-        ToMillimeters = RhinoMath.UnitScale(system, UnitSystem.Millimeters);
-        Name = system.ToString().ToLowerInvariant();
+        var known = toMillimeters > 0 && !double.IsInfinity(toMillimeters);
+        ToMillimeters = known ? toMillimeters : 1;
+        Name = known ? name : "mm";
     }
 
     /// <summary>Those of the active document; mm if there is none.</summary>
-    public static DocumentUnits Current => RhinoDoc.ActiveDoc is { } document ? Of(document) : new(UnitSystem.Millimeters);
-
-    /// <summary>Those of a document.</summary>
-    public static DocumentUnits Of(RhinoDoc document) => new(document.ModelUnitSystem);
+    public static DocumentUnits Current => RhinoDoc.ActiveDoc is { } document ? Of(document) : Of(UnitSystem.Millimeters);
 
     /// <summary>mm per document unit.</summary>
     public double ToMillimeters { get; }
@@ -26,4 +26,15 @@ internal readonly struct DocumentUnits
     public string Name { get; }
 
     public bool AreMillimeters => ToMillimeters == 1;
+
+    /// <summary>Those of a document.</summary>
+    public static DocumentUnits Of(RhinoDoc document)
+    {
+        var system = document.ModelUnitSystem;
+        return system == UnitSystem.CustomUnits && document.GetCustomUnitSystem(true, out var name, out var meters)
+            ? new DocumentUnits(meters * MillimetersPerMeter, name)
+            : Of(system);
+    }
+
+    private static DocumentUnits Of(UnitSystem system) => new(RhinoMath.UnitScale(system, UnitSystem.Millimeters), system.ToString().ToLowerInvariant());
 }

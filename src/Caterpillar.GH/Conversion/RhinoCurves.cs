@@ -8,11 +8,15 @@ namespace Caterpillar.GH.Conversion;
 /// <summary>Rhino's curves in document units as the library's in mm: polylines and arcs as such, everything else by control points and knots.</summary>
 internal static class RhinoCurves
 {
+    // Points closer than this, in mm, are one.
+    private const double LeastSegment = 1e-9;
+
     /// <exception cref="InputProblem">The curve is not valid.</exception>
     public static Curve ToCurve(Rg.Curve curve, DocumentUnits units)
     {
-        if (!curve.IsValid) throw new InputProblem("The curve is not valid.");
+        // Polylines with doubled points call themselves invalid, and are mended here.
         if (curve.TryGetPolyline(out var polyline)) return ToPolyline(polyline, units);
+        if (!curve.IsValid) throw new InputProblem("The curve is not valid.");
         if (curve.TryGetArc(out var arc)) return ToArc(arc, units);
         if (curve is Rg.PolyCurve joined && joined.SegmentCount > 1)
         {
@@ -24,7 +28,14 @@ internal static class RhinoCurves
 
     private static PolylineCurve ToPolyline(Rg.Polyline polyline, DocumentUnits units)
     {
-        var points = polyline.Select(p => RhinoGeometry.ToVec(p, units)).ToList();
+        var points = new List<Vec3>(polyline.Count);
+        foreach (var p in polyline)
+        {
+            if (!p.IsValid) throw new InputProblem("The curve is not valid.");
+            var point = RhinoGeometry.ToVec(p, units);
+            if (points.Count == 0 || point.DistanceTo(points[points.Count - 1]) > LeastSegment) points.Add(point);
+        }
+        if (points.Count < 2) throw new InputProblem("The curve has no length.");
         var closed = points.Count > 3 && points[0].DistanceTo(points[points.Count - 1]) <= Curve.JoinTolerance;
         if (closed) points.RemoveAt(points.Count - 1);
         return new PolylineCurve(points, closed);

@@ -122,8 +122,8 @@ public abstract class ProfileGoo<T> : ValueGoo<T>
     public override bool Write(GH_IWriter writer)
     {
         if (Value is null) return true;
-        writer.SetString("Name", NameOf(Value));
-        writer.SetString("Profile", ToJson(Value));
+        writer.SetString("Name", StoredText.Pack(NameOf(Value)));
+        writer.SetString("Profile", StoredText.Pack(ToJson(Value)));
         return true;
     }
 
@@ -132,7 +132,7 @@ public abstract class ProfileGoo<T> : ValueGoo<T>
         string name = "", json = "";
         if (!reader.TryGetString("Profile", ref json)) return true;
         reader.TryGetString("Name", ref name);
-        Value = FromJson(json, name).Value!;
+        Value = FromJson(StoredText.Unpack(json), StoredText.Unpack(name)).Value!;
         return Value is not null;
     }
 

@@ -5,7 +5,6 @@ using Grasshopper.Kernel;
 using Grasshopper.Kernel.Data;
 using Grasshopper.Kernel.Parameters;
 using Grasshopper.Kernel.Types;
-using Rhino;
 
 namespace Caterpillar.GH.Tests.Host;
 
@@ -85,14 +84,4 @@ internal sealed class Canvas<T>
     public IList<string> Remarks => Component.RuntimeMessages(GH_RuntimeMessageLevel.Remark);
 
     private static IGH_Goo? Wrap(object? item) => item is null ? null : Casting.Wrap(item);
-}
-
-/// <summary>A Rhino document in other units for the duration of a test.</summary>
-internal sealed class InDocument : IDisposable
-{
-    public InDocument(UnitSystem units = UnitSystem.Millimeters) => RhinoDoc.ActiveDoc = Document = new RhinoDoc { ModelUnitSystem = units };
-
-    public RhinoDoc Document { get; }
-
-    public void Dispose() => RhinoDoc.ActiveDoc = null;
 }

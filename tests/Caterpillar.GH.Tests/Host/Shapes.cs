@@ -5,12 +5,18 @@ namespace Caterpillar.GH.Tests.Host;
 /// <summary>Small geometry for tests.</summary>
 internal static class Shapes
 {
-    /// <summary>A closed box of quadrilaterals on the bed.</summary>
+    /// <summary>A closed box of quadrilaterals on the bed, each with corners of its own.</summary>
     public static Rg.Mesh Box(double x = 100, double y = 100, double size = 10, double height = 2)
     {
+        var c = new Rg.BoundingBox(x, y, 0, x + size, y + size, height).GetCorners();
         var mesh = new Rg.Mesh();
-        mesh.Append(Rg.Mesh.CreateFromBrep(Rg.Brep.CreateFromBox(new Rg.BoundingBox(x, y, 0, x + size, y + size, height)), Rg.MeshingParameters.Default)[0]);
-        foreach (var part in Rg.Mesh.CreateFromBrep(Solid(x, y, size, height), Rg.MeshingParameters.Default).Skip(1)) mesh.Append(part);
+        mesh.Vertices.UseDoublePrecisionVertices = true;
+        foreach (var q in new[] { "0321", "4567", "0154", "1265", "2376", "3047" })
+        {
+            var first = mesh.Vertices.Count;
+            mesh.Vertices.AddVertices(q.Select(i => c[i - '0']));
+            mesh.Faces.AddFace(first, first + 1, first + 2, first + 3);
+        }
         return mesh;
     }
 

@@ -144,17 +144,4 @@ public sealed class MetadataTests
             Assert.That(Directory.GetFiles(output, "*.gha"), Is.Empty, "Only the release makes a .gha.");
         }
     }
-
-    [TestCase("RhinoCommon")]
-    [TestCase("Grasshopper")]
-    [TestCase("GH_IO")]
-    public void The_stand_ins_state_what_they_are(string name)
-    {
-        var type = name switch { "RhinoCommon" => typeof(Rhino.RhinoDoc), "Grasshopper" => typeof(GH_Document), _ => typeof(GH_IO.GH_ISerializable) };
-        string Of(string attribute) => (string)type.Assembly.GetCustomAttributesData().Single(a => a.AttributeType.Name == attribute).ConstructorArguments[0]
-            .Value!;
-        Assert.That(type.Assembly.GetName().Name, Is.EqualTo(name));
-        Assert.That(Of("AssemblyTitleAttribute"), Is.EqualTo(name + " (headless stand-in)"));
-        Assert.That(Of("AssemblyInformationalVersionAttribute"), Does.StartWith("7.37.0-headless"));
-    }
 }

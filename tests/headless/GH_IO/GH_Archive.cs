@@ -27,7 +27,8 @@ namespace GH_IO.Serialization
         public bool ExtractObject(GH_ISerializable target, string targetName)
         {
             var chunk = _root.FindChunk(targetName);
-            return chunk != null && target.Read(chunk);
+            if (chunk == null) throw new System.MemberAccessException("The archive has no object " + targetName + ".");
+            return target.Read(chunk);
         }
 
         public string Serialize_Xml()

@@ -40,7 +40,7 @@ namespace GH_IO.Types
                 case float f: writer.WriteString(f.ToString("R", CultureInfo.InvariantCulture)); break;
                 case DateTime date: writer.WriteString(date.Ticks.ToString(CultureInfo.InvariantCulture)); break;
                 case Guid g: writer.WriteString(g.ToString()); break;
-                case string s: writer.WriteString(s); break;
+                case string s: writer.WriteString(Kept(s)); break;
                 case byte[] bytes:
                     writer.WriteStartElement("stream");
                     writer.WriteAttributeString("length", Text(bytes.Length));
@@ -60,6 +60,10 @@ namespace GH_IO.Types
             }
             writer.WriteEndElement();
         }
+
+        // The form in XML drops what lies outside the basic plane, and control characters.
+        private static string Kept(string text)
+            => string.Concat(text.Where(c => !char.IsSurrogate(c) && (c >= ' ' || c == '\t' || c == '\n' || c == '\r')));
 
         internal static GH_Item ReadXml(XmlElement e)
         {

@@ -12,6 +12,8 @@ namespace Rhino
         Kilometers = 5,
         Inches = 8,
         Feet = 9,
+        Miles = 10,
+        CustomUnits = 11,
         Unset = 255,
     }
 
@@ -32,6 +34,7 @@ namespace Rhino
 
         public static double UnitScale(UnitSystem from, UnitSystem to)
         {
+            if (from == UnitSystem.Unset || to == UnitSystem.Unset) return double.NaN;
             if (from == to || Micrometres(from) == 0 || Micrometres(to) == 0) return 1;
             return Micrometres(from) / Micrometres(to);
         }
@@ -49,6 +52,7 @@ namespace Rhino
                 case UnitSystem.Kilometers: return 1e9;
                 case UnitSystem.Inches: return 25400;
                 case UnitSystem.Feet: return 304800;
+                case UnitSystem.Miles: return 1609344000;
                 default: return 0;
             }
         }

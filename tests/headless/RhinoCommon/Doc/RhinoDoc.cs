@@ -24,6 +24,16 @@ namespace Rhino
 
         public UnitSystem ModelUnitSystem { get; set; } = UnitSystem.Millimeters;
 
+        // Meters of a custom unit.
+        internal double CustomUnit { get; set; } = 1;
+
+        public bool GetCustomUnitSystem(bool modelUnits, out string customUnitName, out double metersPerCustomUnit)
+        {
+            customUnitName = "custom units";
+            metersPerCustomUnit = CustomUnit;
+            return ModelUnitSystem == UnitSystem.CustomUnits;
+        }
+
         public double ModelAbsoluteTolerance { get; set; } = 0.01;
 
         public uint RuntimeSerialNumber => 1;

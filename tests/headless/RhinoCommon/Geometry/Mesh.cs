@@ -50,7 +50,7 @@ namespace Rhino.Geometry
 
         public MeshVertexNormalList Normals { get; } = new MeshVertexNormalList();
 
-        /// <summary>True when every edge, by the index of its vertices, belongs to two faces.</summary>
+        /// <summary>True when every edge belongs to two faces; vertices at one place are one.</summary>
         public bool IsClosed => Faces.Count > 0 && Edges().All(e => e.Value == 2);
 
         public Mesh DuplicateMesh() => (Mesh)Duplicate();
@@ -80,7 +80,10 @@ namespace Rhino.Geometry
         public static Mesh CreateFromSubD(SubD subd, int displayDensity) => subd.Control.DuplicateMesh();
 
         internal override bool CheckValid() => Vertices.Count > 2 && Faces.Count > 0
-            && Faces.Items.All(f => new[] { f.A, f.B, f.C, f.D }.All(i => i >= 0 && i < Vertices.Count)) && Vertices.Items.All(v => v.IsValid);
+            && Faces.Items.All(f => new[] { f.A, f.B, f.C, f.D }.All(i => i >= 0 && i < Vertices.Count)) && Vertices.Items.All(v => v.IsValid)
+            && Faces.Items.All(f => Corners(f).Select(i => Vertices.Items[i]).Distinct().Count() == Corners(f).Length);
+
+        private static int[] Corners(MeshFace f) => f.IsTriangle ? new[] { f.A, f.B, f.C } : new[] { f.A, f.B, f.C, f.D };
 
         internal override ObjectType KindOf() => ObjectType.Mesh;
 
@@ -106,9 +109,11 @@ namespace Rhino.Geometry
         private Dictionary<long, int> Edges()
         {
             var edges = new Dictionary<long, int>();
+            var first = new Dictionary<Point3d, int>();
+            for (var i = Vertices.Count - 1; i >= 0; i--) first[Vertices.Items[i]] = i;
             foreach (var f in Faces.Items)
             {
-                var corners = f.IsTriangle ? new[] { f.A, f.B, f.C } : new[] { f.A, f.B, f.C, f.D };
+                var corners = Corners(f).Select(i => first[Vertices.Items[i]]).ToArray();
                 for (var i = 0; i < corners.Length; i++)
                 {
                     int a = corners[i], b = corners[(i + 1) % corners.Length];

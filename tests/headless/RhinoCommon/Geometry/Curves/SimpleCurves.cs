@@ -27,7 +27,10 @@ namespace Rhino.Geometry
 
         public Polyline ToPolyline() => new Polyline(_points);
 
-        internal override bool CheckValid() => _points.Length > 1 && _points.All(p => p.IsValid);
+        // Neighbors at one place are not valid, nor is a line there and back, which counts as closed.
+        internal override bool CheckValid() => _points.Length > 1 && _points.All(p => p.IsValid)
+            && Enumerable.Range(1, _points.Length - 1).All(i => _points[i].DistanceTo(_points[i - 1]) > RhinoMath.ZeroTolerance)
+            && !(_points.Length == 3 && _points[0].DistanceTo(_points[2]) <= RhinoMath.ZeroTolerance);
 
         internal override GeometryBase CopyOf() => new PolylineCurve(_points) { _parameters = (double[])_parameters.Clone() };
 

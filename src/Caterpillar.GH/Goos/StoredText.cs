@@ -1,0 +1,30 @@
+using Newtonsoft.Json;
+
+namespace Caterpillar.GH.Goos;
+
+/// <summary>Text as it is stored in definitions: pure ASCII, as the form in XML drops rare characters.</summary>
+internal static class StoredText
+{
+    public static string Pack(string text)
+    {
+        using var writer = new System.IO.StringWriter(System.Globalization.CultureInfo.InvariantCulture);
+        using var json = new JsonTextWriter(writer) { StringEscapeHandling = StringEscapeHandling.EscapeNonAscii };
+        json.WriteValue(text);
+        json.Flush();
+        return writer.ToString();
+    }
+
+    /// <summary>The text; what is no packed text stays as it is.</summary>
+    public static string Unpack(string stored)
+    {
+        if (stored.Length < 2 || stored[0] != '"') return stored;
+        try
+        {
+            return JsonConvert.DeserializeObject<string>(stored) ?? stored;
+        }
+        catch (JsonException)
+        {
+            return stored;
+        }
+    }
+}
