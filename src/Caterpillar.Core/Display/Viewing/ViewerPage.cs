@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
+using System.Net;
 using System.Text;
 using System.Threading;
 using Caterpillar.Basics;
@@ -105,5 +106,6 @@ public static class ViewerPage
         return reader.ReadToEnd();
     }
 
-    private static string Escaped(string text) => text.Replace("&", "&amp;").Replace("<", "&lt;").Replace("{", "&#123;");
+    // No part of the page may begin in the title.
+    private static string Escaped(string text) => string.Join("&#123;", WebUtility.HtmlEncode(text).Split('{'));
 }

@@ -52,7 +52,7 @@ public class LoopTests
         var circle = Solids.Circle(10, 96);
         Assert.That(Enumerable.Range(0, 96).Select(i => LoopCorner.Score(circle, i, 0.9)), Is.All.Zero);
         // A hole runs the other way around: its corners are concave.
-        Assert.That(LoopCorner.Score(Square.Reverse().ToArray(), 1, 0.9), Is.EqualTo(1).Within(1e-12));
+        Assert.That(LoopCorner.Score(Enumerable.Reverse(Square).ToArray(), 1, 0.9), Is.EqualTo(1).Within(1e-12));
     }
 
     [Test]
