@@ -19,6 +19,9 @@ internal sealed class Session
     /// <summary>The advice after what took too much.</summary>
     public const string MoreMemory = "--memory-limit 8GB, or any other size, lets the work take more.";
 
+    /// <summary>Code of the remark about words of a file that do nothing here, such as M84.</summary>
+    public const string Harmless = "gcode.ignored";
+
     private readonly Func<Stream> _input;
     private readonly Func<Stream> _output;
 
@@ -100,11 +103,24 @@ internal sealed class Session
         write(writer);
     });
 
-    /// <summary>Prints diagnostics, one line each.</summary>
+    /// <summary>A line that closes the work, for whoever watches it.</summary>
+    public void Say(Func<string> line)
+    {
+        if (!Quiet) Messages.WriteLine(line());
+    }
+
+    /// <summary>Remarks that a verb keeps for its end.</summary>
+    public void Say(IEnumerable<Diagnostic> remarks)
+    {
+        foreach (var remark in remarks) Say(remark.ToString);
+    }
+
+    /// <summary>Prints diagnostics, one line each. Words without effect belong to reports about a file, and are left out.</summary>
     public void Print(IEnumerable<Diagnostic> diagnostics)
     {
         foreach (var diagnostic in diagnostics)
         {
+            if (diagnostic.Severity == Severity.Remark && (Quiet || diagnostic.Code == Harmless)) continue;
             Messages.WriteLine(diagnostic.ToString());
             if (diagnostic.Code == MemoryLimit.Code) Messages.WriteLine(MoreMemory);
         }

@@ -6,6 +6,7 @@ using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
+using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli;
@@ -73,9 +74,14 @@ internal sealed class WriteOptions
                 throw new CliException(ExitCode.Refused,
                     $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than --max-size allows; nothing was written.");
         }, session.Cancel));
-        if (file != "-") session.Messages.WriteLine($"{file}: {Count(written!.Lines)} lines, {Count(written.Bytes)} bytes");
+        session.Say(() => $"{(file == "-" ? "standard output" : file)}: {PrintSummary.Of(toolpath, setup, Time(written!, toolpath, setup, session))}; "
+            + $"{Count(written!.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
         return written!;
     }
+
+    // Start and end code apart; written files of some printers are not timed.
+    private static double Time(WrittenGCode written, Toolpath toolpath, PrintSetup setup, Session session)
+        => written.PrintTime ?? Timeline.Of(toolpath, setup, null, session.Cancel).Duration;
 
     private static string Count(long number) => NumberFormatter.Format(number);
 }

@@ -31,7 +31,8 @@ public class SliceTests : CliFixture
         var piped = Run(File.ReadAllBytes("part.stl"), ["slice", "-", "-o", "-"]);
         Assert.That(piped.Code, Is.Zero, piped.Messages);
         Assert.That(Encoding.UTF8.GetString(piped.Output).Replace("standard input", "part"), Is.EqualTo(File.ReadAllText("a.gcode")));
-        Assert.That(piped.Messages, Is.Empty);
+        Assert.That(piped.Messages, Does.StartWith("standard output: 10 layers, 20 × 10 × 2 mm"));
+        Assert.That(Run(File.ReadAllBytes("part.stl"), ["slice", "-", "-o", "-", "--quiet"]).Messages, Is.Empty);
     }
 
     [Test]

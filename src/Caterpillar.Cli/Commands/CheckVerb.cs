@@ -41,23 +41,26 @@ internal sealed class CheckVerb : Verb
             Memory = session.Memory,
         };
         var all = new List<Diagnostic>();
+        var harmless = new List<Diagnostic>();
         foreach (var file in arguments.GetValue(_files)!)
         {
             var name = Session.NameOf(file);
-            var decoded = Decoded(file, name, options, session);
+            var decoded = Decoded(file, name, options, session, harmless);
             all.AddRange(session.WithProgress("Checking " + name, progress => LimitCheck.Run(decoded, setup, progress, session.Cancel)));
         }
         session.WriteText("-", text =>
         {
             foreach (var finding in all) text.WriteLine(finding.ToString());
         });
+        session.Say(harmless);
         return all.Any(d => d.Severity == Severity.Error) ? ExitCode.Refused : ExitCode.Done;
     }
 
-    private static DecodedGCode Decoded(string file, string name, DecodeOptions options, Session session)
+    private static DecodedGCode Decoded(string file, string name, DecodeOptions options, Session session, List<Diagnostic> harmless)
     {
         using var stream = session.OpenRead(file);
-        return session.GCodeOrFail(session.WithProgress("Reading " + name,
-            progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel)));
+        var decoded = session.WithProgress("Reading " + name, progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel));
+        harmless.AddRange(decoded.Diagnostics.Where(d => d.Code == Session.Harmless));
+        return session.GCodeOrFail(decoded);
     }
 }

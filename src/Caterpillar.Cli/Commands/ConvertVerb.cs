@@ -1,6 +1,7 @@
 using System;
 using System.CommandLine;
 using System.IO;
+using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.Dialects;
@@ -72,6 +73,7 @@ internal sealed class ConvertVerb : Verb
                 new DecodeOptions { Dialect = from, Memory = session.Memory,
                     FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, p,
                 session.Cancel)));
+        var original = decoding;
         var edited = _edits.Edit(decoding.Toolpath, Tolerance(arguments), () => Pause(arguments, session), arguments, session);
         if (arguments.GetValue(_arcs) == "fit") edited = edited.FitArcs(new ArcFitOptions { Tolerance = Tolerance(arguments) });
         var code = _edits.Code(arguments);
@@ -87,11 +89,25 @@ internal sealed class ConvertVerb : Verb
             written = session.ValueOrFail(session.WithProgress("Converting", p => GCodeConverter.ToDocument(decoding, target, p, session.Cancel)));
             dialect = target.Dialect ?? dialect;
         }
-        session.WriteGCode(output, Checked(written, dialect, arguments, session));
+        written = Checked(written, dialect, arguments, session);
+        session.WriteGCode(output, written);
+        session.Say(() => $"{(output == "-" ? "standard output" : output)}: {Changes(original, edited, dialect, target is not null, code)}; "
+            + $"{PrintSummary.Of(original, edited)}; {NumberFormatter.Format(written.LineCount)} lines, {PrintSummary.Size(written.Length)}");
         return ExitCode.Done;
     }
 
     public override bool ReplacesInput(ParseResult arguments) => arguments.GetValue(_inPlace);
+
+    private static string Changes(DecodedGCode before, Toolpath edited, DialectRules after, bool converted, EditOptions code)
+    {
+        string[] parts =
+        [
+            EditSummary.Of(before.Toolpath, edited), code.Start is null ? "" : "start code replaced", code.End is null ? "" : "end code replaced",
+            after != before.Dialect ? $"{before.Dialect.Title} became {after.Title}" : converted ? "in another notation" : "",
+        ];
+        var changes = string.Join(", ", parts.Where(p => p.Length > 0));
+        return changes.Length > 0 ? changes : "nothing changed";
+    }
 
     private string Output(string file, ParseResult arguments)
     {

@@ -54,9 +54,9 @@ internal sealed class PictureVerb : Verb
         if (width is < 16 or > 8000) throw new CliException(ExitCode.Usage, "--width needs 16 to 8000 pixels.");
         var view = ViewOf(arguments.GetValue(_view)!);
         using var stream = session.OpenRead(file);
-        var toolpath = session.GCodeOrFail(session.WithProgress("Decoding",
-            progress => GCodeDecoder.DecodeStream(stream, new DecodeOptions { Memory = session.Memory }, Session.NameOf(file), progress, session.Cancel)))
-                .Toolpath;
+        var decoding = session.GCodeOrFail(session.WithProgress("Decoding",
+            progress => GCodeDecoder.DecodeStream(stream, new DecodeOptions { Memory = session.Memory }, Session.NameOf(file), progress, session.Cancel)));
+        var toolpath = decoding.Toolpath;
         var options = new PictureOptions
         {
             Width = width,
@@ -69,8 +69,10 @@ internal sealed class PictureVerb : Verb
         };
         var picture = session.WithProgress("Drawing", progress => Picture.Draw(toolpath, options, progress, session.Cancel));
         var png = PngWriter.ToBytes(picture);
-        session.Write(arguments.GetValue(_out)
-            ?? Path.GetFileNameWithoutExtension(file == "-" ? "picture" : file) + ".png", stream => stream.Write(png, 0, png.Length));
+        var target = arguments.GetValue(_out) ?? Path.GetFileNameWithoutExtension(file == "-" ? "picture" : file) + ".png";
+        session.Write(target, stream => stream.Write(png, 0, png.Length));
+        session.Say(() => $"{(target == "-" ? "standard output" : target)}: {width} × {options.Height} pixels; "
+            + $"{Session.NameOf(file)}: {PrintSummary.Of(decoding, toolpath)}");
         return ExitCode.Done;
     }
 

@@ -64,7 +64,7 @@ public static class SafeWriter
         var (timed, seconds) = ProgressLines.Add(toolpath, setup, cancel);
         var writer = new GCodeWriter(timed, format.Value with { Header = [.. format.Value.Header, .. guard.Comments()], PrintTime = seconds });
         writer.WriteAll(stream, progress.Part(0.2, 1), cancel);
-        return new Result<WrittenGCode>(new WrittenGCode(writer.Bytes, writer.Lines, guard.Overridden), guard.Remarks(format.Diagnostics));
+        return new Result<WrittenGCode>(new WrittenGCode(writer.Bytes, writer.Lines, guard.Overridden, seconds), guard.Remarks(format.Diagnostics));
     }
 
     /// <summary>Checks a toolpath and writes it as a document in memory.</summary>

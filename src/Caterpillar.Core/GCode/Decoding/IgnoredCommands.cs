@@ -10,7 +10,7 @@ namespace Caterpillar.GCode;
 internal sealed class IgnoredCommands(DialectRules rules, LineDiagnostics diagnostics)
 {
     private const int MaxNames = 1000;
-    private const int MaxShown = 40;
+    private const int MaxShown = 20;
     private readonly SortedDictionary<string, int> _counts = new(StringComparer.Ordinal);
 
     public IReadOnlyDictionary<string, int> Counts => _counts;

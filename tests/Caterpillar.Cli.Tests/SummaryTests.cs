@@ -1,0 +1,81 @@
+using System;
+using System.IO;
+using System.Linq;
+using NUnit.Framework;
+
+namespace Caterpillar.Cli.Tests;
+
+/// <summary>The lines that close the work: on standard error, and quiet when told.</summary>
+public class SummaryTests : CliFixture
+{
+    // 20 mm of a strand of 0.45 × 0.2 mm, E in mm of filament.
+    private const string Code = "; filament_diameter = 1.75\n; filament_density = 1.24\nG28\nG90\nM83\nM84\n;LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\n"
+        + "G1 X10 Y10 Z0.2 F3000\nG1 X20 E0.37 F1200\nG1 Y20 E0.37\nM84\n";
+
+    [SetUp]
+    public void WriteInputs()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        File.WriteAllText("l.gcode", Code);
+        File.WriteAllText("s.turtle", "forward 10\nleft 90\nforward 5\n");
+        File.WriteAllText("c.csv", "x,y,z\n10,10,0.2\n30,10,0.2\n30,50,0.2\n");
+    }
+
+    [TestCase("part.gcode: 10 layers, 20 × 10 × 2 mm, 0.15 m of filament (0.4", "slice", "part.stl")]
+    [TestCase("s.gcode: ", "turtle", "s.turtle")]
+    [TestCase("c.gcode: ", "curves", "c.csv")]
+    [TestCase("o.gcode: speed of 2 moves changed; 1 layer, 10.4", "convert", "l.gcode", "-o", "o.gcode", "--speed", "2")]
+    [TestCase("o.gcode: material of 2 moves changed; 1 layer, 10.8", "convert", "l.gcode", "-o", "o.gcode", "--flow", "200%")]
+    [TestCase("o.gcode: 3 moves shifted; 1 layer", "convert", "l.gcode", "-o", "o.gcode", "--move", "1,1")]
+    [TestCase("o.gcode: 1 command inserted; ", "convert", "l.gcode", "-o", "o.gcode", "--line-at-layer", "0=M300")]
+    [TestCase("o.gcode: Marlin 2 became Klipper; ", "convert", "l.gcode", "-o", "o.gcode", "--dialect", "klipper")]
+    [TestCase("o.gcode: in another notation; ", "convert", "l.gcode", "-o", "o.gcode", "--e", "absolute")]
+    [TestCase("o.gcode: nothing changed; 1 layer", "convert", "l.gcode", "-o", "o.gcode")]
+    [TestCase("l.png: 64 × 48 pixels; l.gcode: 1 layer, 10.4 × 10.4 × 0.2 mm", "picture", "l.gcode", "--width", "64")]
+    public void Work_closes_with_what_was_made(string summary, params string[] words)
+    {
+        var run = Run(words);
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(run.Messages.TrimEnd().Split('\n').Last(), Does.StartWith(summary));
+        var quiet = Run([.. words, "--quiet"]);
+        Assert.That((quiet.Code, quiet.Messages), Is.EqualTo((0, "")));
+        Assert.That(quiet.Output, Is.EqualTo(run.Output));
+    }
+
+    [Test]
+    public void It_tells_time_and_size_of_the_file()
+    {
+        var line = Run("slice", "part.stl", "--printer", "ender3").Messages.TrimEnd().Split('\n').Last();
+        Assert.That(line, Does.Match(@", about \d+ min \d+ s; \d+ lines, \d+ KB$"));
+        Assert.That(PrintSummary.Duration(59.4), Is.EqualTo("59 s"));
+        Assert.That(PrintSummary.Duration(3599), Is.EqualTo("59 min 59 s"));
+        Assert.That(PrintSummary.Duration(7259), Is.EqualTo("2 h 1 min"));
+        Assert.That(PrintSummary.Duration(double.PositiveInfinity), Is.EqualTo("more than 30 years"));
+    }
+
+    [Test]
+    public void Quiet_keeps_what_is_wrong()
+    {
+        var run = Run("slice", "none.stl", "-q");
+        Assert.That((run.Code, run.Messages), Is.EqualTo((1, "none.stl: there is no such file." + Environment.NewLine)));
+        File.WriteAllText("big.stl", Box(900, 10, 2));
+        run = Run("slice", "big.stl", "-q");
+        Assert.That((run.Code, run.Messages.Contains("models.too_large", StringComparison.Ordinal)), Is.EqualTo((3, true)));
+    }
+
+    [TestCase("picture", "l.gcode")]
+    [TestCase("convert", "l.gcode", "-o", "o.gcode")]
+    [TestCase("decode", "l.gcode")]
+    [TestCase("simulate", "l.gcode")]
+    public void Harmless_words_are_no_topic_where_nobody_asked(params string[] words) => Assert.That(Run(words).Messages, Does.Not.Contain("M84"));
+
+    [Test]
+    public void Checks_name_harmless_words_once_at_the_end()
+    {
+        var run = Run("check", "l.gcode");
+        Assert.That(run.Messages.TrimEnd().Split('\n').Last(), Does.Contain("M84 (2)"));
+        Assert.That(run.Messages.Split("M84"), Has.Length.EqualTo(2));
+        Assert.That(Run("check", "l.gcode", "--quiet").Messages, Is.Empty);
+        Assert.That(Run("decode", "l.gcode").Text, Does.Contain("Ignored: M84"));
+    }
+}
