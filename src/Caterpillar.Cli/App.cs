@@ -1,15 +1,15 @@
 using System;
 using System.CommandLine;
 using System.CommandLine.Help;
-using System.CommandLine.Parsing;
 using System.IO;
 using System.Linq;
+using System.Text.RegularExpressions;
 using Caterpillar.Basics;
 
 namespace Caterpillar.Cli;
 
 /// <summary>Parses the arguments, runs the verb, and turns every outcome into an exit code.</summary>
-internal static class App
+internal static partial class App
 {
     public static int Run(string[] args, Session session)
     {
@@ -23,15 +23,13 @@ internal static class App
         try
         {
             var parsed = root.Parse(args);
-            if (UnknownOption(parsed) is { } unknown) throw new CliException(ExitCode.Usage,
-                $"There is no option {unknown}; for a file of this name write ./{unknown}");
-            if (parsed.CommandResult.Command is Verb verb && parsed.Action is null && parsed.Errors.Count == 0)
+            if (parsed.CommandResult.Command is Verb verb && parsed.Action is null && parsed.Errors.Count == 0 && UsageMessages.UnknownOption(parsed) is null)
             {
                 general.Apply(parsed, session);
                 OutputGuard.Check(verb, parsed);
                 return verb.Run(parsed, session);
             }
-            return Answer(parsed, session);
+            return Answer(parsed, root, session);
         }
         catch (CliException end)
         {
@@ -70,23 +68,15 @@ internal static class App
     private static bool IsOutOfMemory(Exception problem)
         => problem is OutOfMemoryException || (problem is AggregateException several && several.Flatten().InnerExceptions.Any(IsOutOfMemory));
 
-    // The parser takes an unknown option for the value of an argument where that accepts any text.
-    private static string? UnknownOption(ParseResult parsed)
-    {
-        if (parsed.Tokens.Any(t => t.Type == TokenType.DoubleDash)) return null;
-        return parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value)
-            .FirstOrDefault(v => v.Length > 1 && v[0] == '-');
-    }
-
     // Help and version, or wrong usage.
-    private static int Answer(ParseResult parsed, Session session)
+    private static int Answer(ParseResult parsed, Command root, Session session)
     {
         if (parsed.Errors.Count == 0 && parsed.Action is not null)
         {
             session.WriteText("-", text => parsed.Invoke(new InvocationConfiguration { Output = text, Error = session.Messages }));
             return ExitCode.Done;
         }
-        foreach (var error in parsed.Errors.Select(e => e.Message).Distinct()) session.Messages.WriteLine(LongWords.Shorten(error));
+        foreach (var error in UsageMessages.Of(parsed, root)) session.Messages.WriteLine(LongWords.Shorten(error));
         var verb = parsed.CommandResult.Command is Verb v ? " " + v.Name : "";
         session.Messages.WriteLine($"See: caterpillar{verb} --help");
         return ExitCode.Usage;
@@ -96,9 +86,14 @@ internal static class App
     private static string Sentence(Exception disk) => disk switch
     {
         FileNotFoundException { FileName: { } file } => $"{Short(file)}: there is no such file.",
-        DirectoryNotFoundException => disk.Message.Replace("Could not find a part of the path", "There is no folder for", StringComparison.Ordinal),
+        DirectoryNotFoundException when Quoted().Match(disk.Message) is { Success: true } path
+            => $"{Short(path.Groups[1].Value)}: there is no such folder.",
+        UnauthorizedAccessException when Quoted().Match(disk.Message) is { Success: true } path => $"{Short(path.Groups[1].Value)}: access is denied.",
         _ => disk.Message,
     };
+
+    [GeneratedRegex("'([^']*)'")]
+    private static partial Regex Quoted();
 
     private static string Short(string file) => Path.GetRelativePath(Environment.CurrentDirectory, file) is var near && near.Length < file.Length ? near : file;
 }

@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.Linq;
 using Caterpillar.Dialects;
-using Caterpillar.Machines;
+using Caterpillar.Expressions;
 
 namespace Caterpillar.Cli;
 
@@ -27,6 +27,7 @@ internal static class CommonOptions
     {
         if (name is null) return null;
         return DialectTable.Find(name) ?? throw new CliException(
-            ExitCode.Usage, $"There is no dialect \"{name}\"; there are " + string.Join(", ", DialectTable.All.Select(d => d.Name)) + ".");
+            ExitCode.Usage, $"There is no dialect \"{name}\"; there are " + string.Join(", ", DialectTable.All.Select(d => d.Name)) + "."
+                + SpellingSuggestion.Hint(name, DialectTable.All.Select(d => d.Name)));
     }
 }

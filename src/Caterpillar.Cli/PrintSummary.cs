@@ -70,7 +70,7 @@ internal sealed class PrintSummary
         var thickness = toolpath.Layers.Count > 0 ? toolpath.Layers[^1].Thickness : 0;
         var width = area > 0 && thickness > 0 ? area.Value / thickness + thickness * (1 - Math.PI / 4) : 0;
         var (x, y, z) = (box.Size.X + width, box.Size.Y + width, box.Size.Z + (toolpath.Layers.Count > 0 ? toolpath.Layers[0].Thickness : 0));
-        return $"{Number(x, 1)} × {Number(y, 1)} × {Number(z, 1)} mm";
+        return $"{Number(x, 1)} × {Number(y, 1)}{(z > 0 ? " × " + Number(z, 1) : "")} mm";
     }
 
     private static string Amount(double length, double e, double? volume, double diameter, double density)
@@ -86,9 +86,9 @@ internal sealed class PrintSummary
     private static double Setting(DecodedGCode decoding, string key)
         => decoding.Settings.TryGetValue(key, out var text) && NumberReader.TryParse(text.Split(',', ';')[0].Trim(), out var value) && value > 0 ? value : 0;
 
-    private static string Meters(double mm) => Number(mm / 1000, mm < 10_000 ? 2 : 1) + " m";
+    private static string Meters(double mm) => mm < 1000 ? Number(mm, mm < 100 ? 1 : 0) + " mm" : Number(mm / 1000, mm < 10_000 ? 2 : 1) + " m";
 
-    private static string Grams(double grams) => Number(grams, grams < 10 ? 2 : 0) + " g";
+    private static string Grams(double grams) => Figures.Short(grams >= 10 ? Math.Round(grams) : grams) + " g";
 
     private static string Number(double value, int decimals) => NumberFormatter.Format(value, decimals);
 }

@@ -21,17 +21,18 @@ public class SummaryTests : CliFixture
         File.WriteAllText("c.csv", "x,y,z\n10,10,0.2\n30,10,0.2\n30,50,0.2\n");
     }
 
-    [TestCase("part.gcode: 10 layers, 20 × 10 × 2 mm, 0.15 m of filament (0.4", "slice", "part.stl")]
+    [TestCase("part.gcode: 10 layers, 20 × 10 × 2 mm, 146 mm of filament (0.44 g), about", "slice", "part.stl")]
     [TestCase("s.gcode: ", "turtle", "s.turtle")]
     [TestCase("c.gcode: ", "curves", "c.csv")]
-    [TestCase("o.gcode: speed of 2 moves changed; 1 layer, 10.4", "convert", "l.gcode", "-o", "o.gcode", "--speed", "2")]
-    [TestCase("o.gcode: material of 2 moves changed; 1 layer, 10.8", "convert", "l.gcode", "-o", "o.gcode", "--flow", "200%")]
+    [TestCase("o.gcode: speed of 2 moves changed; 1 layer, 10.5 × 10.5 × 0.2 mm, 0.7 mm of filament (0.00221 g)", "convert", "l.gcode", "-o", "o.gcode",
+        "--speed", "2")]
+    [TestCase("o.gcode: material of 2 moves changed; 1 layer, 10.9 × 10.9 × 0.2 mm, 1.5 mm of filament", "convert", "l.gcode", "-o", "o.gcode", "--flow", "200%")]
     [TestCase("o.gcode: 3 moves shifted; 1 layer", "convert", "l.gcode", "-o", "o.gcode", "--move", "1,1")]
     [TestCase("o.gcode: 1 command inserted; ", "convert", "l.gcode", "-o", "o.gcode", "--line-at-layer", "0=M300")]
     [TestCase("o.gcode: Marlin 2 became Klipper; ", "convert", "l.gcode", "-o", "o.gcode", "--dialect", "klipper")]
     [TestCase("o.gcode: in another notation; ", "convert", "l.gcode", "-o", "o.gcode", "--e", "absolute")]
     [TestCase("o.gcode: nothing changed; 1 layer", "convert", "l.gcode", "-o", "o.gcode")]
-    [TestCase("l.png: 64 × 48 pixels; l.gcode: 1 layer, 10.4 × 10.4 × 0.2 mm", "picture", "l.gcode", "--width", "64")]
+    [TestCase("l.png: 64 × 48 pixels; l.gcode: 1 layer, 10.5 × 10.5 × 0.2 mm", "picture", "l.gcode", "--width", "64")]
     public void Work_closes_with_what_was_made(string summary, params string[] words)
     {
         var run = Run(words);

@@ -1,6 +1,8 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
+using Caterpillar.Expressions;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -12,7 +14,7 @@ internal sealed class MoveFilterOptions
     private readonly Option<int?> _first = new("--first-layer") { Description = "First layer to edit, by its number in the file, or counted from 0.",
         HelpName = "N" };
     private readonly Option<int?> _last = new("--last-layer") { Description = "Last layer to edit.", HelpName = "N" };
-    private readonly Option<string[]> _roles = new("--role") { Description = "Edit only strands of this role (OuterWall, Infill …); may be repeated.",
+    private readonly Option<string[]> _roles = new("--role") { Description = "Edit only strands of this role (\"outer wall\", infill …); may be repeated.",
         HelpName = "ROLE" };
     private readonly Option<string[]> _objects = new("--object") { Description = "Edit only this object; may be repeated.", HelpName = "NAME" };
     private readonly Option<int?> _tool = new("--tool") { Description = "Edit only what this tool prints.", HelpName = "N" };
@@ -68,5 +70,9 @@ internal sealed class MoveFilterOptions
     private static Role RoleOf(string name)
         => Enum.TryParse<Role>(name.Replace("-", "").Replace("_", "").Replace(" ", ""), true, out var role) && Enum.IsDefined(role)
             ? role
-            : throw new CliException(ExitCode.Usage, $"There is no role \"{name}\"; there are " + string.Join(", ", Enum.GetNames<Role>()) + ".");
+            : throw new CliException(ExitCode.Usage, $"There is no role \"{name}\"; there are {string.Join(", ", Shown)}."
+                + SpellingSuggestion.Hint(name, Shown));
+
+    // As tables and pictures show them; identifiers work as well.
+    private static IEnumerable<string> Shown => Enum.GetNames<Role>().Select(DecodeSummary.Spaced);
 }

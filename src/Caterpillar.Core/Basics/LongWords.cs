@@ -9,11 +9,14 @@ public static class LongWords
     private const int Longest = 120;
     private const int Head = 40;
     private const int Tail = 20;
+    private const int MostDigits = 24;
 
-    /// <summary>The text with every word of more than 120 characters cut in its middle.</summary>
+    /// <summary>The text with every word of more than 120 characters cut in its middle, and numbers of more than 24 digits as powers of ten.</summary>
     public static string Shorten(string text)
     {
-        if (text is null || text.Length <= Longest) return text!;
+        if (text is null) return text!;
+        text = WithoutDigits(text);
+        if (text.Length <= Longest) return text;
         StringBuilder? shorter = null;
         for (int start = 0, at = 0; at <= text.Length; at++)
         {
@@ -31,5 +34,25 @@ public static class LongWords
             start = at + 1;
         }
         return shorter?.ToString() ?? text;
+    }
+
+    private static string WithoutDigits(string text)
+    {
+        StringBuilder? shorter = null;
+        var kept = 0;
+        for (int start = 0, at = 0; at <= text.Length; at++)
+        {
+            if (at < text.Length && text[at] is >= '0' and <= '9') continue;
+            if (at - start > MostDigits && (start == 0 || text[start - 1] != '.'))
+            {
+                shorter ??= new StringBuilder(text.Length);
+                shorter.Append(text, kept, start - kept).Append(text[start]);
+                if (text[start + 1] != '0') shorter.Append('.').Append(text[start + 1]);
+                shorter.Append('e').Append(NumberFormatter.Format(at - start - 1));
+                kept = at;
+            }
+            start = at + 1;
+        }
+        return shorter?.Append(text, kept, text.Length - kept).ToString() ?? text;
     }
 }

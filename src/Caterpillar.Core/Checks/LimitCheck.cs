@@ -148,8 +148,8 @@ public static class LimitCheck
         var volume = columns.E[i] * factor;
         if (Math.Abs(volume) <= printer.MaxStationaryVolume * (1 + 1e-9)) return;
         findings.Add(Severity.Error, "limit.stationary", move,
-            () => $"{NumberFormatter.Format(Math.Abs(volume), 1)} mm³ are {(volume > 0 ? "pushed out" : "pulled back")} while the head stands still; "
-                + $"{printer.Title} allows {NumberFormatter.Format(printer.MaxStationaryVolume, 1)} mm³.");
+            () => $"{Figures.Short(Math.Abs(volume))} mm³ are {(volume > 0 ? "pushed out" : "pulled back")} while the head stands still; "
+                + $"{printer.Title} allows {Figures.Short(printer.MaxStationaryVolume)} mm³.");
     }
 
     private static void ReportTool(int tool, int move, Printer printer, Findings findings)
@@ -158,12 +158,12 @@ public static class LimitCheck
 
     private static void ReportSpeed(Severity severity, double speed, double most, int move, Printer printer, Findings findings)
         => findings.Add(severity, "limit.speed", move,
-            () => $"A move asks for {NumberFormatter.Format(speed, 1)} mm/s; {printer.Title} moves there at {NumberFormatter.Format(most, 1)} mm/s and will "
+            () => $"A move asks for {Figures.Short(speed)} mm/s; {printer.Title} moves there at {Figures.Short(most)} mm/s and will "
                 + $"slow down.");
 
     private static void ReportFlow(double flow, double limit, int move, Findings findings)
         => findings.Add(Severity.Error, "limit.flow", move,
-            () => $"A move asks for {NumberFormatter.Format(flow, 2)} mm³/s of material; the limit is {NumberFormatter.Format(limit, 2)} mm³/s.");
+            () => $"A move asks for {Figures.Short(flow)} mm³/s of material; the limit is {Figures.Short(limit)} mm³/s.");
 
     // What the axes allow in a direction; an arc is taken by its chord in Z and by the slower of X and Y.
     private static double MaxSpeed(Vec3 path, double length, AxisValues axes)

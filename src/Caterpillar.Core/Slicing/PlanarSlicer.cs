@@ -83,8 +83,17 @@ public static class PlanarSlicer
             : bodies.SelectMany(b => b.Layers).OrderBy(l => l.Plan.Top).ThenBy(l => l.Body.Number).ToArray();
         var kept = Finish(affordable.Watch(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1))), ordered, common, problems);
         if (kept.Length == 0 && !problems.HasErrors)
-            problems.Add(Severity.Error, "slice.nothing", "Nothing to print: the models have no closed contour as wide as a line on any layer.");
+            problems.Add(Severity.Error, "slice.nothing", Nothing(models, ordered));
         return new Result<SliceResult>(kept.Length > 0 ? new SliceResult(kept) : null, [.. problems.ToList(), .. broken]);
+    }
+
+    private static string Nothing(IReadOnlyList<SliceModel> models, LayerWork[] layers)
+    {
+        if (layers.All(l => l.Region.IsEmpty)) return "Nothing to print: no layer of the models has a closed contour.";
+        if (models.All(m => m.Settings is { WallCount: 0, InfillPercent: 0, InfillSpacing: 0, TopLayers: 0, BottomLayers: 0 }))
+            return "Nothing to print: the settings ask for no walls, no infill and no top or bottom layers.";
+        var width = NumberFormatter.Format(models[0].Settings.LineWidth, 3);
+        return $"Nothing to print: no contour of the models is as wide as a line ({width} mm), or the settings leave out all that they would hold.";
     }
 
     // What depends on the layers before, or on all objects on the bed.

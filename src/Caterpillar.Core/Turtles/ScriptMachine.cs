@@ -224,7 +224,7 @@ internal sealed partial class ScriptMachine
         var value = argument.Evaluate(_context);
         if (!double.IsNaN(value - value)) return value;
         var message = double.IsNaN(value)
-            ? "The value is not a number: 0 / 0, or a root or logarithm of a negative number."
+            ? "The value is not a number: 0 / 0, a root or logarithm of a negative number, or randint(from, to) with no integer between the two."
             : "The value is infinite: a division by zero, or a number too large.";
         throw new FormulaException("turtle.not_finite", message, argument.Line, argument.Column);
     }

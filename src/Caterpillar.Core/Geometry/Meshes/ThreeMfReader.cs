@@ -16,6 +16,7 @@ internal sealed class ThreeMfReader
 {
     private const int MaxDepth = 64;
     private const long MaxTriangles = 100_000_000;
+    private const int MaxItems = 10_000;
     private const int MaxUses = 1_000_000;
 
     private readonly MeshSource _source;
@@ -59,6 +60,12 @@ internal sealed class ThreeMfReader
             return false;
         }
         if (Model(root) is not { } model) return false;
+        if (model.Items.Count > MaxItems)
+        {
+            var (there, most) = (NumberFormatter.Format(model.Items.Count), NumberFormatter.Format(MaxItems));
+            _source.Note(Severity.Error, "mesh.too_large", $"The plate has {there} items; up to {most} are read.");
+            return false;
+        }
         _source.Afford(0, model.Items.Count);
         for (var i = 0; i < model.Items.Count; i++)
         {

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Expressions;
 
 namespace Caterpillar.Machines;
 
@@ -151,6 +152,8 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
     public override string Range => choices.Length == 1
         ? choices[0].Word
         : string.Join(", ", choices.Take(choices.Length - 1).Select(c => c.Word)) + " or " + choices[choices.Length - 1].Word;
+
+    public override string Hint(string word) => SpellingSuggestion.Hint(word, choices.Select(c => c.Word));
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("enum", choices.Select(c => (object)c.Word).ToArray())];
 

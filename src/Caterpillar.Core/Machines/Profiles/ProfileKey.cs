@@ -107,6 +107,9 @@ internal abstract class KeyFormat
     /// <summary>Reads text as written after <c>key=</c>; null if it is of another kind.</summary>
     public abstract object? Parse(string text);
 
+    /// <summary>The sentence " Did you mean …?" about a word that it does not take, or nothing.</summary>
+    public virtual string Hint(string word) => "";
+
     public static string Describe(object raw) => raw switch
     {
         string text => "the text \"" + (text.Length > 40 ? text.Substring(0, 40) + "…" : text) + "\"",

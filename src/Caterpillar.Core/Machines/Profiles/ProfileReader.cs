@@ -61,7 +61,7 @@ public static class ProfileReader
         var changed = found.Set(profile, raw, out var problem);
         if (changed is not null) return changed;
         var code = problem!.StartsWith("needs", StringComparison.Ordinal) ? "profile.wrong_kind" : "profile.out_of_range";
-        diagnostics.Add(new Diagnostic(Severity.Error, code, $"{key} {problem}.", place));
+        diagnostics.Add(new Diagnostic(Severity.Error, code, $"{key} {problem}." + (raw is string word ? found.Format.Hint(word) : ""), place));
         return profile;
     }
 

@@ -28,11 +28,17 @@ internal static class SetupValues
         if (key != "title")
         {
             if (ProfileKinds.Settings.Find(key) is { } settings)
-                return setup with { Settings = ProfileReader.Apply(ProfileKinds.Settings, setup.Settings, key, Parse(settings, text), place, diagnostics) };
+                return setup with { Settings =
+                    ProfileReader.Apply(ProfileKinds.Settings, setup.Settings, key,
+                    Parse(settings, settings.Get(setup.Settings), text, setup.Printer.NozzleDiameter), place, diagnostics) };
             if (ProfileKinds.Material.Find(key) is { } material)
-                return setup with { Material = ProfileReader.Apply(ProfileKinds.Material, setup.Material, key, Parse(material, text), place, diagnostics) };
+                return setup with { Material =
+                    ProfileReader.Apply(ProfileKinds.Material, setup.Material, key,
+                    Parse(material, material.Get(setup.Material), text, setup.Printer.NozzleDiameter), place, diagnostics) };
             if (ProfileKinds.Printer.Find(key) is { } printer)
-                return setup with { Printer = ProfileReader.Apply(ProfileKinds.Printer, setup.Printer, key, Parse(printer, text), place, diagnostics) };
+                return setup with { Printer =
+                    ProfileReader.Apply(ProfileKinds.Printer, setup.Printer, key,
+                    Parse(printer, printer.Get(setup.Printer), text, setup.Printer.NozzleDiameter), place, diagnostics) };
         }
         var known = SettingsKeys.All.Cast<ProfileKey>().Concat(MaterialKeys.All).Concat(PrinterKeys.All).Select(k => k.Name).Where(k => k != "title");
         diagnostics.Add(ProfileReader.Unknown("printer, material or settings", key, known, place));
@@ -40,5 +46,18 @@ internal static class SetupValues
     }
 
     // Text of another kind is passed on as text, so that the message can show it.
-    private static object Parse(ProfileKey key, string text) => key.Format.Parse(text) ?? text;
+    private static object Parse(ProfileKey key, object present, string text, double nozzle)
+        => key.Format.Parse(text) ?? Percent(key, present, text.Trim(), nozzle) ?? text;
+
+    // Speeds, flows and accelerations take percents of what the profile says, widths of strands of the nozzle, and factors are percents themselves.
+    private static object? Percent(ProfileKey key, object present, string text, double nozzle)
+    {
+        if (key.Kind != KeyKind.Number || !text.EndsWith("%", StringComparison.Ordinal)) return null;
+        if (!NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent)) return null;
+        bool Ends(string ending) => key.Name.EndsWith(ending, StringComparison.Ordinal);
+        if (Ends("_percent")) return percent;
+        if (Ends("_mm_s") || Ends("_mm_s2") || Ends("_mm3_s")) return present is double speed ? percent / 100 * speed : null;
+        if (Ends("_width_mm")) return percent / 100 * nozzle;
+        return Ends("_multiplier") || Ends("_flow") || Ends("_factor") ? percent / 100 : null;
+    }
 }

@@ -45,7 +45,9 @@ internal static class OverlappingModels
                 merged.Add(members[0]);
                 continue;
             }
-            var name = string.Join(" + ", members.Select(m => m.Mesh.Name));
+            const int Named = 3;
+            var more = members.Length > Named ? $" + {NumberFormatter.Format(members.Length - Named)} more" : "";
+            var name = string.Join(" + ", members.Take(Named).Select(m => m.Mesh.Name)) + more;
             problems.Add(Severity.Remark, "models.merged", $"{name} overlap: they are printed as one solid (merge_overlapping=false prints each).");
             merged.Add(new SliceModel(new NamedMesh(name, TriMesh.Merge(members.Select(m => m.Mesh.Mesh))), members[0].Settings));
         }

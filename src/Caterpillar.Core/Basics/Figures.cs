@@ -1,0 +1,32 @@
+using System;
+
+namespace Caterpillar.Basics;
+
+/// <summary>Numbers in sentences: as short as they can be without becoming 0 or a page of digits.</summary>
+public static class Figures
+{
+    private const int Figure = 3;
+    private const double Large = 1e9;
+
+    /// <summary>Two decimals, more for what is smaller than 0.1, and powers of ten from a thousand million on.</summary>
+    public static string Short(double value)
+    {
+        if (double.IsNaN(value)) return "not a number";
+        var size = Math.Abs(value);
+        if (double.IsInfinity(value)) return value > 0 ? "infinite" : "minus infinite";
+        if (size >= Large) return Power(value);
+        if (size is 0 or >= 0.1) return NumberFormatter.Format(value, 2);
+        var decimals = (int)Math.Ceiling(-Math.Log10(size)) + Figure - 1;
+        return decimals <= NumberFormatter.MaxDecimals ? NumberFormatter.Format(value, decimals) : Power(value);
+    }
+
+    // Read from the digits: powers of ten are not the same on every runtime.
+    private static string Power(double value)
+    {
+        var text = Math.Abs(value).ToString("E2", System.Globalization.CultureInfo.InvariantCulture);
+        var e = text.IndexOf('E');
+        var digits = text.Substring(0, e).TrimEnd('0').TrimEnd('.');
+        var exponent = int.Parse(text.Substring(e + 1), System.Globalization.CultureInfo.InvariantCulture);
+        return (value < 0 ? "-" : "") + digits + "e" + NumberFormatter.Format(exponent);
+    }
+}

@@ -1,0 +1,118 @@
+using System.IO;
+using System.Linq;
+using NUnit.Framework;
+
+namespace Caterpillar.Cli.Tests;
+
+/// <summary>Messages name what was meant, in the words of the user.</summary>
+public class MessageTests : CliFixture
+{
+    [SetUp]
+    public void WriteInputs()
+    {
+        File.WriteAllText("a.stl", Box(6, 5, 1));
+        File.WriteAllText("l.gcode", "G28\nM83\n;LAYER_CHANGE\n;TYPE:External perimeter\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E1 F1200\n");
+        File.WriteAllText("s.turtle", "param side = 5\nforward side\n");
+        File.WriteAllText("c.csv", "x,y,z\n10,10,0.2\n30,10,0.2\n30,50,0.2\n");
+    }
+
+    [TestCase("There is no verb slcie. Did you mean 'slice'?", "slcie", "a.stl")]
+    [TestCase("There is no option --matrial. Did you mean --material?", "slice", "a.stl", "--matrial", "pla")]
+    [TestCase("There is no option --quite. Did you mean --quiet?", "slice", "a.stl", "--quite")]
+    [TestCase("There is no option --strokse. Did you mean --strokes?", "curves", "c.csv", "--strokse")]
+    [TestCase("There is no option --bogus-thing. For a file of this name write ./--bogus-thing", "slice", "a.stl", "--bogus-thing")]
+    [TestCase("did you mean layer_height_mm?", "slice", "a.stl", "--set", "layer_hieght_mm=0.2")]
+    [TestCase("Did you mean 'gyroid'?", "slice", "a.stl", "--set", "infill_pattern=gyrod")]
+    [TestCase("did you mean ender3?", "slice", "a.stl", "--printer", "ender4")]
+    [TestCase("Did you mean 'marlin2'?", "decode", "l.gcode", "--dialect", "marln2")]
+    [TestCase("Did you mean 'Outer wall'?", "convert", "l.gcode", "-o", "o.gcode", "--role", "outr-wall", "--speed", "2")]
+    [TestCase("\"Rol\" is none of Height, Layer, Progress, Role, Speed. Did you mean 'Role'?", "picture", "l.gcode", "--color", "Rol")]
+    [TestCase("--threads needs a whole number, not \"abc\".", "slice", "a.stl", "--threads", "abc")]
+    [TestCase("--turn needs a number, not \"abc\".", "convert", "l.gcode", "-o", "o.gcode", "--turn", "abc")]
+    [TestCase("--seed needs a whole number, not \"1.5\".", "turtle", "s.turtle", "--seed", "1.5")]
+    public void A_misspelled_word_gets_a_hint(string hint, params string[] words)
+    {
+        var before = Files();
+        var run = Run(words);
+        Assert.That((run.Code, run.Text, Files()), Is.EqualTo((2, "", before)), run.Messages);
+        Assert.That(run.Messages, Does.Contain(hint).And.Not.Contain("System."));
+    }
+
+    [TestCase("outer wall")]
+    [TestCase("Outer wall")]
+    [TestCase("OuterWall")]
+    [TestCase("outer_wall")]
+    [TestCase("OUTER-WALL")]
+    public void Roles_have_their_shown_names_and_their_identifiers(string role)
+    {
+        var run = Run("convert", "l.gcode", "-o", "o.gcode", "--role", role, "--speed", "50%");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(File.ReadAllText("o.gcode"), Does.Contain("F600"));
+    }
+
+    [TestCase("There is no 'sidee'", "forward sidee", "Did you mean 'side'?")]
+    [TestCase("misspelled command", "forwad 5", "Did you mean 'forward'?")]
+    [TestCase("empty range", "forward randint(5,1)", "randint(from, to) with no integer between the two")]
+    [TestCase("negative count", "circle 5 -3", "The number of segments must be 1 to a million, or 0 for as many as it takes, not -3.")]
+    public void Scripts_say_what_is_wrong(string what, string line, string message)
+    {
+        File.WriteAllText("s.turtle", "param side = 5\n" + line + "\n");
+        var run = Run("turtle", "s.turtle");
+        Assert.That(run.Code, Is.EqualTo(1), what);
+        Assert.That(run.Messages, Does.StartWith("s.turtle:2:").And.Contain(message));
+    }
+
+    [Test]
+    public void Numbers_of_hundreds_of_digits_are_told_as_powers_of_ten()
+    {
+        File.WriteAllText("s.turtle", "forward 5" + new string('0', 300) + "\n");
+        var run = Run("turtle", "s.turtle");
+        Assert.That(run.Code, Is.EqualTo(3));
+        Assert.That(run.Messages, Does.Contain("A move goes to (5e300, 0, 0)"));
+    }
+
+    [Test]
+    public void Small_limits_are_not_told_as_zero()
+    {
+        var run = Run("slice", "a.stl", "--set", "max_flow_mm3_s=0.0001");
+        Assert.That(run.Code, Is.EqualTo(3));
+        Assert.That(run.Messages, Does.Contain("the limit is 0.0001 mm³/s"));
+    }
+
+    [Test]
+    public void Folders_that_do_not_exist_are_told_by_the_names_that_were_typed()
+    {
+        Assert.That(Run("slice", "a.stl", "-o", "none/x.gcode").Messages, Does.StartWith("none/x.gcode: there is no such folder."));
+        Assert.That(Run("slice", "none/x.stl").Messages, Does.StartWith("none/x.stl: there is no such folder."));
+        Assert.That(Run("slice", "/nonexistent/x.stl").Messages, Does.StartWith("/nonexistent/x.stl: there is no such folder."));
+    }
+
+    [Test]
+    public void Settings_that_print_nothing_are_named()
+    {
+        string[] nothing = ["--set", "wall_count=0", "--set", "infill_percent=0", "--set", "top_layers=0", "--set", "bottom_layers=0"];
+        Assert.That(Run(["slice", "a.stl", .. nothing]).Messages, Does.Contain("the settings ask for no walls, no infill and no top or bottom layers"));
+        File.WriteAllText("thin.stl", Box(6, 0.03, 1));
+        Assert.That(Run("slice", "thin.stl").Messages, Does.Contain("no contour of the models is as wide as a line (0.45 mm)"));
+        Assert.That(Files(), Does.Not.Contain("a.gcode").And.Not.Contain("thin.gcode"));
+    }
+
+    [TestCase("print_speed_mm_s=50%", "print_speed_mm_s=30", "print_speed_mm_s=60")]
+    [TestCase("flow_multiplier=95%", "flow_multiplier=0.95")]
+    [TestCase("infill_percent=35%", "infill_percent=35")]
+    [TestCase("line_width_mm=125%", "line_width_mm=0.5")]
+    [TestCase("bridge_flow=90%", "bridge_flow=0.9")]
+    public void Percent_is_taken_where_a_speed_a_flow_or_a_width_is_asked(string percent, string value, string? first = null)
+    {
+        string[] Words(string set, string file)
+            => ["slice", "a.stl", "-o", file, .. first is null ? Enumerable.Empty<string>() : ["--set", first], "--set", set];
+        var run = Run(Words(percent, "a.gcode"));
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Run(Words(value, "b.gcode"));
+        Assert.That(File.ReadAllText("a.gcode"), Is.EqualTo(File.ReadAllText("b.gcode")));
+    }
+
+    [Test]
+    public void Percent_elsewhere_is_wrong_usage()
+        => Assert.That(Run("slice", "a.stl", "--set", "bed_temperature_c=50%").Messages, Does.Contain("needs a number, not the text \"50%\""));
+}
