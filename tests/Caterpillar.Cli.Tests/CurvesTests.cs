@@ -46,6 +46,19 @@ public class CurvesTests : CliFixture
     }
 
     [Test]
+    public void Points_become_dots_and_widths_step()
+    {
+        File.WriteAllText("points.csv", "20,20,0.4\n60,20,0.4\n60,60,0.4\n");
+        var run = Run("curves", "points.csv", "--dots", "2", "--dot-speed", "1.5");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        var dots = File.ReadAllLines("points.gcode").Where(l => l.StartsWith("G1 E0.8315", StringComparison.Ordinal)).ToArray();
+        Assert.That(dots.Select(d => d.Split(' ')[2]), Is.EqualTo(new[] { "F90", "F90", "F90" }), "2 mm³ of 1.75 mm filament at 1.5 mm/s");
+        File.WriteAllText("wide.csv", "x,y,z,width\n20,20,0.2,0.4\n60,20,0.2,0.8\n60,60,0.2,0.4\n");
+        Run("curves", "wide.csv", "--steps");
+        Assert.That(Prints("wide.gcode"), Has.Length.EqualTo(2));
+    }
+
+    [Test]
     public void Pens_draw_arcs_without_extruding()
     {
         var svg = Encoding.ASCII.GetBytes("<svg width='100mm' height='100mm' viewBox='0 0 100 100'><circle cx='50' cy='50' r='20'/></svg>");

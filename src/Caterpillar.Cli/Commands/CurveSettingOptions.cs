@@ -23,12 +23,21 @@ internal sealed class CurveSettingOptions
 
     private readonly Option<bool> _strokes = new("--strokes") { Description = "Draw without extruding: pen, brush, bare hot tool." };
 
+    private readonly Option<bool> _steps =
+        new("--steps") { Description = "Values along a curve hold from their point to the next, instead of changing evenly." };
+
+    private readonly Option<string?> _dots = new("--dots") { Description = "Every point becomes a dot of this volume; nothing is drawn between them.",
+        HelpName = "MM3" };
+
+    private readonly Option<string?> _dotSpeed = new("--dot-speed") { Description = "Speed of the filament for dots; 2 mm/s by default.", HelpName = "MM/S" };
+
     private readonly Option<string?> _unit = new("--unit") { Description = "Millimeters per unit of CSV, OBJ, and JSON without \"units\".", HelpName = "MM" };
 
     public void AddTo(Verb verb)
     {
         _shape.AcceptOnlyFromAmong("rectangle", "stadium", "circle");
-        foreach (Option option in new Option[] { _width, _height, _multiplier, _speed, _shape, _strokes, _unit }) verb.Options.Add(option);
+        foreach (Option option in new Option[] { _width, _height, _multiplier, _speed, _shape, _strokes, _steps, _dots, _dotSpeed,
+            _unit }) verb.Options.Add(option);
     }
 
     public double UnitOf(ParseResult arguments)
@@ -54,6 +63,9 @@ internal sealed class CurveSettingOptions
                 _ => plain.Shape,
             },
             Strokes = arguments.GetValue(_strokes),
+            Steps = arguments.GetValue(_steps),
+            Dots = OptionValues.OptionalNumber(arguments.GetValue(_dots), "--dots", 0) ?? 0,
+            DotSpeed = OptionValues.OptionalNumber(arguments.GetValue(_dotSpeed), "--dot-speed", 1e-3) ?? plain.DotSpeed,
         };
     }
 }

@@ -35,6 +35,9 @@ internal sealed class CsvCurves
     private double? _tool;
     private double? _layer;
 
+    // Dots of the curve at hand by the number of their point.
+    private readonly List<(int Point, double Volume)> _dots = [];
+
     private CsvCurves(CurveSource source)
     {
         _source = source;
@@ -164,6 +167,9 @@ internal sealed class CsvCurves
                 case CurveColumn.Layer:
                     _layer = value;
                     break;
+                case CurveColumn.Dot:
+                    if (value > 0) _dots.Add((_count, value));
+                    break;
                 default:
                     _values[column - CurveColumn.Area]!.Add(value);
                     break;
@@ -183,21 +189,54 @@ internal sealed class CsvCurves
         Array.Copy(_points, points, _count);
         var columns = Array.ConvertAll(_values, v => v?.ToArray());
         foreach (var column in _values) column?.Clear();
-        var place = _source.Place(_curveLine);
         _count = 0;
-        var curve = _source.Polyline(points, false, place, out var endDropped);
+        if (_dots.Count == 0)
+        {
+            Add(points, columns, 0);
+            return;
+        }
+        // The curve is drawn from dot to dot.
+        var from = 0;
+        var volume = 0.0;
+        foreach (var (at, next) in _dots)
+        {
+            if (at > from) Add(Part(points, from, at), Array.ConvertAll(columns, c => c is null ? null : Part(c, from, at)), volume);
+            (from, volume) = (at, next);
+        }
+        _dots.Clear();
+        var last = points.Length - 1;
+        if (from < last) Add(Part(points, from, last), Array.ConvertAll(columns, c => c is null ? null : Part(c, from, last)), volume);
+        else _source.Curves.Add(With(UserCurve.DotAt(points[last], volume)));
+    }
+
+    private static T[] Part<T>(T[] values, int from, int to)
+    {
+        var part = new T[to - from + 1];
+        Array.Copy(values, from, part, 0, part.Length);
+        return part;
+    }
+
+    private void Add(Vec3[] points, double[]?[] columns, double dot)
+    {
+        if (dot > 0 && Array.TrueForAll(points, p => p == points[0]))
+        {
+            _source.Curves.Add(With(UserCurve.DotAt(points[0], dot)));
+            return;
+        }
+        var curve = _source.Polyline(points, false, _source.Place(_curveLine), out var endDropped);
         if (curve is null) return;
         if (endDropped) columns = CurveColumns.Shortened(columns, points.Length - 1);
-        var user = new UserCurve(curve)
-        {
-            Name = Encoding.UTF8.GetString(_bytes, _keyStart, _keyEnd - _keyStart).Trim('"', '\''),
-            Multiplier = _multiplier,
-            Tool = (int)(_tool ?? 0),
-            Layer = _layer is { } layer ? new Layer((int)layer, curve.Bounds.Max.Z) : null,
-            Source = place,
-        };
-        _source.Curves.Add(CurveColumns.WithValues(user, columns));
+        _source.Curves.Add(CurveColumns.WithValues(With(new UserCurve(curve) { Dot = dot }), columns));
     }
+
+    private UserCurve With(UserCurve curve) => curve with
+    {
+        Name = Encoding.UTF8.GetString(_bytes, _keyStart, _keyEnd - _keyStart).Trim('"', '\''),
+        Multiplier = _multiplier,
+        Tool = (int)(_tool ?? 0),
+        Layer = _layer is { } layer ? new Layer((int)layer, curve.Curve.Bounds.Max.Z) : null,
+        Source = _source.Place(_curveLine),
+    };
 
     private bool SameKey(int start, int end)
     {

@@ -16,6 +16,7 @@ internal enum CurveColumn
     Multiplier,
     Tool,
     Layer,
+    Dot,
     Key,
 }
 
@@ -31,7 +32,7 @@ internal static class CurveColumns
         var plain = name.Trim().Trim('"', '\'').ToLowerInvariant();
         var at = plain.IndexOfAny(['(', '[']);
         if (at > 0) plain = plain.Substring(0, at).Trim();
-        foreach (var unit in new[] { "_mm_s", "_mm2", "_mm" })
+        foreach (var unit in new[] { "_mm_s", "_mm2", "_mm3", "_mm" })
         {
             if (plain.Length > unit.Length && plain.EndsWith(unit, System.StringComparison.Ordinal)) plain = plain.Substring(0, plain.Length - unit.Length);
         }
@@ -47,6 +48,7 @@ internal static class CurveColumns
             "multiplier" or "flow" or "flow_multiplier" => CurveColumn.Multiplier,
             "tool" => CurveColumn.Tool,
             "layer" => CurveColumn.Layer,
+            "dot" or "blob" => CurveColumn.Dot,
             "curve" or "path" or "polyline" or "id" or "name" or "stroke" => CurveColumn.Key,
             _ => CurveColumn.Ignored,
         };

@@ -46,6 +46,15 @@ public sealed record CurveOptions
     /// <summary>Where area or speed change along a curve, segments are split so that from one to the next they change by no more than this fraction.</summary>
     public double RampStep { get; init; } = 0.1;
 
+    /// <summary>Values that vary along a curve hold from their point to the next one, instead of varying linearly.</summary>
+    public bool Steps { get; init; }
+
+    /// <summary>Above 0, every point of the curves becomes a dot of this volume, mm³, and nothing is drawn between them.</summary>
+    public double Dots { get; init; }
+
+    /// <summary>Speed of E for dots, mm/s.</summary>
+    public double DotSpeed { get; init; } = 2;
+
     /// <summary>Tolerance in mm of arcs fitted to the result; 0 for none.</summary>
     public double FitArcs { get; init; }
 

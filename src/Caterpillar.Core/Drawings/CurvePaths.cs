@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -21,32 +22,40 @@ public static class CurvePaths
     public static Result<IReadOnlyList<Step>> ToSteps(
         IReadOnlyList<UserCurve> curves, CurveOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        var paths = ToPaths(curves, options, progress, cancel);
-        if (paths.Value is null) return new Result<IReadOnlyList<Step>>(null, paths.Diagnostics);
-        var steps = new Step[paths.Value.Count];
+        var made = Make(curves, options ?? new CurveOptions(), withDots: true, progress, cancel);
+        if (made.Value is null) return new Result<IReadOnlyList<Step>>(null, made.Diagnostics);
+        var steps = new Step[made.Value.Count];
         for (var i = 0; i < steps.Length; i++)
         {
-            var path = paths.Value[i];
+            steps[i] = made.Value[i];
+            if (made.Value[i] is not PathStep { Path: var path }) continue;
             StepGroup? group = options?.Sorting switch
             {
                 CurveSorting.WithinLayers => new StepGroup(path.Layer?.Index ?? -1),
                 CurveSorting.All => new StepGroup(0),
                 _ => null,
             };
-            steps[i] = new PathStep(path, group);
+            if (group is not null) steps[i] = new PathStep(path, group);
         }
-        return new Result<IReadOnlyList<Step>>(steps, paths.Diagnostics);
+        return new Result<IReadOnlyList<Step>>(steps, made.Diagnostics);
     }
 
-    /// <summary>The paths of curves in their order; as <see cref="ToSteps"/>.</summary>
+    /// <summary>The paths of curves in their order, without dots; as <see cref="ToSteps"/>.</summary>
     /// <exception cref="ArgumentException">The subdivision is out of range, or a curve is null.</exception>
     public static Result<IReadOnlyList<PrintPath>> ToPaths(
         IReadOnlyList<UserCurve> curves, CurveOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
+        var made = Make(curves, options ?? new CurveOptions(), withDots: false, progress, cancel);
+        return new Result<IReadOnlyList<PrintPath>>(made.Value?.Cast<PathStep>().Select(s => s.Path).ToArray(), made.Diagnostics);
+    }
+
+    private static Result<IReadOnlyList<Step>> Make(
+        IReadOnlyList<UserCurve> curves, CurveOptions options, bool withDots, IProgress<double>? progress, CancellationToken cancel)
+    {
         if (curves is null) throw new ArgumentNullException(nameof(curves));
-        options ??= new CurveOptions();
         var diagnostics = new DiagnosticList();
-        var paths = new List<PrintPath>(curves.Count);
+        var steps = new List<Step>(curves.Count);
+        var run = new List<PrintPath>();
         var points = 0L;
         var maker = new PathMaker(options, diagnostics, cancel);
         for (var i = 0; i < curves.Count; i++)
@@ -57,7 +66,23 @@ public static class CurvePaths
                 progress?.Report((double)i / curves.Count);
             }
             var curve = curves[i] ?? throw new ArgumentException("A curve is null.", nameof(curves));
-            var path = maker.Make(curve, curve.Source ?? new SourceLocation(Step: i));
+            var source = curve.Source ?? new SourceLocation(Step: i);
+            if (!(curve.Dot >= 0 && !double.IsInfinity(curve.Dot)))
+            {
+                diagnostics.Add(Severity.Error, "curves.bead", "A dot must be a finite volume of 0 mm³ or more.", source);
+                continue;
+            }
+            if (withDots && options.Dots > 0)
+            {
+                foreach (var point in PointsOf(curve.Curve, options, cancel)) Dot(point, options.Dots);
+                continue;
+            }
+            if (curve.Dot > 0)
+            {
+                if (withDots) Dot(curve.Curve.Start, curve.Dot);
+                if (!(curve.Curve.Bounds.Size.LengthSquared > 0)) continue;
+            }
+            var path = maker.Make(curve, source);
             if (path is null) continue;
             points += path.RawPoints.Length;
             if (options.Memory.Refuse(points * BytesPerPoint, $"A division into more than {NumberFormatter.Format(points)} points", curve.Source,
@@ -66,16 +91,31 @@ public static class CurvePaths
                 diagnostics.Add(tooMuch);
                 break;
             }
-            paths.Add(options.FitArcs > 0 ? PathArcs.Fit(path, new ArcFitOptions { Tolerance = options.FitArcs }) : path);
+            run.Add(options.FitArcs > 0 ? PathArcs.Fit(path, new ArcFitOptions { Tolerance = options.FitArcs }) : path);
         }
-        if (diagnostics.HasErrors) return new Result<IReadOnlyList<PrintPath>>(null, diagnostics.ToList());
-        if (paths.Count == 0)
-        {
-            diagnostics.Add(Severity.Error, "curves.empty", "There is no curve to print.");
-            return new Result<IReadOnlyList<PrintPath>>(null, diagnostics.ToList());
-        }
+        EndRun();
+        if (!diagnostics.HasErrors && steps.Count == 0) diagnostics.Add(Severity.Error, "curves.empty", "There is no curve to print.");
+        if (diagnostics.HasErrors) return new Result<IReadOnlyList<Step>>(null, diagnostics.ToList());
         progress?.Report(1);
-        return new Result<IReadOnlyList<PrintPath>>(options.MergeTolerance > 0 ? PathMerging.Merge(paths, options.MergeTolerance)
-            : paths, diagnostics.ToList());
+        return new Result<IReadOnlyList<Step>>(steps, diagnostics.ToList());
+
+        void Dot(Vec3 at, double volume)
+        {
+            EndRun();
+            steps.Add(new TravelStep(at, intent: TravelIntent.Return));
+            steps.Add(new ExtrudeEvent(volume, options.DotSpeed, IsDot: true));
+        }
+
+        // Paths between two dots may be joined.
+        void EndRun()
+        {
+            foreach (var path in options.MergeTolerance > 0 ? PathMerging.Merge(run, options.MergeTolerance) : run) steps.Add(path);
+            run.Clear();
+        }
     }
+
+    private static IEnumerable<Vec3> PointsOf(Curve curve, CurveOptions options, CancellationToken cancel)
+        => curve is PolylineCurve { Polyline: var line }
+            ? Enumerable.Range(0, line.Count > 1 && line[0] == line[1] ? 1 : line.Count).Select(i => line[i])
+            : CurveSubdivider.Subdivide(curve, options.Subdivision with { KeepArcs = false }, cancel).Points;
 }

@@ -17,7 +17,7 @@ namespace Caterpillar.Drawings;
 /// of points or an object:
 /// <c>points</c>, <c>closed</c>; or <c>degree</c>, <c>points</c>, <c>knots</c>, <c>weights</c>, <c>periodic</c> for NURBS; or <c>center</c>, <c>radius</c>,
 /// <c>start</c>, <c>sweep</c> for a horizontal arc or circle; or <c>pieces</c> for joined curves; with <c>name</c>, <c>area</c>, <c>width</c>, <c>height</c>,
-/// <c>multiplier</c>, <c>speed</c>, <c>tool</c> and <c>layer</c>. Settings outside of
+/// <c>multiplier</c>, <c>speed</c>, <c>tool</c>, <c>layer</c> and <c>dot</c>. Settings outside of
 /// <c>curves</c> apply to all. A point is a list of two or three numbers, or an object with x, y, z and its own area, width, height and speed. Percentages are
 /// texts like <c>"80%"</c>.
 /// </summary>
@@ -27,7 +27,7 @@ internal sealed class JsonCurves
 
     private static readonly string[] Known =
         ["curves", "units", "points", "closed", "degree", "knots", "weights", "periodic", "center", "radius", "start", "sweep", "pieces", "name", "tool",
-            "layer", .. Settings];
+            "layer", "dot", .. Settings];
 
     private readonly CurveSource _source;
     private double _unit;
@@ -161,6 +161,11 @@ internal sealed class JsonCurves
             if (Number(tool) is not (>= 0 and <= 1000 and var number)) return Fail<UserCurve>("curves.json", "A tool must be a number from 0 to 1000.", tool);
             user = user with { Tool = (int)number };
         }
+        if (holder["dot"] is { } dot)
+        {
+            if (Number(dot) is not (>= 0 and var volume)) return Fail<UserCurve>("curves.json", "A dot must be a volume of 0 mm³ or more.", dot);
+            user = user with { Dot = volume };
+        }
         if (holder["layer"] is { } layer)
         {
             if (Number(layer) is not (>= -1e8 and <= 1e8 and var number)) return Fail<UserCurve>("curves.json", "A layer must be a whole number.", layer);
@@ -235,6 +240,7 @@ internal sealed class JsonCurves
             if (Point(list[i], rows[i]) is not { } point) return null;
             points[i] = point;
         }
+        if (points.Length == 1 && token is JObject { } holder && holder["dot"] is not null) return new PolylineCurve([points[0], points[0]]);
         var curve = _source.Polyline(points, closed, Place(token), out var endDropped);
         if (curve is null || values is null) return curve;
         for (var c = 0; c < CurveColumns.Settings; c++)

@@ -60,6 +60,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         var beads = new Bead[points.Count];
         for (var i = 0; i < beads.Length; i++)
         {
+            if (options.Steps) positions[i] = Math.Floor(positions[i] + 1e-9);
             var bead = BeadOf(
                 At(along.Areas, positions[i]) ?? curve.Area, At(along.Widths, positions[i]) ?? curve.Width, At(along.Heights, positions[i]) ?? curve.Height,
                 At(along.Speeds, positions[i]) ?? curve.Speed, curve, source);
@@ -71,7 +72,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         for (var i = 1; i < points.Count; i++)
         {
             if (points[i] == points[i - 1]) continue;
-            var (a, b) = (beads[i - 1], beads[i]);
+            var (a, b) = (beads[i - 1], options.Steps ? beads[i - 1] : beads[i]);
             var parts = Math.Max(Parts(a.Area, b.Area), Parts(a.Speed, b.Speed));
             for (var k = 0; k < parts; k++)
             {
@@ -108,7 +109,25 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         for (var i = 1; i < lengths.Length; i++) lengths[i] = lengths[i - 1] + points[i - 1].DistanceTo(points[i]);
         var total = lengths[lengths.Length - 1];
         foreach (var length in lengths) positions.Add(total > 0 ? length / total * (along.Count - 1) : 0);
-        return (points, positions, divided.IsClosed);
+        return options.Steps ? WithSteps(points, positions, divided.IsClosed) : (points, positions, divided.IsClosed);
+    }
+
+    // A point wherever the next value begins.
+    private static (List<Vec3> Points, List<double> Positions, bool Closed) WithSteps(List<Vec3> points, List<double> positions, bool closed)
+    {
+        var stepped = new List<Vec3> { points[0] };
+        var places = new List<double> { positions[0] };
+        for (var i = 1; i < points.Count; i++)
+        {
+            for (var next = Math.Floor(positions[i - 1] + 1e-9) + 1; next < positions[i] - 1e-9; next++)
+            {
+                stepped.Add(Vec3.Lerp(points[i - 1], points[i], (next - positions[i - 1]) / (positions[i] - positions[i - 1])));
+                places.Add(next);
+            }
+            stepped.Add(points[i]);
+            places.Add(positions[i]);
+        }
+        return (stepped, places, closed);
     }
 
     // Straight runs with one bead keep only their ends.

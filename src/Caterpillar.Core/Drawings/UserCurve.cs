@@ -13,6 +13,9 @@ public sealed record UserCurve
 {
     public UserCurve(Curve curve) => Curve = curve ?? throw new ArgumentNullException(nameof(curve));
 
+    /// <summary>Material extruded in place at a point, mm³.</summary>
+    public static UserCurve DotAt(Vec3 point, double volume) => new(new PolylineCurve([point, point])) { Dot = volume };
+
     public Curve Curve { get; init; }
 
     /// <summary>Display name, or empty.</summary>
@@ -29,6 +32,9 @@ public sealed record UserCurve
 
     /// <summary>Scales the area from width × height.</summary>
     public double? Multiplier { get; init; }
+
+    /// <summary>Material extruded in place at the start, before the curve is drawn, mm³; a curve without length is only a dot.</summary>
+    public double Dot { get; init; }
 
     /// <summary>mm/s; 0 for the speed of the print settings.</summary>
     public double? Speed { get; init; }

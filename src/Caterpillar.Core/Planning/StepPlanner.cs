@@ -190,6 +190,7 @@ internal sealed class StepPlanner
 
     private void Extrude(ExtrudeEvent extrude)
     {
+        if (extrude.IsDot) _travel.Restore();
         var tool = _emitter.ToolRules;
         var e = tool.EOf(extrude.Volume);
         if (e < 0) _emitter.Retract(-e, extrude.Speed > 0 ? extrude.Speed : tool.RetractSpeed);

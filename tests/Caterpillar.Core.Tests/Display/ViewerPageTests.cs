@@ -82,7 +82,8 @@ public class ViewerPageTests
     [Test]
     public void A_page_needs_no_network_and_holds_no_open_placeholder()
     {
-        var page = Page(new ViewerContent("<b>&{{x") { Toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Code)).Value!.Toolpath, GCode = Encoding.ASCII.GetBytes(Code) });
+        var page = Page(new ViewerContent("<b>&{{x") { Toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Code)).Value!.Toolpath,
+            GCode = Encoding.ASCII.GetBytes(Code) });
         Assert.That(Regex.IsMatch(page, @"(src|href)\s*=|https?://|@import"), Is.False);
         Assert.That(page, Does.Contain("<title>&lt;b&gt;&amp;&#123;&#123;x</title>"));
         Assert.That(Regex.IsMatch(page, @"\{\{[a-z]+\}\}"), Is.False);

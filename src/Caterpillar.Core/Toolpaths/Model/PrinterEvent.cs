@@ -34,8 +34,11 @@ public sealed record CommentEvent(string Text) : PrinterEvent;
 /// <summary>A line written as it is.</summary>
 public sealed record RawEvent(string Line) : PrinterEvent;
 
-/// <summary>Material extruded (positive) or retracted (negative) in place, in mm³.</summary>
-public sealed record ExtrudeEvent(double Volume, double Speed = 0) : PrinterEvent;
+/// <summary>
+/// Material extruded (positive) or retracted (negative) in place, in mm³; the speed is that of E. A dot is deposited whole: planning restores what it has
+/// retracted first.
+/// </summary>
+public sealed record ExtrudeEvent(double Volume, double Speed = 0, bool IsDot = false) : PrinterEvent;
 
 /// <summary>The machine ends all its moves before it goes on (M400).</summary>
 public sealed record FinishMovesEvent : PrinterEvent;
