@@ -24,7 +24,7 @@ public static class Figures
     private static string Power(double value)
     {
         var text = Math.Abs(value).ToString("E2", System.Globalization.CultureInfo.InvariantCulture);
-        var e = text.IndexOf('E');
+        var e = text.IndexOf('E', 0);
         var digits = text.Substring(0, e).TrimEnd('0').TrimEnd('.');
         var exponent = int.Parse(text.Substring(e + 1), System.Globalization.CultureInfo.InvariantCulture);
         return (value < 0 ? "-" : "") + digits + "e" + NumberFormatter.Format(exponent);

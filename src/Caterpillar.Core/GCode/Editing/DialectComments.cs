@@ -33,8 +33,8 @@ internal sealed class DialectComments
         var changed = text;
         var match = Flavor.Match(text);
         if (match.Success && DialectDetector.OfFlavor(match.Groups[2].Value) is not null) changed = match.Groups[1].Value + Name(match.Groups[1].Value);
-        else if (_target.Name != DialectTable.Bambu.Name && text.IndexOf("BambuStudio", StringComparison.Ordinal) >= 0)
-            changed = text.Replace("BambuStudio", "Bambu Studio");
+        else if (_target.Name != DialectTable.Bambu.Name && text.IndexOf("BambuStudio", StringComparison.Ordinal) is >= 0 and var at)
+            changed = text.Insert(at + "Bambu".Length, " ");
         return changed == text ? line : line.WithText(TextEncoding.Encode(changed));
     }
 
