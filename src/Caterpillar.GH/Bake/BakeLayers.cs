@@ -20,7 +20,7 @@ internal static class BakeLayers
         foreach (var name in new[] { item, role })
         {
             // Rhino does not allow the separator in a name.
-            var safe = name.Replace(Separator, ":").Trim();
+            var safe = string.Join(":", name.Split([Separator], StringSplitOptions.None)).Trim();
             if (safe.Length == 0) continue;
             path += Separator + safe;
             parent = Ensure(document, path, safe, document.Layers.FindIndex(parent).Id, color);
