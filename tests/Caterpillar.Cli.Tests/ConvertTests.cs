@@ -34,7 +34,7 @@ public class ConvertTests : CliFixture
     public void A_layer_is_printed_slower_and_a_pause_put_before_it()
     {
         File.WriteAllText("a.gcode", File1);
-        Assert.That(Run("convert", "a.gcode", "-o", "-", "--speed", "0.5", "--first-layer", "1", "--pause-at-layer", "1").Text, Is.EqualTo(
+        Assert.That(Run("convert", "a.gcode", "-o", "-", "--speed", "0.5", "--first-layer", "1", "--pause-at-layer", "1", "--plain-pause").Text, Is.EqualTo(
             File1.Replace("G1 Z0.4", "M0\nG1 Z0.4").Replace("G1 X0 E2 ;", "G1 X0 E2 F900 ;")));
     }
 

@@ -40,6 +40,9 @@ internal sealed class CodeReplacement
 
     public int LastKept { get; } = int.MaxValue;
 
+    /// <summary>True where there is other code.</summary>
+    public bool Changes => FirstKept > 0 || LastKept < int.MaxValue;
+
     public bool Keeps(int line) => line >= FirstKept && line <= LastKept;
 
     /// <summary>Writes the start code, and then the state that the first line that stays expects.</summary>

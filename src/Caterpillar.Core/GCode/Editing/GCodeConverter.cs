@@ -44,6 +44,9 @@ public sealed record ConvertOptions
     public int? DecimalsE { get; init; }
 
     public int? DecimalsF { get; init; }
+
+    /// <summary>For comparison: every line takes the general way.</summary>
+    internal bool LongWay { get; init; }
 }
 
 /// <summary>
@@ -67,7 +70,8 @@ public static class GCodeConverter
         if (target is null) return problems.ToList();
         if (options.DecimalsXyz is { } decimals && LayerRounding.Check(decoding.Toolpath, decimals, new SourceLocation(decoding.Document.Name)) is { } rounded)
             return [.. problems.ToList(), rounded];
-        var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target);
+        var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target,
+            new EditOptions { LongWay = options.LongWay });
         splicer.Run(progress, cancel);
         problems.AddRange(splicer.Diagnostics.ToList());
         return problems.ToList();

@@ -21,6 +21,9 @@ public sealed record EditOptions
 
     /// <summary>Every number of every motion is written again, also of those that did not change.</summary>
     internal bool RewriteAll { get; init; }
+
+    /// <summary>For comparison: every line takes the general way.</summary>
+    internal bool LongWay { get; init; }
 }
 
 /// <summary>

@@ -112,6 +112,7 @@ internal sealed class LineStyle
         var units = NumberFormatter.ToUnits(value, decimals);
         var start = at;
         at = NumberFormatter.WriteUnits(buffer, at, units, decimals);
+        if (!FixedDecimals && !NoLeadingZero) return at;
         var point = Array.IndexOf(buffer, (byte)'.', start, at - start);
         if (FixedDecimals && decimals > 0)
         {

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Text;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -26,7 +25,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
     private readonly InterpreterState _before = new();
 
     // What rounding has left of E, for each tool.
-    private readonly Dictionary<int, double> _carried = [];
+    private double[] _carried = new double[1];
 
     /// <summary>Makes the current line, or others in its place, do the move.</summary>
     public void WriteMove(FileLine line, TargetMove move)
@@ -234,14 +233,25 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         return !_written.Strokes || context.Axis == ExtrusionAxis.Switched || move.Kind == MoveKind.Print;
     }
 
-    private double Carried => _carried.TryGetValue(_written.State.Tool, out var carried) ? carried : 0;
+    /// <summary>What rounding has left of the current tool's E.</summary>
+    public double Carried => _written.State.Tool < _carried.Length ? _carried[_written.State.Tool] : 0;
 
-    // What rounding has left of the tool's E goes into the next line that is rewritten.
+    /// <summary>Within this, E of a line counts as right.</summary>
+    public double ToleranceE => _toleranceE;
+
+    /// <summary>What rounding has left of a move goes into the next line that is rewritten.</summary>
+    public void Carry(double e, double writtenE)
+    {
+        var carried = Carried + e - writtenE;
+        var tool = _written.State.Tool;
+        if (tool >= _carried.Length) Array.Resize(ref _carried, tool + 1);
+        _carried[tool] = Math.Abs(carried) > 1 ? 0 : carried;
+    }
+
     private void CarryRounding(TargetMove move)
     {
         if (context.Extruder == 0) return;
         var c = _written.LastMoves;
-        var carried = Carried + move.E - (c.Count == 1 ? c.E[0] : 0);
-        _carried[_written.State.Tool] = Math.Abs(carried) > 1 ? 0 : carried;
+        Carry(move.E, c.Count == 1 ? c.E[0] : 0);
     }
 }

@@ -55,6 +55,21 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
         }
     }
 
+    /// <summary>True where a line has one move of its own, and nothing is inserted before it or after it; nothing is taken yet.</summary>
+    public bool HasSingleMove(int line, out ToolpathColumns columns, out int index)
+    {
+        columns = null!;
+        index = 0;
+        if (!moves.Valid || moves.Source != line) return false;
+        if (_nextEvent < plan.Events.Count && plan.Events[_nextEvent].Move <= moves.Number) return false;
+        columns = moves.Columns;
+        index = moves.Index;
+        return index + 1 < columns.Count && columns.Source[index + 1] > line;
+    }
+
+    /// <summary>Takes the move of <see cref="HasSingleMove"/>.</summary>
+    public void TakeSingleMove() => moves.Next();
+
     /// <summary>What is inserted before the events of the current line, of which it has this many.</summary>
     public void TakeBeforeEvents(int count)
     {

@@ -22,6 +22,7 @@ internal sealed class Splicer
     private readonly CommentScale _scale;
     private readonly DialectComments _dialect;
     private readonly MoveWriter _moves;
+    private readonly PlainMoves _plain;
     private readonly OtherLines _others;
 
     /// <summary>To write a decoded file with the moves of an edited toolpath, or for a target.</summary>
@@ -38,6 +39,7 @@ internal sealed class Splicer
         if (_scale.ChangesLayers) plan.Touch(1, int.MaxValue);
         var conversion = new MoveConversion(_context);
         _moves = new MoveWriter(_context, conversion, options.RewriteAll);
+        _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.RewriteAll || _code.Changes || options.LongWay);
         _others = new OtherLines(_context, conversion);
         if (options.RewriteAll) plan.Touch(1, int.MaxValue);
     }
@@ -97,11 +99,21 @@ internal sealed class Splicer
             at += mark;
             if (_dialect.Statement is { } statement) _context.Text.AddOwn(TextEncoding.Encode(statement), statement.Length);
         }
+        // The lines up to the last LF can be read the short way.
+        var last = chunk.End;
+        while (last > at && text[last - 1] != '\n') last--;
+        _plain.Refresh();
         for (_context.Number = before + 1; at < chunk.End; _context.Number++)
         {
+            if (_plain.IsReady && at < last && _plain.Write(text, at, last, _context.Number) is >= 0 and var next)
+            {
+                at = next;
+                continue;
+            }
             var end = LineEnds.Find(text, at, chunk.End);
             var line = new FileLine(text, at, end, LineEnds.Skip(text, end, chunk.End));
             WriteLine(line);
+            _plain.Refresh();
             at = line.Next;
         }
     }

@@ -1,0 +1,128 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+using Caterpillar.Dialects;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.GCode;
+
+/// <summary>The short way of the splicer writes byte for byte what the general way does.</summary>
+public class PlainMovesTests
+{
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.All))]
+    public void Files_are_converted_alike(string file)
+    {
+        var decoded = GCodeDecoder.Decode(GCodeFiles.Document(file)).Value!;
+        foreach (var options in Conversions()) Compare(decoded, options);
+    }
+
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.All))]
+    public void Files_are_edited_alike(string file)
+    {
+        var decoded = GCodeDecoder.Decode(GCodeFiles.Document(file)).Value!;
+        foreach (var edited in Edits(decoded.Toolpath)) Compare(decoded, edited);
+    }
+
+    [Test]
+    public void Random_programs_are_written_alike()
+    {
+        for (var seed = 0; seed < 300; seed++)
+        {
+            var random = new Random(seed);
+            var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Program(random)), new DecodeOptions { Dialect = Dialect(random) }).Value!;
+            Compare(decoded, Conversions().ElementAt(random.Next(6)));
+            Compare(decoded, Edits(decoded.Toolpath).ElementAt(random.Next(6)));
+        }
+    }
+
+    [Test]
+    public void Most_lines_of_a_print_take_the_short_way()
+    {
+        var text = "G90\nM82\nG92 E0\nG28\nG1 X0 Y0 Z0.2 F3000\n" + string.Concat(Enumerable.Range(1, 50).Select(i => $"G1 X{i} Y{i % 7} E{i * 3}\n"));
+        var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text)).Value!;
+        var relative = Text(GCodeConverter.ToDocument(decoded, new ConvertOptions { RelativeE = true }).Value!);
+        Assert.That(relative, Does.EndWith("G1 X49 Y0 E3\nG1 X50 Y1 E3\n"));
+        Assert.That(Text(GCodeEditor.ToDocument(decoded, decoded.Toolpath.Transform(Affine.Move(new Vec3(0.5, 0, 0)))).Value!),
+            Does.EndWith("G1 X50.5 Y1 E150\n"));
+    }
+
+    private static IEnumerable<ConvertOptions> Conversions() =>
+    [
+        new() { RelativeE = true }, new() { RelativeE = false }, new() { Dialect = DialectTable.Klipper, FilamentDiameter = 1.75 },
+        new() { Dialect = DialectTable.RepRapFirmware, RelativeE = true, FilamentDiameter = 1.75 }, new() { ExpandArcs = true, RelativeE = false },
+        new() { DecimalsXyz = 3, DecimalsE = 4 },
+    ];
+
+    private static IEnumerable<Toolpath> Edits(Toolpath toolpath)
+    {
+        yield return toolpath.Transform(Affine.Move(new Vec3(10, 5, 0)));
+        yield return toolpath.Transform(Affine.Scale(1.01));
+        yield return toolpath.ScaleSpeed(MoveFilter.Prints, 0.9);
+        yield return toolpath.ScaleFlow(MoveFilter.Prints, 1.07);
+        yield return toolpath.Remove(new MoveFilter { FirstLayer = 1, LastLayer = 2 });
+        yield return toolpath.Insert(toolpath.Count / 2, new PauseEvent()).ScaleFlow(new MoveFilter { Tool = 0 }, 0.5);
+    }
+
+    private static void Compare(DecodedGCode decoded, ConvertOptions options)
+        => Same(GCodeConverter.ToDocument(decoded, options with { LongWay = true }).Value, GCodeConverter.ToDocument(decoded, options).Value,
+            options.ToString());
+
+    private static void Compare(DecodedGCode decoded, Toolpath edited)
+        => Same(GCodeEditor.ToDocument(decoded, edited, new EditOptions { LongWay = true }).Value,
+            GCodeEditor.ToDocument(decoded, edited, new EditOptions()).Value,
+            "edit");
+
+    private static void Same(GCodeDocument? expected, GCodeDocument? actual, string what)
+    {
+        Assert.That(actual is null, Is.EqualTo(expected is null), what);
+        if (expected is null) return;
+        byte[] a = expected.ToBytes(), b = actual!.ToBytes();
+        var at = 0;
+        while (at < a.Length && at < b.Length && a[at] == b[at]) at++;
+        if (at == a.Length && at == b.Length) return;
+        string Near(byte[] bytes) => Encoding.ASCII.GetString(bytes, Math.Max(0, at - 80), Math.Min(bytes.Length, at + 80) - Math.Max(0, at - 80));
+        Assert.Fail(what + ": expected …" + Near(a) + "… but was …" + Near(b) + "…");
+    }
+
+    private static string Text(GCodeDocument document) => Encoding.ASCII.GetString(document.ToBytes());
+
+    private static DialectRules Dialect(Random random)
+        => new[] { DialectTable.Marlin2, DialectTable.Klipper, DialectTable.Slicer, DialectTable.RepRapFirmware, DialectTable.Prusa }[random.Next(5)];
+
+    private static string Program(Random random)
+    {
+        var text = new StringBuilder(random.Next(2) == 0 ? "G90\nM82\nG92 E0\n" : "G90\nM83\n");
+        string[] others = ["G92 E0", "G92 X5", "M83", "M82", "G91", "G90", "T1", "T0", "M220 S50", "M220 S100", "M221 S90", "M221 S100", "; text", ";LAYER:1",
+            ";Z:0.4", "G28", "M106 S9", "G20", "G21", "X5", "G1", "G1 F900", "G1 X1 X2", "G0 X+3", "G1 X1. Y.5", "G1 X-.5 E-1", "G1  X1", "G1 X1 ", "g1 x3 y4",
+            "G1 X123456789", "G1 X1.1234567891 Y2", "G1 E3", "G1 E3", "G1 F0", "G1 X5;a", "G1 X6 E9 ; b", "G1 X1 (c) Y5", "G2 X5 Y5 I1 J1", "G1 X0.0000000001",
+            "G1 X1e3", "N5 G1 X7", "G1 X5*7", "G10", "G11", "G4 P5"];
+        var e = 0.0;
+        for (var i = random.Next(5, 120); i > 0; i--)
+        {
+            if (random.Next(6) == 0)
+            {
+                text.Append(others[random.Next(others.Length)]);
+            }
+            else
+            {
+                text.Append(random.Next(4) == 0 ? "G0" : "G1");
+                if (random.Next(3) > 0) text.Append(" X").Append(Number(random, 100));
+                if (random.Next(3) > 0) text.Append(" Y").Append(Number(random, 100));
+                if (random.Next(9) == 0) text.Append(" Z").Append(Number(random, 10));
+                if (random.Next(3) > 0) text.Append(" E")
+                    .Append((e += random.NextDouble()).ToString("0.#####", System.Globalization.CultureInfo.InvariantCulture));
+                if (random.Next(6) == 0) text.Append(" F").Append(Number(random, 9000));
+            }
+            text.Append(random.Next(20) == 0 ? "\r\n" : "\n");
+        }
+        return text.ToString();
+    }
+
+    private static string Number(Random random, double limit)
+        => ((random.NextDouble() - 0.1) * limit).ToString(new[] { "0", "0.#", "0.###", "0.000", ".##" }[random.Next(5)],
+            System.Globalization.CultureInfo.InvariantCulture) is { Length: > 0 } and not "-" and var number ? number : "0";
+}
