@@ -30,6 +30,12 @@ public sealed record Material
     /// <summary>Part cooling, 0 to 100 %.</summary>
     public double FanPercent { get; init => field = MaterialKeys.FanPercent.Check(value); } = 100;
 
+    /// <summary>Part cooling of the quickest layers, %.</summary>
+    public double FanMaxPercent { get; init => field = MaterialKeys.FanMaxPercent.Check(value); } = 100;
+
+    /// <summary>Layers that take less time than this get more part cooling, s; 0 for the same in all layers.</summary>
+    public double FanLayerTime { get; init => field = MaterialKeys.FanLayerTime.Check(value); }
+
     /// <summary>Number of first layers that are printed without part cooling.</summary>
     public int FanOffLayers { get; init => field = MaterialKeys.FanOffLayers.Check(value); } = 1;
 

@@ -14,7 +14,8 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     private double? _fan, _fanNow = rules.AddsNothing ? rules.Fan : 0;
     private double? _acceleration, _accelerationNow = rules.Acceleration;
 
-    private readonly bool _layered = !rules.AddsNothing && (rules.Fan > 0 || rules.FirstLayerNozzleTemperature is not null);
+    private readonly bool _layered = !rules.AddsNothing
+        && (rules.Fan > 0 || (rules.FanTime > 0 && rules.MaxFan > 0) || rules.FirstLayerNozzleTemperature is not null);
     private bool _overridden;
 
     /// <summary>True if a value stayed overridden because its previous value is unknown.</summary>
@@ -31,7 +32,9 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         }
     }
 
-    public void Apply(PrintPath path)
+    /// <param name="path">The path that comes next.</param>
+    /// <param name="layerTime">Time of its layer, s.</param>
+    public void Apply(PrintPath path, double layerTime)
     {
         var wanted = path.Overrides;
         if (wanted is null && !_layered && !_overridden) return;
@@ -39,10 +42,18 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         var layer = _layered ? LayerOf(path) : 0;
         var usual = _temperature ?? (layer == 0 ? rules.FirstLayerNozzleTemperature : null) ?? rules.NozzleTemperature;
         if (Differs(wanted?.NozzleTemperature, usual, ref _temperatureNow) is { } celsius) emitter.Event(new NozzleTemperatureEvent(celsius));
-        usual = _fan ?? (layer >= 0 && layer < rules.FanOffLayers ? 0 : rules.Fan);
+        usual = _fan ?? (layer >= 0 && layer < rules.FanOffLayers ? 0 : FanFor(layerTime));
         if (Differs(wanted?.Fan, usual, ref _fanNow) is { } fan) emitter.Event(new FanEvent(fan));
         usual = _acceleration ?? rules.Acceleration;
         if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration) emitter.Event(new AccelerationEvent(acceleration));
+    }
+
+    // Quick layers get more of the fan, the quickest all of it.
+    private double? FanFor(double layerTime)
+    {
+        if (rules.Fan is not { } least || !(layerTime < rules.FanTime)) return rules.Fan;
+        var share = layerTime <= rules.MinLayerTime ? 1 : (rules.FanTime - layerTime) / (rules.FanTime - rules.MinLayerTime);
+        return Math.Round((least + (rules.MaxFan - least) * share) * 100) / 100;
     }
 
     // A path without a layer counts by its highest point: a helix that starts on the bed does not belong to the first layer.

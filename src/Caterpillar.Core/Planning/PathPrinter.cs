@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>Turns the segments of a path into printing moves, with compensation for the pressure lag at its ends.</summary>
-internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanReport counts, Deposit? deposit)
+internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanReport counts, Deposit? deposit, SlowedRoles slowed)
 {
     /// <summary>Prints a path of some length in mm from its start, where the head is.</summary>
     public void Print(PrintPath path, double length)
@@ -19,8 +19,6 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanRepo
             var start = Math.Min(rules.StartDistance, length / 2);
             if (start > 0) emitter.Prime(emitter.ToolRules.EOf(start * path.BeadOf(0).Area), emitter.ToolRules.RestoreSpeed);
         }
-        var usual = rules.PrintSpeed(path.Role, false);
-        var first = rules.PrintSpeed(path.Role, true);
         var points = path.RawPoints;
         var done = 0.0;
         for (var i = 0; i < path.SegmentCount; i++)
@@ -35,7 +33,9 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanRepo
                 continue;
             }
             var bead = path.BeadOf(i);
-            var speed = bead.Speed > 0 ? bead.Speed : rules.LayerOf(path, Math.Max(from.Z, to.Z)) == 0 ? first : usual;
+            var isFirst = rules.LayerOf(path, Math.Max(from.Z, to.Z)) == 0;
+            var speed = rules.SpeedOf(path, bead, isFirst);
+            if (speed * bead.Area >= rules.MaxFlow) slowed.Add(path.Role, bead.Speed > 0 ? bead.Speed : rules.PrintSpeed(path.Role, isFirst), speed);
             var printed = Math.Min(segment, Math.Max(stopAt - done, 0));
             done += segment;
             if (printed >= segment)

@@ -27,8 +27,11 @@ public sealed record PlanReport
     /// <summary>Travels led around printed parts.</summary>
     public int Detours { get; internal set; }
 
-    /// <summary>Travels inside the part, without lift and retraction.</summary>
+    /// <summary>Travels inside the part, without lift and retraction; and those of them that went around corners.</summary>
     public int Combed { get; internal set; }
+
+    /// <inheritdoc cref="Combed"/>
+    public int CombedAround { get; internal set; }
 
     /// <summary>Retractions, in place or while wiping.</summary>
     public int Retractions { get; internal set; }
@@ -49,6 +52,9 @@ public sealed record PlanReport
     public int LaggedPaths { get; internal set; }
 
     public int ToolChanges { get; internal set; }
+
+    /// <summary>Waits for layers to cool.</summary>
+    public int Waits { get; internal set; }
 
     /// <summary>Returns of a turtle over the top, along the branch, and those whose goal has been printed over.</summary>
     public int ReturnsOver { get; internal set; }
@@ -75,10 +81,10 @@ public sealed record PlanReport
     public IReadOnlyList<KeyValuePair<string, double>> ToValues() =>
     [
         new("paths", Paths), new("travels", Travels), new("drawn_travels", DrawnTravels), new("lifts", Lifts), new("corridor_lifts", CorridorLifts),
-        new("skipped_lifts", SkippedLifts), new("detours", Detours), new("combed", Combed), new("retractions", Retractions),
+        new("skipped_lifts", SkippedLifts), new("detours", Detours), new("combed", Combed), new("combed_around", CombedAround), new("retractions", Retractions),
         new("skipped_retractions", SkippedRetractions),
         new("already_retracted", AlreadyRetracted), new("restores", Restores), new("wipes", Wipes), new("lagged_paths", LaggedPaths),
-        new("tool_changes", ToolChanges),
+        new("tool_changes", ToolChanges), new("waits", Waits),
         new("returns_over", ReturnsOver), new("returns_along", ReturnsAlong), new("blocked_returns", BlockedReturns), new("empty_segments", EmptySegments),
         new("travel_length_mm", TravelLength), new("unsorted_travel_mm", UnsortedTravel), new("sorted_travel_mm", SortedTravel),
     ];

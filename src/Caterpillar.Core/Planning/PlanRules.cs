@@ -1,4 +1,6 @@
 using System;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
@@ -58,8 +60,26 @@ internal sealed record PlanRules
 
     public bool Detour { get; init; }
 
-    /// <summary>Travels that stay inside the part, within a layer, are straight and without a retraction.</summary>
+    /// <summary>Travels that stay inside the part, within a layer, are without a retraction.</summary>
     public bool Comb { get; init; }
+
+    /// <summary>So much longer than straight such a travel may be, around the corners of the part.</summary>
+    public double MaxCombDetour { get; init; }
+
+    /// <summary>Distance that such travels keep from the outline around corners.</summary>
+    public double CombInset { get; init; } = 0.45;
+
+    /// <summary>Material that the machine can push, mm³/s.</summary>
+    public double MaxFlow { get; init; } = double.PositiveInfinity;
+
+    /// <summary>Least time of a layer, s, and how the machine waits where it is shorter.</summary>
+    public double MinLayerTime { get; init; }
+
+    /// <inheritdoc cref="MinLayerTime"/>
+    public LayerWait LayerWait { get; init; }
+
+    /// <summary>The space that the nozzle can reach.</summary>
+    public Bounds Reach { get; init; } = Bounds.Empty;
 
     /// <summary>Travels up to this length are made without a retraction.</summary>
     public double MinRetractTravel { get; init; }
@@ -85,11 +105,24 @@ internal sealed record PlanRules
     /// <inheritdoc cref="NozzleTemperature"/>
     public double? Fan { get; init; }
 
+    /// <summary>The fan for layers of the least time; in between it is interpolated.</summary>
+    public double MaxFan { get; init; }
+
+    /// <summary>Layers that take less than this, s, get more of the fan; 0 for none.</summary>
+    public double FanTime { get; init; }
+
     /// <summary>Number of first layers that are printed without the fan.</summary>
     public int FanOffLayers { get; init; }
 
     /// <inheritdoc cref="NozzleTemperature"/>
     public double? Acceleration { get; init; }
+
+    /// <summary>Speed of a segment of a path, mm/s, as far as the flow allows.</summary>
+    public double SpeedOf(PrintPath path, in Bead bead, bool firstLayer)
+    {
+        var speed = bead.Speed > 0 ? bead.Speed : PrintSpeed(path.Role, firstLayer);
+        return speed * bead.Area > MaxFlow ? MaxFlow / bead.Area : speed;
+    }
 
     /// <summary>Height of the first layer and of the others, for paths without a layer.</summary>
     public double FirstLayerHeight { get; init; }

@@ -77,6 +77,15 @@ public static class Planner
             Cell = Math.Max(0.25, settings.LineWidth / 4),
             Detour = settings.Detour,
             Comb = settings.Comb,
+            MaxCombDetour = settings.CombDetour,
+            CombInset = settings.LineWidth,
+            // As drawn, a design that asks for too much is refused when it is written.
+            MaxFlow = policy == PlanPolicy.AsDrawn ? double.PositiveInfinity : setup.MaxFlow,
+            MinLayerTime = settings.MinLayerTime,
+            LayerWait = policy == PlanPolicy.AsDrawn ? LayerWait.None : settings.LayerWait,
+            Reach = printer.BuildBounds,
+            MaxFan = Math.Max(material.FanPercent, material.FanMaxPercent) / 100,
+            FanTime = material.FanLayerTime,
             MinRetractTravel = settings.RetractionMinTravel,
             // Firmware retraction cannot be spread over a move.
             WipeDistance = printer.FirmwareRetraction ? 0 : settings.WipeDistance,

@@ -83,22 +83,75 @@ internal static class StepOrder
     {
         // An island starts with its group of the lowest rank: the nearest of those entries decides which island comes next.
         var choose = islands.Count > 1 && options.Rule != SortRule.Orient ? Entries(steps, run, islands, options) : null;
+        var order = new int[islands.Count];
+        var starts = new int[islands.Count + 1];
+        var (to, leads) = (at, 0);
         for (var n = 0; n < islands.Count; n++)
         {
             // Islands below zero (a skirt) come first, in their order.
-            var leads = ((PathStep)steps[run[islands[n].From]]).Group!.Value.Island < 0;
-            var island = leads || choose is null || at is null ? n : choose.OwnerOf(choose.Nearest(at.Value));
-            choose?.Remove(island);
-            var (from, end) = islands[island];
-            for (int to; from < end; from = to)
-            {
-                var rank = Rank(steps[run[from]]);
-                to = from + 1;
-                while (to < end && Rank(steps[run[to]]) == rank) to++;
-                at = SortGroup(steps, run, from, to, ordered, ref count, at, options, cancel);
-            }
+            var isLead = ((PathStep)steps[run[islands[n].From]]).Group!.Value.Island < 0;
+            if (isLead) leads++;
+            order[n] = isLead || choose is null || to is null ? n : choose.OwnerOf(choose.Nearest(to.Value));
+            choose?.Remove(order[n]);
+            starts[n] = count;
+            to = SortIsland(steps, run, islands[order[n]], ordered, ref count, to, options, cancel);
+        }
+        starts[islands.Count] = count;
+        if (options.Rule != SortRule.Tour || islands.Count - leads < 3 || options.Passes < 1) return to;
+        return Exchange(steps, run, islands, order, starts, leads, ordered, at, options, cancel) ?? to;
+    }
+
+    private static Vec3? SortIsland(
+        IReadOnlyList<Step> steps, int[] run, (int From, int To) island, OrderedStep[] ordered, ref int count, Vec3? at, SortOptions options,
+        CancellationToken cancel)
+    {
+        for (int from = island.From, to; from < island.To; from = to)
+        {
+            var rank = Rank(steps[run[from]]);
+            to = from + 1;
+            while (to < island.To && Rank(steps[run[to]]) == rank) to++;
+            at = SortGroup(steps, run, from, to, ordered, ref count, at, options, cancel);
         }
         return at;
+    }
+
+    // The order of the islands improved by exchanges, each taken as a line from its entry to its exit; kept where the travel is shorter in the end.
+    private static Vec3? Exchange(
+        IReadOnlyList<Step> steps, int[] run, List<(int From, int To)> islands, int[] order, int[] starts, int leads, OrderedStep[] ordered,
+        Vec3? at, SortOptions options, CancellationToken cancel)
+    {
+        var items = new SortItem[islands.Count - leads];
+        for (var i = 0; i < items.Length; i++)
+        {
+            var (a, b) = (ordered[starts[leads + i]].Path!, ordered[starts[leads + i + 1] - 1].Path!);
+            // One that ends where it began may be passed in either direction.
+            items[i] = new SortItem(a, false, false, b);
+        }
+        var start = leads == 0 ? at : ordered[starts[leads] - 1].Path!.End;
+        var places = TourImprover.Improve(items, NearestOrder.AsGiven(items.Length), start, options.Passes, cancel);
+        var same = true;
+        for (var i = 0; i < places.Length; i++) same &= places[i].Index == i;
+        if (same) return null;
+        var from = starts[leads];
+        var better = new OrderedStep[starts[islands.Count] - from];
+        var count = 0;
+        var to = start;
+        foreach (var place in places) to = SortIsland(steps, run, islands[order[leads + place.Index]], better, ref count, to, options, cancel);
+        if (!(Travel(better, 0, count, start) < Travel(ordered, from, starts[islands.Count], start))) return null;
+        Array.Copy(better, 0, ordered, from, count);
+        return to;
+    }
+
+    private static double Travel(OrderedStep[] ordered, int from, int end, Vec3? at)
+    {
+        var sum = 0.0;
+        for (; from < end; from++)
+        {
+            var path = ordered[from].Path!;
+            if (at is { } last) sum += last.DistanceTo(path.Start);
+            at = path.End;
+        }
+        return sum;
     }
 
     private static Vec3? SortGroup(

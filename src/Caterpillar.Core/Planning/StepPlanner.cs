@@ -2,6 +2,7 @@ using System;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
@@ -19,6 +20,8 @@ internal sealed class StepPlanner
     private readonly PlanReport _counts;
     private readonly Deposit? _deposit;
     private readonly ReturnPath? _returnPath;
+    private readonly SlowedRoles _slowed = new();
+    private readonly LayerClock? _clock;
 
     // True after retraction for a drawn travel, until something is printed.
     private bool _prepared;
@@ -34,8 +37,9 @@ internal sealed class StepPlanner
         if (returns) _returnPath = new ReturnPath();
         if (returns || (rules.Lift == LiftRule.Corridor && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);
         _travel = new TravelPlanner(rules, _emitter, counts, _deposit);
-        _printer = new PathPrinter(rules, _emitter, counts, _deposit);
+        _printer = new PathPrinter(rules, _emitter, counts, _deposit, _slowed);
         _overrides = new OverrideState(rules, _emitter);
+        if (rules.LayerWait != LayerWait.None || rules.FanTime > 0) _clock = new LayerClock(steps, rules);
     }
 
     public Toolpath Run(IProgress<double>? progress, CancellationToken cancel)
@@ -50,11 +54,15 @@ internal sealed class StepPlanner
             _emitter.Source = _steps[i].Source;
             switch (_steps[i].Step)
             {
-                case PathStep step: Path(_steps[i].Path!, step.Region); break;
+                case PathStep step:
+                    if (_clock is not null && _clock.Changes(i)) WaitFor(i - 1);
+                    Path(_steps[i].Path!, step.Region, _clock?.TimeOf(i) ?? double.PositiveInfinity);
+                    break;
                 case TravelStep travel: Travel(travel, i); break;
                 case EventStep step: Event(step.Event); break;
             }
         }
+        _slowed.Report(_rules.MaxFlow, _diagnostics);
         if (_overrides.CouldNotRevert)
             _diagnostics.Add(Severity.Remark, "plan.override_kept",
                 "A path overrides a setting whose usual value is unknown: the overriding value stays in effect.");
@@ -67,7 +75,7 @@ internal sealed class StepPlanner
         return _emitter.Build();
     }
 
-    private void Path(PrintPath path, Region? inside)
+    private void Path(PrintPath path, Region? inside, double layerTime)
     {
         var length = path.Length;
         if (!(length > 0))
@@ -79,12 +87,33 @@ internal sealed class StepPlanner
         if (path.Tool != _emitter.Tool) SwitchTool(path.Tool);
         _emitter.EnterLayer(path.Layer);
         _travel.To(path.Start, direct: !_prepared, inside);
-        _overrides.Apply(path);
+        _overrides.Apply(path, layerTime);
         _travel.Restore();
         _printer.Print(path, length);
         if (_returnPath is not null) Remember(path);
         _travel.Printed(path, inside);
         _prepared = false;
+    }
+
+    // Time that a finished layer lacks for cooling: the head waits above it, or beside it.
+    private void WaitFor(int last)
+    {
+        const double Aside = 10;
+        var missing = _rules.MinLayerTime - _clock!.TimeOf(last);
+        if (_rules.LayerWait == LayerWait.None || !(missing > 0) || !_emitter.IsPlaced) return;
+        _travel.RetractFor(double.PositiveInfinity);
+        var at = _emitter.Position;
+        var up = at.WithZ(Math.Max(at.Z, _emitter.Highest) + _rules.Clearance);
+        if (up.Z <= _rules.Reach.Max.Z) _emitter.Travel(up, _rules.LiftSpeed);
+        if (_rules.LayerWait == LayerWait.Away)
+        {
+            var box = _clock.BoxOf(last);
+            double left = box.Min.X - Aside, right = box.Max.X + Aside;
+            var x = left >= _rules.Reach.Min.X ? left : right <= _rules.Reach.Max.X ? right : at.X;
+            _emitter.Travel(_emitter.Position with { X = x }, _rules.TravelSpeed);
+        }
+        _counts.Waits++;
+        _emitter.Dwell(new DwellEvent(Math.Ceiling(missing * 1000) / 1000));
     }
 
     private void Travel(TravelStep travel, int index)

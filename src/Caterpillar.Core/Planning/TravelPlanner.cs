@@ -13,6 +13,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     internal const double Touching = 1e-6;
     private readonly bool[] _hasPrinted = new bool[rules.Tools.Length];
     private readonly DetourFinder? _detours = deposit is not null && rules.Detour ? new DetourFinder(deposit, rules.Head) : null;
+    private readonly CombPath _around = new(rules.CombInset);
     private PrintPath? _last;
     private Region? _inside;
 
@@ -75,12 +76,30 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private bool TryComb(Vec3 start, Region? inside)
     {
         var from = emitter.Position;
-        if (!rules.Comb || inside is null || inside != _inside || Math.Abs(from.Z - start.Z) > Touching || !inside.ContainsLine(from, start)) return false;
-        if (deposit is not null && rules.Head.RequiredHeight(deposit, from, start, start.Z) > start.Z + Flush) return false;
+        if (!rules.Comb || inside is null || _inside is null) return false;
+        // Also up to the next layer, where that covers all of it.
+        var rise = start.Z - from.Z;
+        if (inside == _inside ? Math.Abs(rise) > Touching : !(rise > Touching && rise < 2 * rules.LayerHeight)) return false;
+        if (inside.ContainsLine(from, start))
+        {
+            if (!IsFree(from, start)) return false;
+            counts.Combed++;
+            emitter.Travel(start, rules.TravelSpeed);
+            return true;
+        }
+        if (rules.MaxCombDetour <= 0 || _around.Find(from, start, inside, from.DistanceTo(start) + rules.MaxCombDetour) is not { } path) return false;
+        for (var i = 0; i < path.Count; i++)
+        {
+            if (!IsFree(i == 0 ? from : path[i - 1], path[i])) return false;
+        }
         counts.Combed++;
-        emitter.Travel(start, rules.TravelSpeed);
+        counts.CombedAround++;
+        foreach (var point in path) emitter.Travel(point, rules.TravelSpeed);
         return true;
     }
+
+    private bool IsFree(Vec3 from, Vec3 to)
+        => deposit is null || rules.Head.RequiredHeight(deposit, from, to, Math.Min(from.Z, to.Z)) <= Math.Min(from.Z, to.Z) + Flush;
 
     /// <summary>Restores retraction before a path.</summary>
     public void Restore()

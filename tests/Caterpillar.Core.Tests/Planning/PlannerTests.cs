@@ -17,7 +17,7 @@ public class PlannerTests
 
     private static readonly Printer Printer = new()
     {
-        RetractionDistance = 2, RetractionSpeed = 35, RestoreSpeed = 25, RestoreExtra = 0.5, LiftClearance = 0.6, LiftSpeed = 8,
+        RetractionDistance = 2, RetractionSpeed = 35, RestoreSpeed = 25, RestoreExtra = 0.5, LiftClearance = 0.6, LiftSpeed = 8, MaxFlow = 0,
     };
 
     private static readonly PrintSettings Settings = new()

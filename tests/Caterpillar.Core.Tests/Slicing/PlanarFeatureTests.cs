@@ -41,6 +41,19 @@ public class PlanarFeatureTests
     }
 
     [Test]
+    public void Narrow_closed_areas_are_filled_along_their_outline()
+    {
+        // A cone: in each layer a ring of some millimeters is closed because the surface is near.
+        var settings = Bare with { TopLayers = 6, BottomLayers = 2, WallCount = 2, InfillPercent = 20 };
+        PrintPath[] Solid(double narrow)
+            => Solids.Paths(Solids.Slice(settings with { NarrowSolid = narrow }, Solids.Cone(0, 20, 10, 2))[15], Role.SolidInfill);
+        var (loops, lines) = (Solid(4), Solid(0));
+        Assert.That(loops.Sum(p => p.Volume), Is.EqualTo(lines.Sum(p => p.Volume)).Within(4).Percent);
+        Assert.That(loops.Count(p => p.IsClosed), Is.GreaterThan(0));
+        Assert.That(lines.Count(p => p.IsClosed), Is.Zero);
+    }
+
+    [Test]
     public void Walls_that_hang_over_are_slower_from_where_they_do()
     {
         // The upper block reaches 5 mm beyond the lower one: the wall's long sides lie on it up to x = 10.

@@ -30,6 +30,14 @@ internal static class MaterialKeys
     public static readonly ProfileKey<Material, double> FanPercent = K.Number(
         "fan_percent", 0, 100, m => m.FanPercent, (m, v) => m with { FanPercent = v }, "Part cooling.");
 
+    public static readonly ProfileKey<Material, double> FanMaxPercent = K.Number(
+        "fan_max_percent", 0, 100, m => m.FanMaxPercent, (m, v) => m with { FanMaxPercent = v },
+        "Part cooling of the quickest layers; less than fan_percent means the same as that.");
+
+    public static readonly ProfileKey<Material, double> FanLayerTime = K.Number(
+        "fan_layer_time_s", 0, 10_000, m => m.FanLayerTime, (m, v) => m with { FanLayerTime = v },
+        "Layers that take less time than this get more part cooling, up to fan_max_percent at min_layer_time_s; 0 for the same in all layers.");
+
     public static readonly ProfileKey<Material, int> FanOffLayers = K.Integer(
         "fan_off_layers", 0, 1_000_000, m => m.FanOffLayers, (m, v) => m with { FanOffLayers = v },
         "Number of first layers that are printed without part cooling.");
@@ -48,6 +56,6 @@ internal static class MaterialKeys
     public static readonly IReadOnlyList<ProfileKey<Material>> All =
     [
         Title, FilamentDiameter, NozzleTemperature, FirstLayerNozzleTemperature, BedTemperature, FlowMultiplier, FanPercent,
-        FanOffLayers, Density, CostPerKg, MaxFlow,
+        FanMaxPercent, FanLayerTime, FanOffLayers, Density, CostPerKg, MaxFlow,
     ];
 }

@@ -135,6 +135,6 @@ internal static class SettingsKeys
         PrintSpeed, OuterWallSpeed, InfillSpeed, FirstLayerSpeed, TravelSpeed, TravelLift, LiftMinTravel, Detour, Comb, RetractionMinTravel,
         WipeDistance, RestoreDuringDescent,
         StartDistance, StopDistance, SortPaths,
-        ..WallWidthKeys.All, ..LayerKeys.All, ..SkinKeys.All, ..InfillKeys.All, ..BedKeys.All, ..SurfaceKeys.All, ..SeamKeys.All,
+        ..WallWidthKeys.All, ..LayerKeys.All, ..SkinKeys.All, ..InfillKeys.All, ..BedKeys.All, ..SurfaceKeys.All, ..SeamKeys.All, ..TravelKeys.All,
     ];
 }

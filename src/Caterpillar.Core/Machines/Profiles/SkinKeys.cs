@@ -50,6 +50,10 @@ internal static class SkinKeys
         "solid_below_area_mm2", 0, 1e9, s => s.SolidBelow, (s, v) => s with { SolidBelow = v },
         "Pieces of infill smaller than this area are made solid.");
 
+    public static readonly ProfileKey<PrintSettings, double> NarrowSolid = K.Number(
+        "narrow_solid_mm", 0, 1000, s => s.NarrowSolid, (s, v) => s with { NarrowSolid = v },
+        "Closed areas inside that are narrower than this are filled along their outline, which is quicker; 0 for lines everywhere.");
+
     public static readonly ProfileKey<PrintSettings, double> TopSkinSpeed = K.Number(
         "top_skin_speed_mm_s", 0, 10_000, s => s.TopSkinSpeed, (s, v) => s with { TopSkinSpeed = v },
         "Speed of the surfaces seen from above; 0 for the speed of outer walls.");
@@ -104,7 +108,7 @@ internal static class SkinKeys
     public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [
         TopLayers, BottomLayers, TopThickness, BottomThickness, TopPattern, BottomPattern, SkinAngle, SkinWidth,
-        SkinMinWidth, SkinExpand, SolidBelow, TopSkinSpeed, SolidInfillSpeed, Ironing, IroningSpacing,
+        SkinMinWidth, SkinExpand, SolidBelow, NarrowSolid, TopSkinSpeed, SolidInfillSpeed, Ironing, IroningSpacing,
         IroningFlowPercent, IroningSpeed, Bridges, BridgeAnchor, BridgeFlow, BridgeSpeed, BridgeFanPercent,
         OverhangClasses,
     ];

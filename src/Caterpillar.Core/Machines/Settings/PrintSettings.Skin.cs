@@ -36,6 +36,9 @@ public sealed partial record PrintSettings
     /// <summary>Pieces of infill smaller than this area are made solid, mm².</summary>
     public double SolidBelow { get; init => field = SkinKeys.SolidBelow.Check(value); } = 10;
 
+    /// <summary>Closed areas inside that are narrower than this are filled along their outline, mm; 0 for lines everywhere.</summary>
+    public double NarrowSolid { get; init => field = SkinKeys.NarrowSolid.Check(value); } = 4;
+
     /// <summary>Speed of the surfaces seen from above, mm/s; 0 for the speed of outer walls.</summary>
     public double TopSkinSpeed { get; init => field = SkinKeys.TopSkinSpeed.Check(value); }
 

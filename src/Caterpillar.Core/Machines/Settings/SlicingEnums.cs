@@ -31,3 +31,16 @@ public enum OpenMeshes : byte
     /// <summary>They are printed as single walls.</summary>
     Walls,
 }
+
+/// <summary>What the machine does where a layer is too quick to cool.</summary>
+public enum LayerWait : byte
+{
+    /// <summary>It goes on.</summary>
+    None,
+
+    /// <summary>It waits above the layer, the filament retracted.</summary>
+    Pause,
+
+    /// <summary>It waits beside the part.</summary>
+    Away,
+}

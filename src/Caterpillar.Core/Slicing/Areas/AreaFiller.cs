@@ -51,6 +51,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
 
     private void Solid(Region area, Role role, InfillPattern pattern, double angle, int rank)
     {
+        if (role == Role.SolidInfill && pattern == InfillPattern.Lines) area = NarrowParts(area, rank);
         if (area.IsEmpty) return;
         var width = role == Role.SolidInfill ? _rules.Width : _rules.SkinWidth;
         var bead = _rules.Bead(width);
@@ -60,6 +61,25 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
     }
 
     // The nozzle goes over the skin at its height; its lines keep inside, so that the edge stays sharp.
+    // Narrow pieces are filled along their outline: lines across them would be short, and all corners. Returns the others.
+    private Region NarrowParts(Region area, int rank)
+    {
+        var half = _settings.NarrowSolid / 2;
+        if (half <= 0 || area.IsEmpty || !_rules.Walls.VariableWidth) return area;
+        List<GridPoint[]> wide = [], narrow = [];
+        foreach (var piece in area.Islands)
+            (piece.Offset(-half, JoinStyle.Miter, 2, ArcTolerance, tools.Engine).IsEmpty ? narrow : wide).AddRange(piece.Paths);
+        if (narrow.Count == 0) return area;
+        var group = new StepGroup(layer.Number, number, rank);
+        foreach (var wall in new WallBuilder(_rules.Walls, tools.Engine).Fill(Region.Own(narrow.ToArray())).Paths)
+        {
+            var points = Array.ConvertAll(wall.Points, p => p.WithZ(layer.Plan.Top));
+            var path = PrintPath.Own(points, wall.Beads(_rules.Walls), wall.Closed).With(Role.SolidInfill, layer.Layer);
+            steps.Add(new PathStep(path, group) { Region = island.Region });
+        }
+        return Region.Own(wide.ToArray());
+    }
+
     private void Iron(Region top, double skin)
     {
         if (top.IsEmpty || !(_settings.IroningFlowPercent > 0)) return;

@@ -45,7 +45,8 @@ internal static class LayerTime
             if (Apply(layers, from, to, settings)) continue;
             if (quick++ == 0) first = layers[from].Layer.Z;
         }
-        if (quick == 0) return;
+        // Where the machine waits, they do.
+        if (quick == 0 || settings.LayerWait != LayerWait.None) return;
         problems.Add(Severity.Remark, "slice.layer_time",
             $"Layers take less than {NumberFormatter.Format(settings.MinLayerTime, 1)} s even at {NumberFormatter.Format(settings.MinSpeed, 1)} mm/s, "
             + $"first at z = {NumberFormatter.Format(first, 3)} mm: they may not cool in time.", null, quick);

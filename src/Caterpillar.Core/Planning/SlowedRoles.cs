@@ -1,0 +1,56 @@
+using System;
+using System.Collections.Generic;
+using System.Text;
+using Caterpillar.Basics;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Planning;
+
+/// <summary>What is printed more slowly than asked for, because the machine cannot push more material; by role.</summary>
+internal sealed class SlowedRoles
+{
+    private static readonly int Roles = Enum.GetValues(typeof(Role)).Length;
+    private readonly double[] _wanted = new double[Roles];
+    private readonly double[] _least = new double[Roles];
+    private readonly int[] _moves = new int[Roles];
+
+    /// <summary>A move of a role at a lower speed than wanted, mm/s.</summary>
+    public void Add(Role role, double wanted, double speed)
+    {
+        if (!(speed < wanted)) return;
+        var i = (int)role;
+        if (_moves[i]++ == 0 || speed < _least[i]) (_wanted[i], _least[i]) = (wanted, speed);
+    }
+
+    /// <summary>One remark that names the roles and their lowest speeds.</summary>
+    /// <param name="limit">mm³/s.</param>
+    /// <param name="diagnostics">Where to add it.</param>
+    public void Report(double limit, DiagnosticList diagnostics)
+    {
+        var parts = new List<string>();
+        var moves = 0;
+        for (var i = 0; i < Roles; i++)
+        {
+            if (_moves[i] == 0) continue;
+            moves += _moves[i];
+            parts.Add($"{Words((Role)i)} from {NumberFormatter.Format(_wanted[i], 1)} to {NumberFormatter.Format(_least[i], 1)} mm/s");
+        }
+        if (moves == 0) return;
+        diagnostics.Add(Severity.Remark, "plan.flow_slowed",
+            $"Printed more slowly, so that it needs no more than {NumberFormatter.Format(limit, 2)} mm³/s of material: {string.Join(", ", parts)}.", null,
+                moves);
+    }
+
+    // OuterWall becomes "outer wall".
+    private static string Words(Role role)
+    {
+        if (role == Role.Unspecified) return "paths";
+        var words = new StringBuilder();
+        foreach (var c in role.ToString())
+        {
+            if (char.IsUpper(c) && words.Length > 0) words.Append(' ');
+            words.Append(char.ToLowerInvariant(c));
+        }
+        return words.ToString();
+    }
+}
