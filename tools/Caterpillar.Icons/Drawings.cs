@@ -45,6 +45,20 @@ internal static class Drawings
         ["CoolLayers"] = c => c.Line(4, 19, 14, 19, 2.2, Ink.Green).Line(4, 15, 11, 15, 2.2, Ink.Green).Line(4, 11, 8, 11, 2.2, Ink.Green)
             .Line(16.5, 3.5, 16.5, 14.5, 1.4, Ink.Blue).Line(11.5, 6, 20.5, 12, 1.4, Ink.Blue)
             .Line(11.8, 12, 20.5, 6, 1.4, Ink.Blue),
+        ["SkirtTrace"] = c => c.Ring(12, 12, 8.5, 1.6, Ink.Green).Ring(12, 12, 6, 1.6, Ink.Green).Rect(9.5, 9.5, 14.5, 14.5, Ink.Gray),
+        ["ConstructPrinter"] = c => { Printer(c); c.Line(15, 13, 15, 19, 1.6, Ink.Orange).Line(12, 16, 18, 16, 1.6, Ink.Orange); },
+        ["ImportHeader"] = c => { Page(c); c.Line(8, 7.5, 16, 7.5, 1.8, Ink.Green).Line(8, 10, 14, 10, 1.3, Ink.Dark).Line(8, 14, 16, 14, 1, Ink.Gray)
+            .Line(8, 17.5, 16, 17.5, 1.8, Ink.Green); },
+        ["Simulate"] = c => { Nozzle(c, 13, 4); c.Line(4, 16, 13, 16, 2.4, Ink.Green).Line(4, 19.5, 20, 19.5, 2.4, Ink.Green)
+            .Line(13, 16, 20, 16, 1, Ink.Gray); },
+        ["Play"] = c => c.Polygon(Ink.Green, 7, 4, 20, 12, 7, 20),
+        ["Statistics"] = c => c.Rect(4, 13, 8, 20, Ink.Green).Rect(10, 8, 14, 20, Ink.Orange).Rect(16, 4.5, 20, 20, Ink.Blue)
+            .Line(3, 20.5, 21, 20.5, 1.2, Ink.Dark),
+        ["Check"] = c => c.Polyline(3.2, Ink.Green, 4.5, 12.5, 9.5, 18, 19.5, 6),
+        ["ToolpathPreview"] = c => c.Line(4, 18, 20, 18, 2.6, Ink.Blue).Line(4, 14, 20, 14, 2.6, Ink.Green).Line(4, 10, 20, 10, 2.6, Ink.Orange)
+            .Line(4, 6, 20, 6, 2.6, Ink.Dark),
+        ["BakeToolpath"] = c => c.Polyline(2.2, Ink.Green, 4, 9, 9, 4.5, 14, 9, 20, 4.5).Polygon(Ink.Orange, 8, 12.5, 16, 12.5, 12, 17.5)
+            .Line(4, 20.3, 20, 20.3, 2, Ink.Dark),
         ["PlanarSlicer"] = c => c.Polygon(Ink.Light, 12, 3, 21, 19, 3, 19).Line(10.2, 7.5, 13.8, 7.5, 1.6, Ink.Green).Line(8, 11.5, 16, 11.5, 1.6, Ink.Green)
             .Line(5.8, 15.5, 18.2, 15.5, 1.6, Ink.Green).Line(3.6, 19.5, 20.4, 19.5, 1.6, Ink.Green),
         ["PlanToolpath"] = c => c.Polyline(2, Ink.Green, 4, 19, 10, 19, 10, 13).Polyline(1.2, Ink.Gray, 10, 13, 12, 6, 16, 6, 17, 12)

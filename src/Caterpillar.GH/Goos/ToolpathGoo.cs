@@ -18,6 +18,7 @@ namespace Caterpillar.GH.Goos;
 public sealed class ToolpathGoo : DrawnGoo<Toolpath>, IGH_BakeAwareData, IBakes
 {
     private ToolpathTotals? _totals;
+    private Func<Toolpath>? _make;
 
     public ToolpathGoo()
     {
@@ -42,10 +43,30 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>, IGH_BakeAwareData, IBakes
         DecodedGCode = decoding;
     }
 
-    private ToolpathGoo(ToolpathGoo other, Toolpath? toolpath)
-        : this(toolpath, other.Setup)
+    private ToolpathGoo(ToolpathGoo other, Toolpath? toolpath, PrintSetup? setup = null)
+        : this(toolpath, setup ?? other.Setup)
     {
         DecodedGCode = other.DecodedGCode;
+    }
+
+    /// <summary>The toolpath, made now if it has not been asked for yet.</summary>
+    public override Toolpath Value
+    {
+        get
+        {
+            if (_make is { } make)
+            {
+                _make = null;
+                m_value = make();
+            }
+            return m_value;
+        }
+
+        set
+        {
+            _make = null;
+            m_value = value;
+        }
     }
 
     /// <summary>The setup it was planned for, if known.</summary>
@@ -61,6 +82,16 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>, IGH_BakeAwareData, IBakes
     private ToolpathTotals Totals => _totals ??= ToolpathTotals.Of(Value);
 
     public override IGH_GeometricGoo DuplicateGeometry() => new ToolpathGoo(this, Value) { _totals = _totals };
+
+    /// <summary>The same for another setup.</summary>
+    public ToolpathGoo Planned(PrintSetup setup) => new(this, Value, setup);
+
+    /// <summary>What has happened before a move, and a part of that; made when it is asked for.</summary>
+    public ToolpathGoo Until(int move, Vec3 position, double done)
+    {
+        var whole = Value;
+        return new ToolpathGoo(this, null) { _make = () => ToolpathPrefix.Of(whole, move, position, done) };
+    }
 
     /// <summary>An edit of it.</summary>
     public ToolpathGoo With(Toolpath edited) => new(this, edited);

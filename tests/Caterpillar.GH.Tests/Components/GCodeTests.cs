@@ -208,10 +208,11 @@ public sealed class GCodeTests
     }
 
     [Test]
-    public void Decoding_reports_what_it_does_not_know_and_never_fails()
+    public void What_is_no_G_code_is_refused_and_the_rest_continues()
     {
         var canvas = new Canvas<DecodeGCodeComponent>().FeedTree("G-code", [Small], ["\u0001 what? G1 X1e999 %%", ""]).Solve();
-        Assert.That(canvas.All("Toolpath"), Has.Count.EqualTo(3).And.None.Null);
+        Assert.That(canvas.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { false, true, true }));
+        Assert.That(canvas.Errors, Has.Some.StartsWith("{1}[0]: ").And.Some.StartsWith("{1}[1]: "));
         Assert.That(canvas.Feed("Dialect", "cobol").Solve().Errors, Has.Some.Contains("There is no dialect cobol; there are detect, slicer, "));
     }
 }

@@ -124,7 +124,7 @@ public sealed class GooTests
     {
         var setup = new PrintSetup();
         var scaled = (ToolpathGoo)new ToolpathGoo(Toolpath(), setup).Transform(Rg.Transform.Scale(Rg.Point3d.Origin, 2))!;
-        Assert.That(ToolpathTotals.Of(scaled.Value).DepositedE, Is.EqualTo(8).Within(1e-12));
+        Assert.That(ToolpathTotals.Of(scaled.Value).DepositedE, Is.EqualTo(4 * 8).Within(1e-12), "Twice as long, wide and high.");
         Assert.That(scaled.Setup, Is.SameAs(setup));
         Assert.That(((ToolpathGoo)scaled.Duplicate()).Setup, Is.SameAs(setup));
         Assert.That(scaled.Boundingbox.Max, Is.EqualTo(new Rg.Point3d(40, 60, 10)));

@@ -23,6 +23,13 @@ internal static class Recipes
     private static readonly Lazy<ToolpathGoo> Planned = new(() => new ToolpathGoo(
         Planner.Plan([Path.With(layer: new Layer(0, 0.2, 0.2))], new PrintSetup()).Value!, new PrintSetup()));
 
+    private static readonly Lazy<string> Header = new(() =>
+    {
+        var file = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-header.gcode");
+        System.IO.File.WriteAllText(file, "M104 S200\nG28\nM83\n");
+        return file;
+    });
+
     /// <summary>Values by the name of the port, the type of the component first where names are ambiguous.</summary>
     private static readonly Dictionary<string, Func<object?[]>> Values = new(StringComparer.Ordinal)
     {
@@ -46,6 +53,7 @@ internal static class Recipes
         ["Layers"] = () => [0],
         ["Printer"] = () => ["generic"],
         ["Curve"] = () => [new Rg.LineCurve(new Rg.Point3d(0, 0, 0), new Rg.Point3d(10, 0, 0))],
+        ["Header"] = () => [Header.Value],
         ["Print Path"] = () => [Path],
         ["Print Paths"] = () => [Path],
         ["Geometry"] = () => [Shapes.Box()],

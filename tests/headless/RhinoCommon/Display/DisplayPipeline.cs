@@ -17,6 +17,12 @@ namespace Rhino.Display
         public Color Diffuse { get; set; }
     }
 
+    public enum PointStyle
+    {
+        Simple = 0,
+        ControlPoint = 1,
+    }
+
     public class RhinoViewport
     {
         internal RhinoViewport()
@@ -65,6 +71,9 @@ namespace Rhino.Display
 
         public void DrawLines(IEnumerable<Line> lines, Color color, int thickness)
             => Calls.Add(new DrawCall("lines", color, lines as Line[] ?? lines.ToArray(), thickness));
+
+        public void DrawPoints(IEnumerable<Point3d> points, PointStyle style, int radius, Color color)
+            => Calls.Add(new DrawCall("points", color, points as Point3d[] ?? points.ToArray(), radius));
 
         public void DrawBox(BoundingBox box, Color color, int thickness) => Calls.Add(new DrawCall("box", color, box, thickness));
 

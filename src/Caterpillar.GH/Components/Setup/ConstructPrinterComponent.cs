@@ -1,0 +1,83 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Machines;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Components.Setup;
+
+/// <summary>Makes a printer from its bed, its head and its limits.</summary>
+public sealed class ConstructPrinterComponent() : ProfileComponent(
+    "Construct Printer", "CPrinter", "Makes a printer from another, with its bed, nozzle, head, limits and code, without a file.")
+{
+    // mm; a bed that begins this close to the origin begins there.
+    private const double OriginTolerance = 0.001;
+
+    public override Guid ComponentGuid => new("7e0d3f58-1a6b-4c92-b3e5-2d8c4a9f6b08");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new PrinterParam(), "Base", "B", "Printer to start from, or the name of its profile; the generic one by default.", optional: true);
+        ports.Geometry("Bed", "Be", "Box of the build volume or rectangle of the bed, in document units, with the origin at a corner or in the middle; that "
+            + "of the "
+            + "base by default.", optional: true);
+        ports.OptionalNumber("Nozzle", "N", "Diameter of the nozzle, in mm; that of the base by default.");
+        ports.Geometry("Head Parts", "H",
+            "Parts of the head around the nozzle, whose tip is at the origin, in document units: their boxes must not touch the print.",
+            GH_ParamAccess.list, optional: true);
+        ports.Text("Limits", "L", "Other values, as key=value, for example max_flow_mm3_s=20; keys include their unit.", access: GH_ParamAccess.list,
+            optional: true);
+        ports.Text("Start Code", "SC", "Lines before the print, with {nozzle_temperature} and other names; those of the base by default.",
+            access: GH_ParamAccess.item, optional: true);
+        ports.Text("End Code", "EC", "Lines after the print; those of the base by default.", optional: true);
+        ports.Text("Name", "Na", "Name of the printer.", "custom");
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new PrinterParam(), "Printer", "P", "The printer.");
+        ports.Curve("Bed", "B", "Outline of the bed, in document units.");
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var units = run.Units;
+        var printer = (run.Maybe<Printer>(0) ?? new Printer()) with { Name = run.Get<string>(7), Title = run.Get<string>(7) };
+        if (run.Maybe<IGH_GeometricGoo>(1) is { } bed) printer = WithBed(printer, BoundsOf(bed, units));
+        if (run.MaybeValue<double>(2) is not null) printer = printer with { NozzleDiameter = run.Positive(2) };
+        var head = run.List<IGH_GeometricGoo>(3);
+        if (head.Count > 0) printer = printer with { HeadBoxes = new ValueList<Bounds>(head.Select(h => BoundsOf(h, units))) };
+        if (run.Maybe<string>(5) is { } start) printer = printer with { StartTemplate = Lines(start) };
+        if (run.Maybe<string>(6) is { } end) printer = printer with { EndTemplate = Lines(end) };
+        var texts = new List<string>();
+        var made = run.Accept((new PrintSetup() with { Printer = printer }).With(run.List<string>(4)), texts)?.Printer;
+        run.Set(0, made is null ? null : new PrinterGoo(made));
+        run.Set(1, made is null ? null : RhinoGeometry.ToBed(made, units));
+        run.SetList(2, texts);
+    }
+
+    private static Printer WithBed(Printer printer, Bounds bed)
+    {
+        var volume = bed.Size.Z > 0 ? bed.Size : bed.Size.WithZ(printer.BuildVolume.Z);
+        var corner = Math.Abs(bed.Min.X) <= OriginTolerance && Math.Abs(bed.Min.Y) <= OriginTolerance;
+        var centered = Math.Abs(bed.Center.X) <= OriginTolerance && Math.Abs(bed.Center.Y) <= OriginTolerance;
+        if (!corner && !centered) throw new InputProblem("The origin must be at the front left corner of the bed or in its middle.");
+        return printer with { BuildVolume = volume, Origin = corner ? BedOrigin.Corner : BedOrigin.Center, BedShape = BedShape.Rectangle };
+    }
+
+    private static Bounds BoundsOf(IGH_GeometricGoo goo, DocumentUnits units)
+    {
+        var box = goo.Boundingbox;
+        if (!box.IsValid) throw new InputProblem("Bed or Head Parts have no extent.");
+        return new Bounds(RhinoGeometry.ToVec(box.Min, units), RhinoGeometry.ToVec(box.Max, units));
+    }
+
+    private static ValueList<string> Lines(string text) => new(text.TrimEnd('\r', '\n').Split('\n').Select(line => line.TrimEnd('\r')));
+}

@@ -1,0 +1,90 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GH.Bake;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Params;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using Rhino;
+using Rhino.DocObjects;
+
+namespace Caterpillar.GH.Components.Simulate;
+
+/// <summary>What a toolpath is baked as.</summary>
+public enum BakeKind
+{
+    Curves,
+    Beads,
+}
+
+/// <summary>Bakes a toolpath when a button is pressed.</summary>
+public sealed class BakeToolpathComponent() : CaterpillarComponent(
+    "Bake Toolpath", "Bake", "Bakes what a toolpath prints when Bake becomes true: on layers by object and role, grouped under a name; the same name "
+        + "replaces it.",
+        Panel.Simulate, GH_Exposure.secondary)
+{
+    // By item: whether Bake was true in the last solution, and what was baked last.
+    private readonly Dictionary<int, bool> _pressed = [];
+    private readonly Dictionary<int, List<Guid>> _baked = [];
+    private bool _rising;
+
+    public override Guid ComponentGuid => new("9c1f6a2e-8b43-4f19-8d2c-1c3a7e9b4a06");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to bake, planned or decoded.");
+        ports.Text("Name", "N", "Name of the baked objects; what was baked under it before is replaced.", "Toolpath");
+        ports.Boolean("Bake", "B", "The toolpath is baked when this changes from false to true: connect a button.", false);
+        ports.Choice("Kind", "K", "Curves along the strands, or beads of true width and height as meshes.", BakeKind.Curves);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+        => ports.Text("Ids", "I", "Ids of the objects that were baked last.", GH_ParamAccess.list);
+
+    private protected override void Prepare(Run run)
+    {
+        var bake = run.MaybeValue<bool>(2) ?? true;
+        _rising = bake && _pressed.TryGetValue(run.Iteration, out var before) && !before;
+        _pressed[run.Iteration] = bake;
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var toolpath = run.Get<Toolpath>(0);
+        var name = run.Get<string>(1).Trim();
+        if (name.Length == 0) throw new InputProblem("Name is missing.") { IsMissing = true };
+        var kind = run.Choice<BakeKind>(3);
+        var item = run.Iteration;
+        if (_rising)
+        {
+            if (RhinoDoc.ActiveDoc is null) throw new InputProblem("There is no Rhino document to bake into.");
+            // Documents must not change while a solution runs.
+            run.Document?.ScheduleSolution(1, _ => Bake(toolpath, name, kind, item));
+        }
+        if (!_baked.TryGetValue(item, out var ids)) return;
+        run.SetList(0, ids.Select(id => id.ToString()));
+        run.Summarize($"{NumberFormatter.Format(ids.Count)} objects");
+    }
+
+    private void Bake(Toolpath toolpath, string name, BakeKind kind, int item)
+    {
+        if (RhinoDoc.ActiveDoc is not { } document) return;
+        var record = document.BeginUndoRecord("Bake " + name);
+        var ids = new List<Guid>();
+        try
+        {
+            foreach (var old in document.Objects.FindByUserString(Baker.NameKey, name, true)) document.Objects.Delete(old.Id, true);
+            var group = document.Groups.Find(name);
+            if (group < 0) group = document.Groups.Add(name);
+            new Baker(document, new ObjectAttributes(), ids) { Name = name, Group = group }.Add(toolpath, kind == BakeKind.Beads);
+        }
+        finally
+        {
+            document.EndUndoRecord(record);
+        }
+        _baked[item] = ids;
+        ExpireSolution(false);
+    }
+}

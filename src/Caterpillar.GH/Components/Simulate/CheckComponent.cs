@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Machines;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
+
+namespace Caterpillar.GH.Components.Simulate;
+
+/// <summary>Checks a toolpath against a printer.</summary>
+public sealed class CheckComponent() : CaterpillarComponent(
+    "Check", "Check", "Checks a toolpath against its printer: the bed, speeds, flow and temperatures.", Panel.Simulate)
+{
+    public override Guid ComponentGuid => new("5f3ef7a5-7d2b-4d0f-b2f4-6a2f4b0c8d04");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to check, planned or decoded.");
+        SetupPorts.Printer(ports);
+        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default the one it was planned for.", optional: true);
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings, or the name of their profile; by default those it was planned for.", optional: true);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new ToolpathParam { Hidden = true }, "Checked Toolpath", "T", "The toolpath if no check found an error; else null.");
+        ports.Add(new Param_Boolean(), "OK", "OK", "True if no check found an error.");
+        ports.Diagnostics();
+        ports.Add(new Param_Point(), "Points", "P", "Where each finding happens first, in document units.", GH_ParamAccess.list);
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var goo = run.Get<ToolpathGoo>(0);
+        var setup = SetupPorts.Of(run, goo, run.Maybe<Printer>(1), run.Maybe<Material>(2), run.Maybe<PrintSettings>(3));
+        var findings = run.Cached([goo.Value, goo.DecodedGCode, setup],
+            () => run.Work("Checking", (progress, cancel) => Findings(goo, setup, progress, cancel)));
+        var passed = findings.All(f => f.Severity != Severity.Error);
+        run.Set(0, passed ? goo.Planned(setup) : null);
+        run.Set(1, passed);
+        run.SetList(2, run.Report(findings));
+        run.SetList(3, findings.Where(f => f.Source?.Move is not null).Select(f => RhinoGeometry.ToPoint(goo.Value[f.Source!.Move!.Value].End, run.Units)));
+        run.Summarize(passed ? "OK" : $"{NumberFormatter.Format(findings.Where(f => f.Severity == Severity.Error).Sum(f => f.Count))} errors");
+    }
+
+    // A file as it was read heats by itself; an edit of it is checked move by move.
+    private static IReadOnlyList<Diagnostic> Findings(ToolpathGoo goo, PrintSetup setup, IProgress<double> progress, System.Threading.CancellationToken cancel)
+        => goo.DecodedGCode is not { } file ? LimitCheck.Run(goo.Value, setup, progress, cancel)
+            : ReferenceEquals(file.Toolpath, goo.Value) ? LimitCheck.Run(file, setup, progress, cancel)
+            : LimitCheck.Run(goo.Value, LimitCheck.SetupForFile(setup, goo.Value), progress, cancel);
+}

@@ -1,0 +1,93 @@
+using System;
+using System.Diagnostics;
+using Caterpillar.Basics;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Simulation;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Components.Simulate;
+
+/// <summary>Runs through a print as time passes.</summary>
+public sealed class PlayComponent() : CaterpillarComponent(
+    "Play", "Play", "Gives a position that moves through a print as time passes, for Simulate.", Panel.Simulate)
+{
+    private const int FrameMilliseconds = 40;
+    private readonly Stopwatch _clock = Stopwatch.StartNew();
+    private double _position;
+    private double _last;
+    private bool? _pressed;
+    private bool _plays;
+
+    public override Guid ComponentGuid => new("d7f20c3c-2a54-4a39-9c8e-5f0a6f5a7a02");
+
+    /// <summary>Seconds of the clock; a test has its own.</summary>
+    internal Func<double>? Seconds { get; set; }
+
+    /// <summary>True while the position moves.</summary>
+    internal bool Plays => _plays;
+
+    private double Now => Seconds?.Invoke() ?? _clock.Elapsed.TotalSeconds;
+
+    public override void RemovedFromDocument(GH_Document document)
+    {
+        _plays = false;
+        base.RemovedFromDocument(document);
+    }
+
+    public override void DocumentContextChanged(GH_Document document, GH_DocumentContext context)
+    {
+        if (context is GH_DocumentContext.Close or GH_DocumentContext.Unloaded or GH_DocumentContext.Lock) _plays = false;
+        base.DocumentContextChanged(document, context);
+    }
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to run through: its print time is how long it takes.");
+        ports.Boolean("Run", "R", "Starts when this changes from false to true; false stops.", false);
+        ports.Number("Speed", "V", "Factor for the speed: 1 takes as long as the print.", 60);
+        ports.Boolean("Reset", "Re", "True goes back to the start.", false);
+        SetupPorts.Printer(ports);
+    }
+
+    private protected override void Outputs(OutputPorts ports) => ports.Number("Position", "t", "Position in the print by time, 0 to 1.");
+
+    private protected override void Prepare(Run run)
+    {
+        // A definition that was saved while it ran stands still until Run has been false.
+        var pressed = run.MaybeValue<bool>(1) ?? true;
+        if (pressed && _pressed == false)
+        {
+            _plays = true;
+            _last = Now;
+            if (_position >= 1) _position = 0;
+        }
+        if (!pressed) _plays = false;
+        _pressed = pressed;
+    }
+
+    private protected override void Solve(Run run)
+    {
+        if (run.Iteration > 0) throw new InputProblem("Play runs through one toolpath.");
+        var goo = run.Get<ToolpathGoo>(0);
+        var speed = run.Positive(2);
+        if (run.Get<bool>(3)) _position = 0;
+        var setup = SetupPorts.Of(run, goo, run.Maybe<Machines.Printer>(4));
+        var timeline = run.Cached([goo.Value, setup], () => run.Work("Timing", (progress, cancel) => Timeline.Of(goo.Value, setup, progress, cancel)));
+        var now = Now;
+        // Frames are as long as solving takes: slow definitions skip some.
+        if (_plays && timeline.Duration > 0) _position = Math.Min(1, _position + (now - _last) * speed / timeline.Duration);
+        _last = now;
+        if (_position >= 1) _plays = false;
+        if (_plays) run.Document?.ScheduleSolution(FrameMilliseconds, Next);
+        run.Set(0, _position);
+        run.Summarize($"{NumberFormatter.Format(_position * timeline.Duration, 0)} of {NumberFormatter.Format(timeline.Duration, 0)} s");
+    }
+
+    private void Next(GH_Document document)
+    {
+        if (_plays && !Locked) ExpireSolution(false);
+        else _plays = false;
+    }
+}

@@ -1,0 +1,152 @@
+using System;
+using System.Collections.Generic;
+using System.Drawing;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.GH.Preview;
+using Caterpillar.Machines;
+using Caterpillar.Simulation;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
+
+namespace Caterpillar.GH.Components.Simulate;
+
+/// <summary>What a position of the simulation means.</summary>
+public enum PositionBy
+{
+    Time,
+    Length,
+    Layer,
+}
+
+/// <summary>Shows the machine at a moment of a print.</summary>
+public sealed class SimulateComponent() : CaterpillarComponent(
+    "Simulate", "Sim", "Shows the machine at a moment of a print: the head, and what is printed by then. Connect a slider or Play to the position.",
+        Panel.Simulate)
+{
+    private static readonly Color Printed = Color.FromArgb(240, 136, 62);
+    private static readonly Color HeadColor = Color.FromArgb(60, 70, 80);
+    private readonly List<Shown> _shown = [];
+
+    public override Guid ComponentGuid => new("b1d0a8a4-57f3-4c0e-a0d5-93c1f4e3c701");
+
+    public override Rg.BoundingBox ClippingBox
+    {
+        get
+        {
+            var box = base.ClippingBox;
+            if (Hidden || Locked) return box;
+            foreach (var shown in _shown) box.Union(shown.Box);
+            return box;
+        }
+    }
+
+    private protected override bool DrawsItself => true;
+
+    public override void ClearData()
+    {
+        _shown.Clear();
+        base.ClearData();
+    }
+
+    public override void DrawViewportWires(IGH_PreviewArgs args)
+    {
+        base.DrawViewportWires(args);
+        if (Hidden || Locked) return;
+        foreach (var shown in _shown)
+        {
+            shown.Lines.Draw(args.Display, Attributes.Selected ? args.WireColour_Selected : Printed, 2);
+            args.Display.DrawLines(shown.Head, Attributes.Selected ? args.WireColour_Selected : HeadColor, 2);
+        }
+    }
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to simulate, planned or decoded.");
+        SetupPorts.Printer(ports);
+        ports.Number("Position", "t", "Position in the print, from 0 to 1.", 1);
+        ports.Choice("By", "B", "What the position counts: time, length of the path, or layers.", PositionBy.Time);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new Param_Plane(), "Plane", "Pl", "Tip of the nozzle, in document units: X along the motion.");
+        ports.Add(new ToolpathParam { Hidden = true }, "Printed", "Pr", "What has happened by then, as a toolpath that is made when something asks for it.");
+        ports.Add(new Param_Curve { Hidden = true }, "Current", "C", "The move in progress up to the position, in document units; null if there is none.");
+        ports.Number("Time", "Ti", "Time since the start, in seconds.");
+        ports.Integer("Line", "L", "Line number in the file, from 1, or number of the step, from 0; -1 if there is none.");
+        ports.Add(new Param_Curve { Hidden = true }, "Head", "H", "Outline of the head above the nozzle, in document units.");
+        ports.Text("State", "S", "What the machine does, in words.");
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var goo = run.Get<ToolpathGoo>(0);
+        var position = run.Finite(2);
+        if (position is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
+        var by = run.Choice<PositionBy>(3);
+        var toolpath = goo.Value;
+        if (toolpath.Count == 0) throw new InputProblem("The toolpath has no moves.");
+        var setup = run.Cached([goo.Value, goo.Setup, goo.DecodedGCode, run.Maybe<Printer>(1)], () => SetupPorts.Of(run, goo, run.Maybe<Printer>(1)));
+        var units = run.Units;
+        var timeline = run.Cached([toolpath, setup], () => run.Work("Timing", (progress, cancel) => Timeline.Of(toolpath, setup, progress, cancel)));
+        var lines = run.Cached([toolpath, units.ToMillimeters], () => run.Work("Drawing", (_, _) => new PrintedLines(toolpath, units)));
+        var state = StateAt(timeline, position, by);
+        lines.ShowUntil(state.Move, state.Done);
+        var outline = run.Cached([setup.Printer, units.ToMillimeters], () => new HeadOutline(setup.Printer, units));
+        var tip = RhinoGeometry.ToPoint(state.Position, units);
+        var head = outline.At(tip);
+        var box = lines.Box;
+        foreach (var line in head) box.Union(line.BoundingBox);
+        _shown.Add(new Shown(lines, head, box));
+
+        run.Set(0, RhinoGeometry.ToPlane(state.Frame, units));
+        run.Set(1, goo.Until(state.Move, state.Position, state.Done));
+        run.Set(2, Current(timeline, state, units));
+        run.Set(3, state.Time);
+        run.Set(4, state.Source);
+        run.Set(5, outline.ProfileAt(tip));
+        run.Set(6, Words(timeline, state));
+        run.Summarize($"{NumberFormatter.Format(100 * (timeline.Duration > 0 ? state.Time / timeline.Duration : 1), 1)} %");
+    }
+
+    private static MachineState StateAt(Timeline timeline, double position, PositionBy by)
+    {
+        if (by == PositionBy.Time) return timeline.AtFraction(position);
+        if (by == PositionBy.Length) return timeline.AtLength(position);
+        var layers = timeline.Toolpath.Layers.Count;
+        if (layers == 0 || position >= 1) return timeline.AtFraction(position);
+        // Within a layer by time.
+        var layer = Math.Min((int)(position * layers), layers - 1);
+        var from = timeline.AtLayer(layer)?.Time ?? 0;
+        var to = layer + 1 < layers ? timeline.AtLayer(layer + 1)?.Time ?? timeline.Duration : timeline.Duration;
+        return timeline.At(from + (position * layers - layer) * (to - from));
+    }
+
+    private static Rg.Curve? Current(Timeline timeline, MachineState state, DocumentUnits units)
+    {
+        if (state.Move >= timeline.Toolpath.Count || state.Done <= 0) return null;
+        var move = timeline.Toolpath[state.Move];
+        if (move.Arc is null) return PolylineMaker.Of([RhinoGeometry.ToPoint(move.Start, units), RhinoGeometry.ToPoint(state.Position, units)]);
+        var points = Enumerable.Range(0, 33).Select(k => RhinoGeometry.ToPoint(move.Arc.Value.PointAt(move.Start, move.End, state.Done * k / 32), units));
+        return PolylineMaker.Of(points);
+    }
+
+    private static string Words(Timeline timeline, MachineState state)
+    {
+        string N(double value, int decimals) => NumberFormatter.Format(value, decimals);
+        if (state.Move >= timeline.Toolpath.Count) return $"Finished after {N(state.Time, 1)} s.";
+        var what = state.Waits ? "Waiting" : state.Kind.ToString();
+        var role = state.Role == Toolpaths.Role.Unspecified ? "" : $" {state.Role}";
+        var flow = state.Flow is { } f ? $", {N(f, 2)} mm³/s" : "";
+        return $"{what}{role} at {N(state.Speed, 1)} mm/s{flow}, move {N(state.Move, 0)} of {N(timeline.Toolpath.Count, 0)}, {N(state.TimeLeft, 1)} s left, "
+            + $"nozzle {N(state.NozzleTemperature, 0)} °C";
+    }
+
+    private sealed record Shown(PrintedLines Lines, Rg.Line[] Head, Rg.BoundingBox Box);
+}

@@ -1,0 +1,76 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Machines;
+using Caterpillar.Simulation;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Components.Simulate;
+
+/// <summary>Time and material of a print.</summary>
+public sealed class StatisticsComponent() : CaterpillarComponent(
+    "Statistics", "Stats", "Time and material of a print, by the accelerations and corner rules of its printer.", Panel.Simulate)
+{
+    public override Guid ComponentGuid => new("0a6f6d0e-94d1-4b0f-8a77-2f0f3b8f9b03");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to measure, planned or decoded.");
+        SetupPorts.Printer(ports);
+        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default the one it was planned for.", optional: true);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Number("Time", "T", "Time of the print, in seconds.");
+        ports.Number("Filament", "F", "Deposited filament, in mm (or mm³ if the machine counts volume).");
+        ports.Number("Volume", "V", "Deposited material, in mm³; null if the diameter of the filament is unknown.");
+        ports.Number("Mass", "M", "Mass of the material in grams, from its volume in mm³ and its density; null if unknown.");
+        ports.Number("Cost", "C", "Cost of the material, a factor of its mass in the currency of the profile; null if unknown.");
+        ports.Number("Print Length", "L", "Length of all strands, in mm.");
+        ports.Number("Travel Length", "Tr", "Length of all travels, in mm.");
+        ports.Integer("Retraction Count", "R", "Number of retractions.");
+        ports.Number("Greatest Flow", "Q", "Greatest flow, in mm³/s; null if unknown.");
+        ports.Number("Layer Times", "Lt", "Time of each layer, in seconds.", GH_ParamAccess.list);
+        ports.Text("Lines", "S", "The same in words, and the time in each role.", GH_ParamAccess.list);
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var goo = run.Get<ToolpathGoo>(0);
+        var setup = SetupPorts.Of(run, goo, run.Maybe<Printer>(1), run.Maybe<Material>(2));
+        var s = run.Cached([goo.Value, setup], () => run.Work("Timing",
+            (progress, cancel) => PrintStatistics.Of(Timeline.Of(goo.Value, setup, progress, cancel), cancel)));
+        run.Set(0, s.Duration);
+        run.Set(1, s.Filament);
+        run.Set(2, s.Volume);
+        run.Set(3, s.Mass);
+        run.Set(4, s.Cost);
+        run.Set(5, s.PrintLength);
+        run.Set(6, s.TravelLength);
+        run.Set(7, s.Retractions);
+        run.Set(8, s.GreatestFlow);
+        run.SetList(9, s.Layers.Select(l => l.Time));
+        run.SetList(10, Lines(s, setup).ToArray());
+        run.Summarize($"{N(s.Duration / 60, 1)} min");
+    }
+
+    private static IEnumerable<string> Lines(PrintStatistics s, PrintSetup setup)
+    {
+        yield return $"{N(s.Duration, 1)} s by the limits of {setup.Printer.Title}: {N(s.PrintTime, 1)} s printing, {N(s.TravelTime, 1)} s traveling, "
+            + $"{N(s.ExtruderTime, 1)} s retracting, {N(s.Waits.Total, 1)} s waiting";
+        yield return $"{N(s.Filament, 1)} mm of filament" + (s.Volume is { } volume ? $", {N(volume / 1000, 2)} cm³" : "")
+            + (s.Mass is { } mass ? $", {N(mass, 2)} g" : "");
+        yield return $"{N(s.PrintLength / 1000, 2)} m printed, {N(s.TravelLength / 1000, 2)} m traveled, {N(s.Retractions, 0)} retractions, {N(s.Moves, 0)} "
+            + $"moves";
+        if (s.GreatestFlow is { } flow) yield return $"Greatest flow {N(flow, 2)} mm³/s in move {N(s.GreatestFlowMove, 0)}, greatest speed "
+            + $"{N(s.GreatestSpeed, 1)} mm/s";
+        foreach (var role in s.Roles) yield return $"{role.Role}: {N(role.Time, 1)} s, {N(role.Length / 1000, 2)} m";
+    }
+
+    private static string N(double value, int decimals) => NumberFormatter.Format(value, decimals);
+}

@@ -1,0 +1,105 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.GH.Preview;
+using Caterpillar.Simulation;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Components.Simulate;
+
+/// <summary>Shows a toolpath in colors.</summary>
+public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
+    "Toolpath Preview", "Preview", "Shows a toolpath in colors by role, speed, flow, layer, order or time, as lines or as beads of true width and height.",
+        Panel.Simulate)
+{
+    private readonly List<ToolpathScene> _scenes = [];
+
+    public override Guid ComponentGuid => new("e2b8a4c6-0b7b-4b7c-9a40-6a2d0d7e2f05");
+
+    public override Rg.BoundingBox ClippingBox
+    {
+        get
+        {
+            var box = base.ClippingBox;
+            if (Hidden || Locked) return box;
+            foreach (var scene in _scenes) box.Union(scene.Box);
+            return box;
+        }
+    }
+
+    private protected override bool DrawsItself => true;
+
+    public override void ClearData()
+    {
+        _scenes.Clear();
+        base.ClearData();
+    }
+
+    public override void DrawViewportWires(IGH_PreviewArgs args)
+    {
+        base.DrawViewportWires(args);
+        if (Hidden || Locked) return;
+        foreach (var scene in _scenes) scene.DrawWires(args.Display, Attributes.Selected ? args.WireColour_Selected : null);
+    }
+
+    public override void DrawViewportMeshes(IGH_PreviewArgs args)
+    {
+        base.DrawViewportMeshes(args);
+        if (Hidden || Locked) return;
+        foreach (var scene in _scenes) scene.DrawMeshes(args.Display);
+    }
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to show, planned or decoded.");
+        ports.Choice("Color By", "C", "What the colors show.", PreviewColor.Role);
+        ports.OptionalInteger("First Layer", "F", "Number of the first layer, from 0, as in the file; all by default.");
+        ports.OptionalInteger("Last Layer", "L", "Number of the last layer, from 0, as in the file; all by default.");
+        ports.Boolean("Solid", "B", "True shows strands of true width and height, false lines.", false);
+        ports.Boolean("Travel", "Tr", "True shows travels and the places of retractions, too.", false);
+        SetupPorts.Printer(ports);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Text("Legend Texts", "Le", "What each color means.", GH_ParamAccess.list);
+        ports.Add(new Param_Colour(), "Colors", "C", "The colors of the legend.", GH_ParamAccess.list);
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var goo = run.Get<ToolpathGoo>(0);
+        var by = run.Choice<PreviewColor>(1);
+        var (first, last) = (run.MaybeValue<int>(2), run.MaybeValue<int>(3));
+        var (beads, travels) = (run.Get<bool>(4), run.Get<bool>(5));
+        var units = run.Units;
+        var toolpath = goo.Value;
+        if (beads && toolpath.Count > ToolpathScene.MostBeads)
+        {
+            run.Report(GH_RuntimeMessageLevel.Remark,
+                "There are too many moves to show their beads: lines are shown. Choose fewer layers with Filter Toolpath.");
+            beads = false;
+        }
+        bool Shown(int i)
+        {
+            if (first is null && last is null) return true;
+            return toolpath.NumberOfLayer(toolpath[i]) is { } number && !(number < first) && !(number > last);
+        }
+        bool Prints(int i) => toolpath[i].Kind == MoveKind.Print && Shown(i);
+        var colors = run.Cached([toolpath, by, first, last, goo.Setup], () => run.Work("Coloring", (progress, cancel) =>
+        {
+            var setup = by == PreviewColor.Time ? SetupPorts.Of(run, goo, run.Maybe<Machines.Printer>(6)) : null;
+            return PreviewColors.Of(toolpath, Prints, by, setup is null ? null : Timeline.Of(toolpath, setup, progress, cancel));
+        }));
+        _scenes.Add(run.Cached([colors, beads, travels, units.ToMillimeters],
+            () => run.Work("Drawing", (_, _) => new ToolpathScene(toolpath, Shown, colors, beads, travels, units))));
+        run.SetList(0, colors.Texts);
+        run.SetList(1, colors.Colors.Select(c => new GH_Colour { Value = c }));
+    }
+}

@@ -1,0 +1,86 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.GH.Conversion;
+using Caterpillar.Toolpaths;
+using Rhino.Display;
+
+namespace Caterpillar.GH.Preview;
+
+/// <summary>
+/// What a toolpath prints as lines in its order, in at most a hundred blocks, so that the part up to any move is drawn in few calls. Only the block in which
+/// that part ends is copied when it moves, into one array that is used again.
+/// </summary>
+internal sealed class PrintedLines
+{
+    private const int MostBlocks = 100;
+    private const int LeastBlock = 1024;
+    private readonly Rg.Line[][] _blocks;
+    private readonly int[] _firsts;
+    private readonly Rg.Line[] _end;
+    private readonly int _size;
+
+    public PrintedLines(Toolpath toolpath, DocumentUnits units)
+    {
+        var lines = new List<Rg.Line>();
+        _firsts = new int[toolpath.Count + 1];
+        for (var i = 0; i < toolpath.Count; i++)
+        {
+            _firsts[i] = lines.Count;
+            var move = toolpath[i];
+            if (move.Kind == MoveKind.Print) RhinoGeometry.AddLines(lines, move.Start, move.End, move.Arc, units);
+        }
+        _firsts[toolpath.Count] = lines.Count;
+        _size = Math.Max(LeastBlock, (lines.Count + MostBlocks - 1) / MostBlocks);
+        _blocks = new Rg.Line[(lines.Count + _size - 1) / _size][];
+        for (var b = 0; b < _blocks.Length; b++)
+        {
+            _blocks[b] = new Rg.Line[Math.Min(_size, lines.Count - b * _size)];
+            lines.CopyTo(b * _size, _blocks[b], 0, _blocks[b].Length);
+        }
+        _end = new Rg.Line[_size];
+        var box = Rg.BoundingBox.Empty;
+        foreach (var line in lines)
+        {
+            box.Union(line.From);
+            box.Union(line.To);
+        }
+        Box = box;
+    }
+
+    /// <summary>Bounds of all of it, in document units.</summary>
+    public Rg.BoundingBox Box { get; }
+
+    public int Count => _firsts[_firsts.Length - 1];
+
+    /// <summary>Number of whole blocks that are drawn now.</summary>
+    public int Blocks { get; private set; }
+
+    /// <summary>The lines after the whole blocks; those that are not printed yet lie at one point.</summary>
+    public Rg.Line[] End => _end;
+
+    /// <summary>Shows the moves before one, and a part of that from 0 to 1 of its lines.</summary>
+    public void ShowUntil(int move, double done)
+    {
+        var from = _firsts[Math.Min(move, _firsts.Length - 1)];
+        var chords = move + 1 < _firsts.Length ? _firsts[move + 1] - from : 0;
+        var along = done * chords;
+        var whole = from + (int)along;
+        Blocks = whole / _size;
+        var rest = whole - Blocks * _size;
+        if (Blocks < _blocks.Length) Array.Copy(_blocks[Blocks], _end, rest);
+        var last = rest > 0 ? _end[rest - 1].To : Blocks > 0 ? _blocks[Blocks - 1][_size - 1].To : Count > 0 ? _blocks[0][0].From : Rg.Point3d.Origin;
+        if (along > (int)along && Blocks < _blocks.Length)
+        {
+            var line = _blocks[Blocks][rest];
+            last = line.PointAt(along - (int)along);
+            _end[rest++] = new Rg.Line(line.From, last);
+        }
+        for (var i = rest; i < _end.Length; i++) _end[i] = new Rg.Line(last, last);
+    }
+
+    public void Draw(DisplayPipeline display, System.Drawing.Color color, int thickness)
+    {
+        for (var b = 0; b < Blocks; b++) display.DrawLines(_blocks[b], color, thickness);
+        if (Count > 0) display.DrawLines(_end, color, thickness);
+    }
+}

@@ -1,0 +1,95 @@
+using System;
+using System.Collections.Generic;
+using System.Drawing;
+using Caterpillar.Display;
+using Caterpillar.GH.Conversion;
+using Caterpillar.Toolpaths;
+using Rhino.Display;
+
+namespace Caterpillar.GH.Preview;
+
+/// <summary>A toolpath ready to be drawn: one array of lines for each color, one for travels, points of retractions, and meshes of beads.</summary>
+internal sealed class ToolpathScene
+{
+    /// <summary>Beads of more moves than this are drawn as lines.</summary>
+    public const int MostBeads = 250_000;
+
+    private const int MovesPerMesh = 50_000;
+    private static readonly Color TravelColor = Color.FromArgb(Palette.Travel.R, Palette.Travel.G, Palette.Travel.B);
+    private readonly List<(Rg.Line[] Lines, Color Color)> _bands = [];
+    private readonly List<Rg.Mesh> _meshes = [];
+    private readonly Rg.Line[] _travels;
+    private readonly Rg.Point3d[] _retractions;
+
+    public ToolpathScene(Toolpath toolpath, Func<int, bool> shown, PreviewColors colors, bool beads, bool travels, DocumentUnits units)
+    {
+        var bands = new List<Rg.Line>[colors.Colors.Count];
+        for (var b = 0; b < bands.Length; b++) bands[b] = [];
+        List<Rg.Line> moved = [];
+        List<Rg.Point3d> retracted = [];
+        var box = Rg.BoundingBox.Empty;
+        for (var i = 0; i < toolpath.Count; i++)
+        {
+            if (!shown(i)) continue;
+            var move = toolpath[i];
+            if (move.Kind == MoveKind.Print)
+            {
+                RhinoGeometry.AddLines(bands[colors.BandOf(i)], move.Start, move.End, move.Arc, units);
+                box.Union(RhinoGeometry.ToBox(move.Bounds, units));
+            }
+            else if (travels && move.Kind is MoveKind.Travel or MoveKind.Wipe)
+            {
+                RhinoGeometry.AddLines(moved, move.Start, move.End, move.Arc, units);
+                box.Union(RhinoGeometry.ToBox(move.Bounds, units));
+            }
+            else if (travels && move.Kind == MoveKind.Retract)
+            {
+                retracted.Add(RhinoGeometry.ToPoint(move.End, units));
+            }
+        }
+        for (var b = 0; b < bands.Length; b++)
+        {
+            if (bands[b].Count > 0) _bands.Add((bands[b].ToArray(), colors.Colors[b]));
+        }
+        _travels = moved.ToArray();
+        _retractions = retracted.ToArray();
+        Box = box;
+        if (beads) AddBeads(toolpath, shown, colors, units);
+    }
+
+    public Rg.BoundingBox Box { get; }
+
+    public bool HasBeads => _meshes.Count > 0;
+
+    public void DrawWires(DisplayPipeline display, Color? only)
+    {
+        if (!HasBeads)
+        {
+            foreach (var (lines, color) in _bands) display.DrawLines(lines, only ?? color, 2);
+        }
+        if (_travels.Length > 0) display.DrawLines(_travels, only ?? TravelColor, 1);
+        if (_retractions.Length > 0) display.DrawPoints(_retractions, PointStyle.Simple, 2, only ?? TravelColor);
+    }
+
+    public void DrawMeshes(DisplayPipeline display)
+    {
+        foreach (var mesh in _meshes) display.DrawMeshFalseColors(mesh);
+    }
+
+    private void AddBeads(Toolpath toolpath, Func<int, bool> shown, PreviewColors colors, DocumentUnits units)
+    {
+        // Runs of moves that are shown, a mesh for each so many.
+        for (var i = 0; i < toolpath.Count;)
+        {
+            if (!shown(i))
+            {
+                i++;
+                continue;
+            }
+            var end = i;
+            while (end < toolpath.Count && end - i < MovesPerMesh && shown(end)) end++;
+            if (StrandMeshes.ToMesh(StrandMesh.Of(toolpath, i, end), units, m => colors.Colors[colors.BandOf(m)]) is { } mesh) _meshes.Add(mesh);
+            i = end;
+        }
+    }
+}

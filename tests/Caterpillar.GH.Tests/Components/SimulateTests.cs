@@ -1,0 +1,244 @@
+using System;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Components.GCode;
+using Caterpillar.GH.Components.Setup;
+using Caterpillar.GH.Components.Simulate;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Preview;
+using Caterpillar.GH.Tests.Host;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Simulation;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.GH.Tests.Components;
+
+public sealed class SimulateTests
+{
+    private static readonly Bead Bead = new(0.08, 0.2, 40);
+
+    private static PrintPath Line(double x, double y, int layer, double length = 20, Role role = Role.OuterWall)
+        => new([new Vec3(x, y, 0.2 * (layer + 1)), new Vec3(x + length, y, 0.2 * (layer + 1))], Bead)
+        {
+            Role = role, Layer = new Layer(layer, 0.2 * (layer + 1), 0.2, "Part"),
+        };
+
+    private static ToolpathGoo Planned(params PrintPath[] paths)
+        => new(Planner.Plan(paths.Select(p => (Step)p).ToArray(), new PrintSetup()).Value!, new PrintSetup());
+
+    private static ToolpathGoo TwoLayers() => Planned(Line(50, 50, 0), Line(50, 60, 0, role: Role.Infill), Line(50, 50, 1), Line(50, 60, 1, role: Role.Infill));
+
+    [Test]
+    public void The_nozzle_is_where_the_timeline_says()
+    {
+        var goo = TwoLayers();
+        var timeline = Timeline.Of(goo.Value, goo.Setup!);
+        foreach (var t in new[] { 0.0, 0.3, 0.77, 1.0 })
+        {
+            var canvas = new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", t).Solve();
+            Assert.That(canvas.Errors, Is.Empty);
+            var state = timeline.AtFraction(t);
+            var tip = canvas.One<Rg.Plane>("Plane").Origin;
+            Assert.That(tip.DistanceTo(new Rg.Point3d(state.Position.X, state.Position.Y, state.Position.Z)), Is.LessThan(1e-9));
+            Assert.That(canvas.One<double>("Time"), Is.EqualTo(state.Time));
+            Assert.That(canvas.One<int>("Line"), Is.EqualTo(state.Source));
+            var printed = canvas.One<Toolpath>("Printed");
+            Assert.That(Printed(printed), Is.EqualTo(timeline.FilamentBefore(state.Move) + (state.Move < goo.Value.Count
+                ? goo.Value[state.Move].Deposited * state.Done : 0)).Within(1e-9));
+        }
+    }
+
+    [Test]
+    public void Positions_count_time_length_or_layers()
+    {
+        var goo = TwoLayers();
+        double Z(string by, double at)
+            => new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", at).Feed("By", by).Solve().One<Rg.Plane>("Plane").Origin.Z;
+        Assert.That(Z("Layer", 0.4), Is.LessThan(0.7));
+        Assert.That(new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", 0.75).Feed("By", "layer").Solve().One<string>("State"),
+            Does.Contain("mm/s"));
+        Assert.That(Z("Length", 1), Is.EqualTo(Z("Time", 1)));
+        Assert.That(new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", 1.5).Solve().Errors, Has.One.Contains("0 to 1"));
+    }
+
+    [Test]
+    public void What_is_printed_is_drawn_up_to_the_nozzle()
+    {
+        var goo = TwoLayers();
+        var lines = new PrintedLines(goo.Value, DocumentUnits.Current);
+        Assert.That(lines.Count, Is.EqualTo(4));
+        var second = Enumerable.Range(0, goo.Value.Count).Where(i => goo.Value[i].Kind == MoveKind.Print).ElementAt(1);
+        lines.ShowUntil(second, 0.25);
+        var drawn = lines.End.Where(l => l.Length > 0).ToArray();
+        Assert.That((lines.Blocks, drawn.Length), Is.EqualTo((0, 2)));
+        Assert.That(drawn[1].Length, Is.EqualTo(5).Within(1e-9));
+        lines.ShowUntil(goo.Value.Count, 0);
+        Assert.That(lines.End.Sum(l => l.Length), Is.EqualTo(80).Within(1e-9));
+        lines.ShowUntil(0, 0);
+        Assert.That(lines.End.Sum(l => l.Length), Is.Zero);
+    }
+
+    [Test]
+    public void Blocks_are_whole_however_far_the_print_is()
+    {
+        var points = Enumerable.Range(0, 5001).Select(i => new Vec3(50 + 0.01 * i, 50 + i % 2, 0.2)).ToArray();
+        var lines = new PrintedLines(Planned(new PrintPath(points, Bead)).Value, DocumentUnits.Current);
+        var toolpath = Planned(new PrintPath(points, Bead)).Value;
+        var total = Enumerable.Range(0, toolpath.Count).Where(i => toolpath[i].Kind == MoveKind.Print).Sum(i => toolpath[i].Length);
+        foreach (var move in new[] { 0, 1023, 1024, 1025, 2048, 4000, toolpath.Count })
+        {
+            lines.ShowUntil(move, 0);
+            var before = Enumerable.Range(0, move).Where(i => toolpath[i].Kind == MoveKind.Print).Sum(i => toolpath[i].Length);
+            var drawn = lines.End.Sum(l => l.Length);
+            if (lines.Blocks == 0) Assert.That(drawn, Is.EqualTo(before).Within(1e-6));
+            else Assert.That(drawn, Is.LessThan(before));
+        }
+        Assert.That(total, Is.GreaterThan(0));
+    }
+
+    [Test]
+    public void Playing_starts_at_a_press_follows_the_clock_and_stops_at_the_end()
+    {
+        var goo = TwoLayers();
+        var now = 0.0;
+        var canvas = new Canvas<PlayComponent>().Feed("Toolpath", goo).Feed("Speed", 1.0).Feed("Run", true);
+        canvas.Component.Seconds = () => now;
+        canvas.Solve();
+        Assert.That((canvas.Component.Plays, canvas.Document.ScheduledCount), Is.EqualTo((false, 0)), "As a definition opens that was saved while it ran.");
+        canvas.Feed("Run", false).Solve().Feed("Run", true).Solve();
+        Assert.That((canvas.One<double>("Position"), canvas.Document.ScheduledCount), Is.EqualTo((0.0, 1)));
+        var duration = Timeline.Of(goo.Value, goo.Setup!).Duration;
+        now = duration / 4;
+        canvas.Document.RunSchedule();
+        Assert.That(canvas.One<double>("Position"), Is.EqualTo(0.25).Within(1e-9));
+        now = 2 * duration;
+        canvas.Document.RunSchedule();
+        Assert.That((canvas.One<double>("Position"), canvas.Component.Plays, canvas.Document.ScheduledCount), Is.EqualTo((1.0, false, 0)));
+        canvas.Feed("Run", false).Feed("Reset", true).Solve();
+        Assert.That(canvas.One<double>("Position"), Is.Zero);
+    }
+
+    [Test]
+    public void Playing_stops_when_the_document_is_left_or_the_component_is_locked()
+    {
+        var canvas = new Canvas<PlayComponent>().Feed("Toolpath", TwoLayers()).Solve().Feed("Run", true).Solve();
+        Assert.That(canvas.Component.Plays, Is.True);
+        canvas.Component.DocumentContextChanged(canvas.Document, Grasshopper.Kernel.GH_DocumentContext.Unloaded);
+        Assert.That(canvas.Component.Plays, Is.False);
+        canvas.Feed("Run", false).Solve().Feed("Run", true).Solve();
+        canvas.Component.Locked = true;
+        canvas.Document.RunSchedule();
+        Assert.That(canvas.Component.Plays, Is.False);
+    }
+
+    [Test]
+    public void Statistics_are_those_of_the_library()
+    {
+        var goo = TwoLayers();
+        var expected = PrintStatistics.Of(Timeline.Of(goo.Value, goo.Setup!));
+        var canvas = new Canvas<StatisticsComponent>().Feed("Toolpath", goo).Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That(canvas.One<double>("Time"), Is.EqualTo(expected.Duration));
+        Assert.That(canvas.One<double>("Print Length"), Is.EqualTo(80).Within(1e-9));
+        Assert.That(canvas.All("Layer Times"), Is.EqualTo(expected.Layers.Select(l => (object)l.Time)));
+        Assert.That(canvas.All("Lines"), Has.Some.Contains("OuterWall: "));
+        var slow = new Canvas<StatisticsComponent>().Feed("Toolpath", goo)
+            .Feed("Printer", new Printer { PrintAcceleration = 50, TravelAcceleration = 50 }).Solve();
+        Assert.That(slow.One<double>("Time"), Is.GreaterThan(expected.Duration));
+    }
+
+    [Test]
+    public void A_check_passes_the_toolpath_on_or_shows_where_it_fails()
+    {
+        var good = new Canvas<CheckComponent>().Feed("Toolpath", TwoLayers()).Solve();
+        Assert.That(good.Errors, Is.Empty);
+        Assert.That((good.One<bool>("OK"), good.One<Toolpath>("Checked Toolpath").Count), Is.EqualTo((true, TwoLayers().Value.Count)));
+        var bad = new Canvas<CheckComponent>().Feed("Toolpath", Planned(Line(210, 50, 0))).Solve();
+        Assert.That(bad.One<bool>("OK"), Is.False);
+        Assert.That(bad.All("Checked Toolpath"), Is.EqualTo(new object?[] { null }));
+        Assert.That(bad.Errors, Has.Some.Contains("bed.outside"));
+        Assert.That(bad.All("Points").Cast<Rg.Point3d>().First().X, Is.EqualTo(230).Within(1e-9));
+    }
+
+    [Test]
+    public void A_decoded_file_is_checked_as_its_firmware_reads_it()
+    {
+        var file = new Canvas<DecodeGCodeComponent>().Feed("G-code", "M104 S200\nM109 S200\nG28\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200\n").Solve();
+        var canvas = new Canvas<CheckComponent>().Feed("Toolpath", file.Output("Toolpath").VolatileData.get_Branch(0)[0]).Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That(canvas.One<bool>("OK"), Is.True);
+    }
+
+    [TestCase("Role", 2)]
+    [TestCase("Layer", 16)]
+    [TestCase("Speed", 1)]
+    [TestCase("Order", 16)]
+    [TestCase("Time", 16)]
+    [TestCase("Flow", 1)]
+    public void A_preview_has_a_legend(string by, int bands)
+    {
+        var canvas = new Canvas<ToolpathPreviewComponent>().Feed("Toolpath", TwoLayers()).Feed("Color By", by).Solve();
+        Assert.That(canvas.Errors.Concat(canvas.Warnings), Is.Empty);
+        Assert.That(canvas.All("Legend Texts").Count, Is.EqualTo(canvas.All("Colors").Count));
+        Assert.That(canvas.All("Legend Texts").Count, Is.EqualTo(bands).Or.EqualTo(16));
+        Assert.That(canvas.All("Legend Texts").Distinct().Count(), Is.GreaterThan(0));
+    }
+
+    [Test]
+    public void A_printer_is_made_from_geometry_and_values()
+    {
+        var bed = new Rg.Box(new Rg.BoundingBox(-90, -80, 0, 90, 80, 200));
+        var head = new Rg.Box(new Rg.BoundingBox(-20, -30, 4, 20, 30, 40));
+        var canvas = new Canvas<ConstructPrinterComponent>().Feed("Bed", bed).Feed("Nozzle", 0.6).Feed("Head Parts", head)
+            .Feed("Limits", "max_flow_mm3_s=20").Feed("Start Code", "G28\nM420 S1").Feed("Name", "Mine").Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        var printer = canvas.One<Printer>("Printer");
+        Assert.That((printer.BuildVolume, printer.Origin, printer.NozzleDiameter, printer.MaxFlow),
+            Is.EqualTo((new Vec3(180, 160, 200), BedOrigin.Center, 0.6, 20.0)));
+        Assert.That(printer.HeadBoxes.Single(), Is.EqualTo(new Bounds(new Vec3(-20, -30, 4), new Vec3(20, 30, 40))));
+        Assert.That(printer.StartTemplate, Is.EqualTo(new[] { "G28", "M420 S1" }));
+        Assert.That(new Canvas<ConstructPrinterComponent>().Feed("Bed", new Rg.Box(new Rg.BoundingBox(5, 5, 0, 90, 80, 200))).Solve().Errors,
+            Has.One.Contains("The origin must be"));
+        Assert.That(new Canvas<ConstructPrinterComponent>().Feed("Limits", "max_flow=20").Solve().Errors, Has.Some.Contains("max_flow"));
+    }
+
+    [Test]
+    public void A_header_becomes_a_printer_and_a_material()
+    {
+        var folder = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N"));
+        System.IO.Directory.CreateDirectory(folder);
+        try
+        {
+            var (header, footer) = (System.IO.Path.Combine(folder, "start.gcode"), System.IO.Path.Combine(folder, "end.gcode"));
+            System.IO.File.WriteAllText(header, "M104 S{hotend_temp}\nM140 S60\nG28\nM82\nG1 X10 Y10 Z5 F3000\n");
+            System.IO.File.WriteAllText(footer, "M104 S0\nM84\n");
+            var canvas = new Canvas<ImportHeaderComponent>().Feed("Header", header).Feed("Footer", footer).Solve();
+            Assert.That(canvas.Errors, Is.Empty);
+            Assert.That(canvas.One<Printer>("Printer").EndTemplate, Has.Member("M84"));
+            Assert.That(canvas.One<Printer>("Printer").ExtrusionMode, Is.EqualTo(ExtrusionMode.Absolute));
+            Assert.That(canvas.One<Material>("Material").BedTemperature, Is.EqualTo(60));
+            Assert.That(canvas.One<Rg.Point3d>("Start").DistanceTo(new Rg.Point3d(10, 10, 5)), Is.LessThan(1e-9));
+            Assert.That(new Canvas<ImportHeaderComponent>().Feed("Header", header + "x").Solve().Errors, Has.One.Contains("There is no file"));
+        }
+        finally
+        {
+            System.IO.Directory.Delete(folder, true);
+        }
+    }
+
+    [Test]
+    public void A_skirt_has_its_rings_from_the_outside_in()
+    {
+        var canvas = new Canvas<Caterpillar.GH.Components.Design.SkirtTraceComponent>().Feed("Radius", 10.0).Feed("Ring Count", 3).Feed("Pitch", 1.0).Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        var path = canvas.One<PrintPath>("Print Path");
+        Assert.That((path.Bounds.Max.X, path.Start.LengthXY), Is.EqualTo((12.0, 12.0)).Within(1e-9));
+        Assert.That(new Canvas<Caterpillar.GH.Components.Design.SkirtTraceComponent>().Feed("Radius", 10.0).Feed("Ring Count", 0).Solve().Errors,
+            Has.One.Contains("1 to 1000"));
+    }
+
+    private static double Printed(Toolpath toolpath) => toolpath.Moves().Sum(m => m.Deposited);
+}

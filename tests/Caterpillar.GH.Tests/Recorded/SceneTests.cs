@@ -1,0 +1,106 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Bake;
+using Caterpillar.GH.Components.Simulate;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Tests.Host;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using NUnit.Framework;
+using Rhino.Display;
+
+namespace Caterpillar.GH.Tests.Recorded;
+
+/// <summary>What the components that draw by themselves draw, and what is baked at a press.</summary>
+public sealed class SceneTests
+{
+    private static ToolpathGoo Planned(int lines = 40)
+    {
+        var paths = Enumerable.Range(0, lines)
+            .Select(i => (Step)new PrintPath([new Vec3(50, 50 + i % 10, 0.2 + i / 10 * 0.2), new Vec3(80, 50 + i % 10, 0.2 + i / 10 * 0.2)],
+            Bead.FromWidth(0.6, 0.2, 1, 40, BeadShape.Stadium)) { Role = i % 2 == 0 ? Role.OuterWall
+                : Role.Infill, Layer = new Layer(i / 10, 0.2 + i / 10 * 0.2, 0.2, "Part") });
+        return new ToolpathGoo(Planner.Plan(paths.ToArray(), new PrintSetup()).Value!, new PrintSetup());
+    }
+
+    private static List<DrawCall> Draw(GH_Component component)
+    {
+        var display = new DisplayPipeline();
+        var args = new HeadlessPreviewArgs(new GH_Document(), display);
+        component.DrawViewportWires(args);
+        component.DrawViewportMeshes(args);
+        return display.Calls;
+    }
+
+    [Test]
+    public void A_preview_is_one_call_for_each_color_and_one_for_travels_and_retractions()
+    {
+        var canvas = new Canvas<ToolpathPreviewComponent>().Feed("Toolpath", Planned()).Feed("Travel", true).Solve();
+        var calls = Draw(canvas.Component);
+        Assert.That(calls.Select(c => c.What), Is.EqualTo(new[] { "lines", "lines", "lines", "points" }).Or.EqualTo(new[] { "lines", "lines", "lines" }));
+        Assert.That(calls.Take(2).Sum(c => ((Rg.Line[])c.Item).Sum(l => l.Length)), Is.EqualTo(40 * 30).Within(1e-6));
+        canvas.Component.Hidden = true;
+        Assert.That(Draw(canvas.Component), Is.Empty);
+        Assert.That(canvas.Component.ClippingBox.IsValid, Is.False);
+    }
+
+    [Test]
+    public void Beads_are_a_mesh_with_a_color_for_each_vertex_and_layers_can_be_chosen()
+    {
+        var canvas = new Canvas<ToolpathPreviewComponent>().Feed("Toolpath", Planned()).Feed("Solid", true).Feed("First Layer", 1).Feed("Last Layer", 2)
+            .Feed("Color By", "Layer").Solve();
+        var calls = Draw(canvas.Component);
+        Assert.That(calls.Select(c => c.What).Distinct(), Is.EqualTo(new[] { "colours" }));
+        var meshes = calls.Select(c => (Rg.Mesh)c.Item).ToArray();
+        Assert.That(meshes.Sum(m => m.Vertices.Count), Is.EqualTo(20 * 16), "Two rings of eight for each of twenty strands.");
+        Assert.That(meshes.All(m => m.VertexColors.Count == m.Vertices.Count), Is.True);
+        Assert.That(canvas.Component.ClippingBox.Max.Z, Is.EqualTo(0.6).Within(1e-9));
+    }
+
+    [Test]
+    public void A_simulation_draws_blocks_and_the_head()
+    {
+        var canvas = new Canvas<SimulateComponent>().Feed("Toolpath", Planned()).Feed("Position", 0.5).Solve();
+        var calls = Draw(canvas.Component);
+        Assert.That(calls.Select(c => c.What), Is.EqualTo(new[] { "lines", "lines" }));
+        var half = ((Rg.Line[])calls[0].Item).Sum(l => l.Length);
+        Assert.That(half, Is.InRange(300, 900));
+        var same = calls[0].Item;
+        canvas.Feed("Position", 0.9).Solve();
+        Assert.That(Draw(canvas.Component)[0].Item, Is.SameAs(same), "A slider allocates no lines.");
+        Assert.That(((Rg.Line[])Draw(canvas.Component)[0].Item).Sum(l => l.Length), Is.GreaterThan(half));
+    }
+
+    [Test]
+    public void Baking_happens_after_the_solution_once_per_press_and_replaces_what_has_the_name()
+    {
+        using var document = new InDocument();
+        var canvas = new Canvas<BakeToolpathComponent>().Feed("Toolpath", Planned()).Feed("Name", "Vase").Feed("Bake", true).Solve();
+        Assert.That(canvas.Document.ScheduledCount, Is.Zero, "A toggle that is true from the start bakes nothing.");
+        canvas.Feed("Bake", false).Solve().Feed("Bake", true).Solve();
+        Assert.That(document.Document.Objects.Count, Is.Zero, "Not while solving.");
+        Assert.That(canvas.Document.RunSchedule(), Is.True);
+        Assert.That(document.Document.Objects.Count, Is.EqualTo(40));
+        Assert.That(canvas.All("Ids"), Has.Count.EqualTo(40));
+        Assert.That(document.Document.Objects.Records.Distinct(), Is.EqualTo(new[] { "Bake Vase" }), "One step to undo.");
+        Assert.That(document.Document.Objects.Items.Select(i => i.Attributes.Groups.Single()).Distinct(), Is.EqualTo(new[] { 0 }));
+        Assert.That(document.Document.Objects.Items.Select(i => i.Attributes.GetUserString(Baker.NameKey)).Distinct(), Is.EqualTo(new[] { "Vase" }));
+        canvas.Feed("Kind", "Beads").Feed("Bake", false).Solve().Feed("Bake", true).Solve();
+        canvas.Document.RunSchedule();
+        Assert.That(document.Document.Objects.Items.Select(i => i.Geometry.GetType()).Distinct(), Is.EqualTo(new[] { typeof(Rg.Mesh) }),
+            "The curves are replaced.");
+        Assert.That(document.Document.Objects.Count, Is.EqualTo(40));
+    }
+
+    [Test]
+    public void Without_a_document_nothing_is_baked()
+    {
+        var canvas = new Canvas<BakeToolpathComponent>().Feed("Toolpath", Planned()).Solve().Feed("Bake", true).Solve();
+        Assert.That(canvas.Errors, Has.One.Contains("There is no Rhino document"));
+        Assert.That(canvas.Document.ScheduledCount, Is.Zero);
+    }
+}
