@@ -25,7 +25,7 @@ public static class Angle
     /// <summary>Sine and cosine of an angle in degrees. NaN for an angle that is not finite.</summary>
     public static (double Sin, double Cos) SinCos(double degrees)
     {
-        var turn = degrees % 360;
+        var turn = Math.Abs(degrees) < 360 ? degrees : degrees % 360;
         var quadrant = (int)(double.IsNaN(turn) ? 0 : Math.Floor(turn / 90 + 0.5));
         var rest = turn - quadrant * 90.0;
         var (sin, cos) = Kernel(rest);

@@ -27,18 +27,22 @@ internal static class ProgressLines
     {
         var all = new List<MoveEvent>(toolpath.Events.Count + 256);
         var next = 0;
-        ProgressEvent? shown = null;
+        var shown = (Percent: -1, Minutes: -1);
         for (var move = 0; move <= toolpath.Count; move++)
         {
-            var now = move == toolpath.Count ? new ProgressEvent(100, 0) : At(timeline, timeline.StartOf(move));
+            var now = move == toolpath.Count ? (100, 0) : At(timeline, timeline.StartOf(move));
             // Before what happens at the move: a tool, a dwell.
-            if (now != shown) all.Add(new MoveEvent(move, shown = now));
+            if (now != shown)
+            {
+                shown = now;
+                all.Add(new MoveEvent(move, new ProgressEvent(shown.Percent, shown.Minutes)));
+            }
             for (; next < toolpath.Events.Count && toolpath.Events[next].Move <= move; next++) all.Add(toolpath.Events[next]);
         }
         return all;
     }
 
     // Whole percents that are over; minutes to the nearest.
-    private static ProgressEvent At(Timeline timeline, double time)
-        => new((int)Math.Floor(100 * time / timeline.Duration), (int)Math.Floor((timeline.Duration - time) / 60 + 0.5));
+    private static (int Percent, int Minutes) At(Timeline timeline, double time)
+        => ((int)Math.Floor(100 * time / timeline.Duration), (int)Math.Floor((timeline.Duration - time) / 60 + 0.5));
 }

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.GCode;
@@ -58,10 +59,12 @@ public static class SafeWriter
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
+        // Timed while it is checked.
+        var timing = Task.Run(() => ProgressLines.Add(toolpath, setup, cancel), CancellationToken.None);
         var guard = WriteGuard.Check(toolpath, setup, reason, progress.Part(0, 0.2), cancel);
         var format = SetupFormat.Of(setup, toolpath);
         if (guard.Refuses || format.Value is null) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
-        var (timed, seconds) = ProgressLines.Add(toolpath, setup, cancel);
+        var (timed, seconds) = timing.GetAwaiter().GetResult();
         var writer = new GCodeWriter(timed, format.Value with { Header = [.. format.Value.Header, .. guard.Comments()], PrintTime = seconds });
         writer.WriteAll(stream, progress.Part(0.2, 1), cancel);
         return new Result<WrittenGCode>(new WrittenGCode(writer.Bytes, writer.Lines, guard.Overridden, seconds), guard.Remarks(format.Diagnostics));

@@ -71,6 +71,7 @@ internal sealed class CsvCurves
             return true;
         }
         if (_bytes[start] == '#') return true;
+        if (_columns is { Length: 3 } && TryPoint(start, end)) return true;
         if (_delimiter == 0) _delimiter = DelimiterOf(start, end);
         var cells = Cells(start, end);
         if (cells < 0) return Fail("curves.csv", "A row has more than 64 cells.", start);
@@ -79,6 +80,30 @@ internal sealed class CsvCurves
             if (!Names(cells)) return !_source.Diagnostics.HasErrors;
         }
         return Row(cells);
+    }
+
+    // The row of most files, three plain numbers, without a look at its cells; any other is read as usual.
+    private bool TryPoint(int start, int end)
+    {
+        if (!(_columns![0] == CurveColumn.X && _columns[1] == CurveColumn.Y && _columns[2] == CurveColumn.Z)) return false;
+        var at = NumberReader.Scan(_bytes, start, end, true, out var x);
+        if (at == start || at >= end || _bytes[at] != _delimiter) return false;
+        var second = at + 1;
+        at = NumberReader.Scan(_bytes, second, end, true, out var y);
+        if (at == second || at >= end || _bytes[at] != _delimiter) return false;
+        var third = at + 1;
+        at = NumberReader.Scan(_bytes, third, end, true, out var z);
+        if (at == third || at != end || double.IsInfinity(x) || double.IsInfinity(y) || double.IsInfinity(z)) return false;
+        Add(x, y, z);
+        return true;
+    }
+
+    private void Add(double x, double y, double z)
+    {
+        if (_count == 0) _curveLine = _line;
+        if (_count == _points.Length) Array.Resize(ref _points, _count * 2);
+        var unit = _source.Options.UnitLength;
+        _points[_count++] = new Vec3(x * unit, y * unit, z * unit);
     }
 
     // True if the row already holds values: then the columns are x, y and z.
@@ -176,9 +201,7 @@ internal sealed class CsvCurves
             }
         }
         if (_tool is > 1000 || _layer is > 1e8 or < -1e8) return Fail("curves.number", "The number of the tool or layer is out of range.", _starts[0]);
-        if (_count == _points.Length) Array.Resize(ref _points, _count * 2);
-        var unit = _source.Options.UnitLength;
-        _points[_count++] = new Vec3(x * unit, y * unit, z * unit);
+        Add(x, y, z);
         return true;
     }
 

@@ -70,6 +70,9 @@ internal sealed class Argument(FormulaNode node, Token at)
 {
     public Evaluator Evaluate { get; } = node.Evaluate;
 
+    /// <summary>Its value where it is a finite number as it stands, else NaN.</summary>
+    public double Constant { get; } = node.IsConstant && !double.IsInfinity(node.Value) ? node.Value : double.NaN;
+
     public int Line { get; } = at.Line;
 
     public int Column { get; } = at.Column;

@@ -221,7 +221,9 @@ internal sealed partial class ScriptMachine
 
     private double Number(Argument argument)
     {
-        var value = argument.Evaluate(_context);
+        var value = argument.Constant;
+        if (!double.IsNaN(value)) return value;
+        value = argument.Evaluate(_context);
         if (!double.IsNaN(value - value)) return value;
         var message = double.IsNaN(value)
             ? "The value is not a number: 0 / 0, a root or logarithm of a negative number, or randint(from, to) with no integer between the two."

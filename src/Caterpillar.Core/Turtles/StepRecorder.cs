@@ -45,9 +45,14 @@ internal sealed class StepRecorder
             _tags = tags;
             _uniform = true;
         }
-        _uniform &= _beads.Count == 0 || _beads[0] == bead;
+        // While all beads are equal, one stands for all.
+        if (_uniform && _points.Count > 1 && _beads[0] != bead)
+        {
+            for (var i = _points.Count - 2; i > 0; i--) _beads.Add(_beads[0]);
+            _uniform = false;
+        }
         _points.Add(to);
-        _beads.Add(bead);
+        if (!_uniform || _beads.Count == 0) _beads.Add(bead);
     }
 
     public void Travel(Vec3 from, Vec3 to, double speed)
@@ -140,7 +145,7 @@ internal sealed class StepRecorder
 
     private PathStep MakePath()
     {
-        var path = PrintPath.Own(_points.ToArray(), _uniform ? [_beads[0]] : _beads.ToArray(), closed: false);
+        var path = PrintPath.Own(_points.ToArray(), _beads.ToArray(), closed: false);
         var tags = _tags!;
         return new PathStep(path.With(tags.Role, tags.Layer, tags.Tool, tags.Name).WithColor(tags.Color));
     }

@@ -25,7 +25,9 @@ internal sealed class TraceShape
 
     /// <summary>The shape of a command and its numbers, or null if the command is another.</summary>
     /// <exception cref="ArgumentException">A number that must be an integer is none.</exception>
-    public static TraceShape? Of(TurtleAction action, int count, double[] v)
+    public static TraceShape? Of(TurtleAction action, int count, double[] v) => action >= TurtleAction.CircleTrace ? Make(action, count, v) : null;
+
+    private static TraceShape? Make(TurtleAction action, int count, double[] v)
     {
         int Strings(int index) => count > index ? TurtleCommand.Integer(v[index]) : Trace.DefaultStringsPerTurn;
         FlowRamp? Ramp(int index) => count > index && v[index] < 1 ? new FlowRamp(v[index]) : null;

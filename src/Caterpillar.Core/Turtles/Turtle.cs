@@ -124,8 +124,17 @@ public sealed partial class Turtle
     /// </summary>
     public Turtle Forward(double distance, double rise)
     {
-        var (sin, cos) = Angle.SinCos(Heading.Of(Pose).Yaw);
-        return MoveTo(Position + (Pose.X.Z == 0 ? Pose.X.Unit() : new Vec3(cos, sin)) * distance + Vec3.UnitZ * rise, deposit: true);
+        var ahead = Pose.X;
+        if (ahead.Z == 0)
+        {
+            ahead = ahead.Unit();
+        }
+        else
+        {
+            var (sin, cos) = Angle.SinCos(Heading.Of(Pose).Yaw);
+            ahead = new Vec3(cos, sin);
+        }
+        return MoveTo(Position + ahead * distance + Vec3.UnitZ * rise, deposit: true);
     }
 
     public Turtle Backward(double distance) => Forward(-distance);

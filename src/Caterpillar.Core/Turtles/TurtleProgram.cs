@@ -11,11 +11,17 @@ public sealed class TurtleProgram
 {
     private readonly Func<Turtle, TurtleLimits, CancellationToken, IReadOnlyList<Diagnostic>> _run;
 
-    private TurtleProgram(string description, Func<Turtle, TurtleLimits, CancellationToken, IReadOnlyList<Diagnostic>> run)
+    private TurtleProgram(
+        string description, Func<Turtle, TurtleLimits, CancellationToken, IReadOnlyList<Diagnostic>> run, IReadOnlyList<string>? profiles = null)
     {
         Description = description;
         _run = run;
+        Profiles = profiles ?? [];
     }
+
+    /// <summary>Names of the profiles of printer, material and settings that its script is written for (<c>use</c>); all or the later ones may be
+    /// missing.</summary>
+    public IReadOnlyList<string> Profiles { get; }
 
     /// <summary>One line that describes it.</summary>
     public string Description { get; }
@@ -26,7 +32,7 @@ public sealed class TurtleProgram
         if (script is null) throw new ArgumentNullException(nameof(script));
         var lines = script.Text.Count(c => c == '\n') + 1;
         return new TurtleProgram($"Script of {NumberFormatter.Format(lines)} lines",
-            (t, limits, cancel) => script.Run(t, variables, seed, limits, null, cancel));
+            (t, limits, cancel) => script.Run(t, variables, seed, limits, null, cancel), script.Profiles);
     }
 
     /// <summary>Commands in order.</summary>
@@ -57,7 +63,7 @@ public sealed class TurtleProgram
                 if (diagnostics.HasErrors) break;
             }
             return diagnostics.ToList();
-        });
+        }, list.Select(p => p.Profiles).FirstOrDefault(p => p.Count > 0));
     }
 
     /// <summary>Runs it.</summary>

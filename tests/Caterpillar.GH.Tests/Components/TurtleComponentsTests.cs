@@ -2,6 +2,7 @@ using System.Linq;
 using Caterpillar.GH.Components.Design;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Tests.Host;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Caterpillar.Turtles;
 using Grasshopper.Kernel;
@@ -174,5 +175,45 @@ public sealed class TurtleComponentsTests
         Assert.That(corners.GetBoundingBox(true).Max.DistanceTo(new Rg.Point3d(12, 10, 0)), Is.LessThan(1e-12));
         Assert.That(canvas.Component.ClippingBox.Max.DistanceTo(new Rg.Point3d(12, 10, 0)), Is.LessThan(1e-12));
         Assert.That(new Canvas<TurtlePreviewComponent>().Feed("Steps", steps[0]).Feed("Position", 2.0).Solve().Errors.Single(), Does.Contain("0 to 1"));
+    }
+
+    [Test]
+    public void Beads_lifts_and_profiles_are_those_of_the_terminal()
+    {
+        // A stadium of the standard settings, and a lift at the 10 mm/s of the Z axis.
+        const string Script = "bead 0.5 0.2\nrate 6000\nforward 10\nlift 5\nforward 10";
+        var canvas = new Canvas<TurtleComponent>().Feed("Program", Script).Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        var setup = new ProfileLibrary().Setup().OrThrow();
+        Assert.That(canvas.All("Print Paths").OfType<PrintPath>().First().BeadOf(0).Area,
+            Is.EqualTo(Bead.FromWidth(0.5, 0.2, 1, 100, setup.Settings.BeadShape).Area).Within(1e-12));
+        Assert.That(canvas.All("Steps").OfType<TravelStep>().Single().Speed, Is.EqualTo(setup.Printer.MaxSpeed.Z));
+        var circle = new Canvas<TurtleComponent>().Feed("Program", Script).Feed("Settings", new SettingsGoo(new PrintSettings { BeadShape = BeadShape.Circle }))
+            .Solve();
+        Assert.That(circle.All("Print Paths").OfType<PrintPath>().First().BeadOf(0).Area, Is.EqualTo(System.Math.PI / 16).Within(1e-12));
+    }
+
+    [Test]
+    public void A_script_names_its_profiles_and_ports_name_others()
+    {
+        var used = new Canvas<TurtleComponent>().Feed("Program", "use \"potter_super\"\nforward 1").Solve();
+        Assert.That(used.Errors, Is.Empty);
+        Assert.That(used.One<Printer>("Printer").Name, Is.EqualTo(new ProfileLibrary().Printer("potter_super").Value!.Name));
+        Assert.That(used.One<Material>("Material").Name, Is.EqualTo(new ProfileLibrary().Setup("potter_super").Value!.Material.Name));
+        var other = new Canvas<TurtleComponent>().Feed("Program", "use \"potter_super\"\nforward 1").Feed("Printer", "ender3").Solve();
+        Assert.That(other.One<Printer>("Printer").Name, Is.EqualTo(new ProfileLibrary().Printer("ender3").Value!.Name));
+        var unknown = new Canvas<TurtleComponent>().Feed("Program", "use \"poter_super\"\nforward 1").Solve();
+        Assert.That(unknown.Errors.Single(), Does.Contain("potter_super"));
+        Assert.That(unknown.All("Printer"), Is.EqualTo(new object?[] { null }));
+        // Without a material the port states the filament, and with one the material does.
+        double Area(params (string Port, object Value)[] feeds)
+        {
+            var canvas = new Canvas<TurtleComponent>().Feed("Program", "density 0.1\nforward 1");
+            foreach (var (port, value) in feeds) canvas.Feed(port, value);
+            return canvas.Solve().One<PrintPath>("Print Paths").BeadOf(0).Area;
+        }
+        Assert.That(Area(("Filament Diameter", 2.85)), Is.EqualTo(0.1 * System.Math.PI * 1.425 * 1.425).Within(1e-12));
+        var thin = new MaterialGoo(new Material { FilamentDiameter = 1, FlowMultiplier = 0.5 });
+        Assert.That(Area(("Filament Diameter", 2.85), ("Material", thin)), Is.EqualTo(0.05 * System.Math.PI * 0.25).Within(1e-12));
     }
 }

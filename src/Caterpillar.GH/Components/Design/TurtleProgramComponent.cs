@@ -38,7 +38,7 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
         var programs = new List<TurtleProgram>();
         if (lines.Count > 0)
         {
-            var compiled = TurtleScript.Compile(string.Join("\n", lines));
+            var compiled = TurtleScript.Compile(string.Join("\n", lines), null, new ScriptFiles(run.PathTo(".")));
             run.SetList(1, run.Report(compiled.Diagnostics));
             if (compiled.Value is not { } script)
             {
