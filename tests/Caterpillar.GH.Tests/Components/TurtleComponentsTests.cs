@@ -213,7 +213,7 @@ public sealed class TurtleComponentsTests
             return canvas.Solve().One<PrintPath>("Print Paths").BeadOf(0).Area;
         }
         Assert.That(Area(("Filament Diameter", 2.85)), Is.EqualTo(0.1 * System.Math.PI * 1.425 * 1.425).Within(1e-12));
-        var thin = new MaterialGoo(new Material { FilamentDiameter = 1, FlowMultiplier = 0.5 });
-        Assert.That(Area(("Filament Diameter", 2.85), ("Material", thin)), Is.EqualTo(0.05 * System.Math.PI * 0.25).Within(1e-12));
+        var thin = new MaterialGoo(new Material { FilamentDiameter = 1 });
+        Assert.That(Area(("Filament Diameter", 2.85), ("Material", thin)), Is.EqualTo(0.1 * System.Math.PI * 0.25).Within(1e-12));
     }
 }
