@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.GCode;
 
-/// <summary>The short way of the splicer writes byte for byte what the general way does.</summary>
+/// <summary>The fast path of the splicer writes byte for byte what the general path does.</summary>
 public class PlainMovesTests
 {
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.All))]
@@ -40,7 +40,7 @@ public class PlainMovesTests
     }
 
     [Test]
-    public void Most_lines_of_a_print_take_the_short_way()
+    public void Most_lines_of_a_print_take_the_fast_path()
     {
         var text = "G90\nM82\nG92 E0\nG28\nG1 X0 Y0 Z0.2 F3000\n" + string.Concat(Enumerable.Range(1, 50).Select(i => $"G1 X{i} Y{i % 7} E{i * 3}\n"));
         var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text)).Value!;
@@ -68,11 +68,11 @@ public class PlainMovesTests
     }
 
     private static void Compare(DecodedGCode decoded, ConvertOptions options)
-        => Same(GCodeConverter.ToDocument(decoded, options with { LongWay = true }).Value, GCodeConverter.ToDocument(decoded, options).Value,
+        => Same(GCodeConverter.ToDocument(decoded, options with { GeneralPath = true }).Value, GCodeConverter.ToDocument(decoded, options).Value,
             options.ToString());
 
     private static void Compare(DecodedGCode decoded, Toolpath edited)
-        => Same(GCodeEditor.ToDocument(decoded, edited, new EditOptions { LongWay = true }).Value,
+        => Same(GCodeEditor.ToDocument(decoded, edited, new EditOptions { GeneralPath = true }).Value,
             GCodeEditor.ToDocument(decoded, edited, new EditOptions()).Value,
             "edit");
 

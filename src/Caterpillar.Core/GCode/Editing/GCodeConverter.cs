@@ -45,8 +45,8 @@ public sealed record ConvertOptions
 
     public int? DecimalsF { get; init; }
 
-    /// <summary>For comparison: every line takes the general way.</summary>
-    internal bool LongWay { get; init; }
+    /// <summary>For comparison: every line takes the general path.</summary>
+    internal bool GeneralPath { get; init; }
 }
 
 /// <summary>
@@ -71,7 +71,7 @@ public static class GCodeConverter
         if (options.DecimalsXyz is { } decimals && LayerRounding.Check(decoding.Toolpath, decimals, new SourceLocation(decoding.Document.Name)) is { } rounded)
             return [.. problems.ToList(), rounded];
         var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target,
-            new EditOptions { LongWay = options.LongWay });
+            new EditOptions { GeneralPath = options.GeneralPath });
         splicer.Run(progress, cancel);
         problems.AddRange(splicer.Diagnostics.ToList());
         return problems.ToList();
@@ -81,9 +81,9 @@ public static class GCodeConverter
     public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, ConvertOptions options, IProgress<double>? progress = null,
         CancellationToken cancel = default)
     {
-        using var memory = new MemoryStream();
+        using var memory = new DocumentStream();
         var problems = Convert(decoding, options, memory, progress, cancel);
         var failed = new Result<GCodeDocument>(null, problems);
-        return failed.HasErrors ? failed : new Result<GCodeDocument>(GCodeDocument.FromBytes(memory.ToArray(), decoding.Document!.Name), problems);
+        return failed.HasErrors ? failed : new Result<GCodeDocument>(memory.ToDocument(decoding.Document!.Name), problems);
     }
 }

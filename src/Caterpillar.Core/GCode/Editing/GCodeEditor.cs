@@ -22,8 +22,8 @@ public sealed record EditOptions
     /// <summary>Every number of every motion is written again, also of those that did not change.</summary>
     internal bool RewriteAll { get; init; }
 
-    /// <summary>For comparison: every line takes the general way.</summary>
-    internal bool LongWay { get; init; }
+    /// <summary>For comparison: every line takes the general path.</summary>
+    internal bool GeneralPath { get; init; }
 }
 
 /// <summary>
@@ -69,9 +69,9 @@ public static class GCodeEditor
     public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, Toolpath edited, EditOptions options, IProgress<double>? progress = null,
         CancellationToken cancel = default)
     {
-        using var memory = new MemoryStream();
+        using var memory = new DocumentStream();
         var problems = Write(decoding, edited, options, memory, progress, cancel);
         var failed = new Result<GCodeDocument>(null, problems);
-        return failed.HasErrors ? failed : new Result<GCodeDocument>(GCodeDocument.FromBytes(memory.ToArray(), decoding.Document!.Name), problems);
+        return failed.HasErrors ? failed : new Result<GCodeDocument>(memory.ToDocument(decoding.Document!.Name), problems);
     }
 }

@@ -6,14 +6,14 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// The short way of the splicer, for most lines of most files: straight moves in the usual notation, in absolute millimeters, each with one move of its own.
+/// The fast path of the splicer, for most lines of most files: straight moves in the usual notation, in absolute millimeters, each with one move of its own.
 /// Writes byte for byte what <see cref="MoveWriter"/> would, and leaves both machines in the same state; whatever is unusual is left to it.
 /// </summary>
 internal sealed class PlainMoves
 {
     private const double NoChange = InterpreterState.NoChange;
 
-    // Beyond this, numbers take the long way.
+    // Beyond this, numbers take the general path.
     private const double Largest = 1e8;
     private const int MostDecimals = 6;
 
@@ -48,7 +48,7 @@ internal sealed class PlainMoves
             && !context.Read.Strokes && !context.Written.Strokes && Math.Max(style.DecimalsXyz, style.DecimalsE) <= MostDecimals;
     }
 
-    /// <summary>True while the states of both machines allow it; to be asked for again after each line that took the long way.</summary>
+    /// <summary>True while the states of both machines allow it; to be asked for again after each line that took the general path.</summary>
     public bool IsReady { get; private set; }
 
     public void Refresh()

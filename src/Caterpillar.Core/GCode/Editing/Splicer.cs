@@ -39,7 +39,7 @@ internal sealed class Splicer
         if (_scale.ChangesLayers) plan.Touch(1, int.MaxValue);
         var conversion = new MoveConversion(_context);
         _moves = new MoveWriter(_context, conversion, options.RewriteAll);
-        _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.RewriteAll || _code.Changes || options.LongWay);
+        _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.RewriteAll || _code.Changes || options.GeneralPath);
         _others = new OtherLines(_context, conversion);
         if (options.RewriteAll) plan.Touch(1, int.MaxValue);
     }
@@ -99,7 +99,7 @@ internal sealed class Splicer
             at += mark;
             if (_dialect.Statement is { } statement) _context.Text.AddOwn(TextEncoding.Encode(statement), statement.Length);
         }
-        // The lines up to the last LF can be read the short way.
+        // The fast path reads lines up to the last LF.
         var last = chunk.End;
         while (last > at && text[last - 1] != '\n') last--;
         _plain.Refresh();

@@ -49,7 +49,7 @@ internal static class ChunkReader
     }
 
     // Index after the last line end; a CR at the very end may be half of a CRLF and is left for the next buffer.
-    private static int LastLineEnd(byte[] buffer, int count)
+    public static int LastLineEnd(byte[] buffer, int count)
     {
         var at = count - 1;
         if (at >= 0 && buffer[at] == '\r') at--;

@@ -42,6 +42,9 @@ internal sealed class MoveRun(Toolpath toolpath, Vec3 start)
 /// <summary>A map of runs of moves.</summary>
 internal abstract class RunMap
 {
+    /// <summary>True where a point is mapped without regard to others, so that runs may be cut anywhere.</summary>
+    public virtual bool IsLocal => false;
+
     /// <summary>Adds the pieces of a move to a run, before the mapping.</summary>
     public abstract void Divide(Move move, MoveRun run);
 

@@ -10,6 +10,8 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
     private readonly bool _scales = !Mapping.KeepsLengths(map);
     private readonly double _volume = Math.Abs(map.Determinant);
 
+    public override bool IsLocal => true;
+
     public override void Divide(Move move, MoveRun run)
     {
         var chords = move.Arc is { } arc && !_keepsArcs ? arc.ChordCount(move.Start, move.End, tolerance) : 1;

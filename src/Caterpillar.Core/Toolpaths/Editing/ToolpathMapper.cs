@@ -14,6 +14,7 @@ namespace Caterpillar.Toolpaths;
 /// <param name="tolerance">mm; of arcs that can't stay arcs.</param>
 internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap map, double tolerance)
 {
+    private const int LongestLocalRun = 2048;
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<MoveEvent> _events = [];
     private BlockEditor? _editor;
@@ -91,7 +92,8 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
     private MoveRun RunFrom(int first)
     {
         var run = new MoveRun(toolpath, toolpath[first].Start);
-        for (var i = first; i < mapped.Length && mapped[i]; i++) map.Divide(toolpath[i], run);
+        var last = map.IsLocal ? Math.Min(first + LongestLocalRun, mapped.Length) : mapped.Length;
+        for (var i = first; i < last && mapped[i]; i++) map.Divide(toolpath[i], run);
         map.Map(run);
         _piece = 0;
         return run;

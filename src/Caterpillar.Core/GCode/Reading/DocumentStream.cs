@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Collects text that is written to it as the chunks of a document, without copying it again.</summary>
+internal sealed class DocumentStream : Stream
+{
+    private const int FirstBuffer = 64 * 1024;
+    private const int LargestBuffer = 4 * 1024 * 1024;
+    private readonly List<GCodeChunk> _chunks = [];
+    private byte[] _buffer = new byte[FirstBuffer];
+    private int _count;
+    private long _length;
+
+    public override bool CanRead => false;
+
+    public override bool CanSeek => false;
+
+    public override bool CanWrite => true;
+
+    public override long Length => _length;
+
+    public override long Position { get => _length; set => throw new NotSupportedException(); }
+
+    /// <summary>The document of everything written; nothing may be written afterwards.</summary>
+    public GCodeDocument ToDocument(string name)
+    {
+        GCodeDocument.Cut(_buffer, _count, _chunks);
+        return new GCodeDocument(_chunks.ToArray(), name);
+    }
+
+    public override void Write(byte[] buffer, int offset, int count)
+    {
+        _length += count;
+        while (count > 0)
+        {
+            if (_count == _buffer.Length) Seal();
+            var part = Math.Min(count, _buffer.Length - _count);
+            Buffer.BlockCopy(buffer, offset, _buffer, _count, part);
+            _count += part;
+            offset += part;
+            count -= part;
+        }
+    }
+
+    public override void Flush()
+    {
+    }
+
+    public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+
+    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+
+    public override void SetLength(long value) => throw new NotSupportedException();
+
+    // What follows the last line end goes into the next buffer; a longer line makes it longer.
+    private void Seal()
+    {
+        var cut = ChunkReader.LastLineEnd(_buffer, _count);
+        GCodeDocument.Cut(_buffer, cut, _chunks);
+        var rest = _count - cut;
+        var next = new byte[(int)Math.Min(Math.Max(Math.Min(_buffer.Length * 4L, LargestBuffer), rest * 2L), ChunkReader.LongestLine * 2L - 64)];
+        Buffer.BlockCopy(_buffer, cut, next, 0, rest);
+        (_buffer, _count) = (next, rest);
+    }
+}
