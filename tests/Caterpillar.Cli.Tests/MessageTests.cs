@@ -62,6 +62,29 @@ public class MessageTests : CliFixture
         Assert.That(run.Messages, Does.StartWith("s.turtle:2:").And.Contain(message));
     }
 
+    [TestCase("dwell 1e300", "0 to 1000000000 ms")]
+    [TestCase("acceleration 1e300", "up to 1000000 mm/s²")]
+    public void Amounts_beyond_any_machine_are_refused_where_they_stand(string line, string message)
+    {
+        File.WriteAllText("s.turtle", line + "\nforward 5\n");
+        var run = Run("turtle", "s.turtle");
+        Assert.That(run.Code, Is.EqualTo(1), run.Messages);
+        Assert.That(run.Messages, Does.StartWith("s.turtle:1:").And.Contain(message));
+    }
+
+    [Test]
+    public void Drawings_of_a_pen_are_seen_from_above()
+    {
+        Assert.That(Run("curves", "c.csv", "--strokes", "-o", "pen.gcode").Code, Is.Zero);
+        Run("picture", "pen.gcode", "-o", "a.png", "--width", "64");
+        Run("picture", "pen.gcode", "-o", "b.png", "--width", "64", "--view", "top");
+        Run("picture", "pen.gcode", "-o", "c.png", "--width", "64", "--view", "-60,28");
+        Assert.That(File.ReadAllBytes("a.png"), Is.EqualTo(File.ReadAllBytes("b.png")).And.Not.EqualTo(File.ReadAllBytes("c.png")));
+        Run("picture", "l.gcode", "-o", "d.png", "--width", "64");
+        Run("picture", "l.gcode", "-o", "e.png", "--width", "64", "--view", "-60,28");
+        Assert.That(File.ReadAllBytes("d.png"), Is.EqualTo(File.ReadAllBytes("e.png")));
+    }
+
     [Test]
     public void Numbers_of_hundreds_of_digits_are_told_as_powers_of_ten()
     {
@@ -74,9 +97,9 @@ public class MessageTests : CliFixture
     [Test]
     public void Small_limits_are_not_told_as_zero()
     {
-        var run = Run("slice", "a.stl", "--set", "max_flow_mm3_s=0.0001");
-        Assert.That(run.Code, Is.EqualTo(3));
-        Assert.That(run.Messages, Does.Contain("the limit is 0.0001 mm³/s"));
+        var run = Run("check", "l.gcode", "--set", "max_flow_mm3_s=0.0001");
+        Assert.That(run.Code, Is.EqualTo(3), run.Messages);
+        Assert.That(run.Text, Does.Contain("the limit is 0.0001 mm³/s"));
     }
 
     [Test]

@@ -22,8 +22,10 @@ internal sealed class PictureVerb : Verb
 
     private readonly Option<int?> _upTo = new("--to-layer") { Description = "Draw only the layers up to this one.", HelpName = "N" };
 
-    private readonly Option<string> _view = new("--view") { Description = "Direction of view: top, front, or azimuth,elevation in degrees.",
-        DefaultValueFactory = _ => "-60,28" };
+    private readonly Option<string?> _view = new("--view")
+    {
+        Description = "Direction of view: top, front, or azimuth,elevation in degrees; -60,28 by default, top for flat drawings.", HelpName = "VIEW",
+    };
 
     private readonly Option<ColorBy> _color = new("--color") { Description = "What the colors show.", DefaultValueFactory = _ => ColorBy.Role };
 
@@ -52,16 +54,19 @@ internal sealed class PictureVerb : Verb
         var file = arguments.GetValue(_file)!;
         var width = arguments.GetValue(_width);
         if (width is < 16 or > 8000) throw new CliException(ExitCode.Usage, "--width needs 16 to 8000 pixels.");
-        var view = ViewOf(arguments.GetValue(_view)!);
+        var view = arguments.GetValue(_view) is { } named ? ViewOf(named) : (View?)null;
         using var stream = session.OpenRead(file);
         var decoding = session.GCodeOrFail(session.WithProgress("Decoding",
             progress => GCodeDecoder.DecodeStream(stream, new DecodeOptions { Memory = session.Memory }, Session.NameOf(file), progress, session.Cancel)));
         var toolpath = decoding.Toolpath;
+        // Pens and lasers move, and lay nothing.
+        var drawing = !toolpath.Moves().Any(m => m.Kind == MoveKind.Print && m.Role != Role.Purge);
         var options = new PictureOptions
         {
             Width = width,
             Height = width * 3 / 4,
-            View = view,
+            View = view ?? (drawing ? View.Top : View.ThreeQuarter),
+            Strokes = drawing,
             ColorBy = arguments.GetValue(_color),
             Memory = session.Memory,
             Travel = arguments.GetValue(_travel),

@@ -33,6 +33,9 @@ public sealed record PictureOptions
     /// <summary>Draw travel moves as thin lines.</summary>
     public bool Travel { get; init; }
 
+    /// <summary>Draw what a pen or a laser does, without material: the moves at the lowest height of the head, as strokes.</summary>
+    public bool Strokes { get; init; }
+
     /// <summary>Draw what start and end code print.</summary>
     public bool Purge { get; init; }
 
@@ -64,7 +67,8 @@ public static class Picture
         options.Memory.Check(40.0 * options.Width * options.Height, $"A picture of {NumberFormatter.Format(options.Width)} × "
             + $"{NumberFormatter.Format(options.Height)} pixels");
         var canvas = new StrandCanvas(options.Width * 2, options.Height * 2, options.Background, options.View);
-        var ranges = Ranges(toolpath, options);
+        var floor = options.Strokes ? Lowest(toolpath) : double.NegativeInfinity;
+        var ranges = Ranges(toolpath, options, floor);
         if (ranges.Box.IsEmpty) return canvas.Finish();
         canvas.Fit(ranges.Box.Include(options.Bed));
         DrawBed(canvas, options.Bed);
@@ -76,8 +80,8 @@ public static class Picture
                 cancel.ThrowIfCancellationRequested();
                 progress?.Report((double)move.Index / toolpath.Count);
             }
-            if (!IsShown(toolpath, move, options)) continue;
-            var print = move.Kind == MoveKind.Print;
+            if (!IsShown(toolpath, move, options, floor)) continue;
+            var print = IsStrand(move, floor);
             var length = move.Length;
             if (length == 0) continue;
             var width = print && toolpath.VolumeOf(move) is { } volume && volume > 0 ? Math.Sqrt(volume / length * 4 / Math.PI) : options.DefaultWidth;
@@ -102,18 +106,33 @@ public static class Picture
         file.Commit();
     }
 
-    private static bool IsShown(Toolpath toolpath, Move move, PictureOptions options)
-        => ((move.Kind == MoveKind.Print && (options.Purge || move.Role != Role.Purge))
+    // A stroke is at the lowest height from end to end.
+    private static bool IsStrand(Move move, double floor)
+        => move.Kind == MoveKind.Print || (move.Kind == MoveKind.Travel && Math.Max(move.Start.Z, move.End.Z) <= floor + 1e-6);
+
+    private static double Lowest(Toolpath toolpath)
+    {
+        var lowest = double.PositiveInfinity;
+        foreach (var move in toolpath.Moves())
+        {
+            // The way from the unknown start of a file draws nothing.
+            if (move.Index > 0 && move.Start.Z == move.End.Z && move.Length > 0) lowest = Math.Min(lowest, move.End.Z);
+        }
+        return lowest;
+    }
+
+    private static bool IsShown(Toolpath toolpath, Move move, PictureOptions options, double floor)
+        => ((IsStrand(move, floor) && (options.Purge || move.Role != Role.Purge))
             || (options.Travel && move.Kind is MoveKind.Travel or MoveKind.Wipe or MoveKind.MovingRestore))
             && options.Filter.Matches(toolpath, move);
 
-    private static ColorRanges Ranges(Toolpath toolpath, PictureOptions options)
+    private static ColorRanges Ranges(Toolpath toolpath, PictureOptions options, double floor)
     {
         var box = Bounds.Empty;
         double slow = double.MaxValue, fast = 0;
         foreach (var move in toolpath.Moves())
         {
-            if (move.Kind != MoveKind.Print || !IsShown(toolpath, move, options)) continue;
+            if (!IsStrand(move, floor) || !IsShown(toolpath, move, options, floor)) continue;
             box = box.Include(move.Start).Include(move.End);
             slow = Math.Min(slow, move.Speed);
             fast = Math.Max(fast, move.Speed);

@@ -100,8 +100,7 @@ public sealed partial class Turtle
     /// <summary>Waits, in milliseconds.</summary>
     public Turtle Dwell(double milliseconds)
     {
-        if (!(milliseconds >= 0) || double.IsInfinity(milliseconds)) throw new ArgumentOutOfRangeException(nameof(milliseconds),
-            "A dwell must be 0 ms or more.");
+        if (!(milliseconds is >= 0 and <= 1e9)) throw new ArgumentOutOfRangeException(nameof(milliseconds), "A dwell must be 0 to 1000000000 ms.");
         return Event(new DwellEvent(milliseconds / 1000));
     }
 
@@ -119,7 +118,9 @@ public sealed partial class Turtle
         => speed is >= 0 and <= 1 ? Event(new FanEvent(speed)) : throw new ArgumentOutOfRangeException(nameof(speed), "A fan speed must be 0 to 1.");
 
     /// <summary>Acceleration of the following moves in mm/s².</summary>
-    public Turtle Acceleration(double value) => Event(new AccelerationEvent(Positive(value, "An acceleration must be above 0.")));
+    public Turtle Acceleration(double value) => value <= 1e6
+        ? Event(new AccelerationEvent(Positive(value, "An acceleration must be above 0.")))
+        : throw new ArgumentOutOfRangeException(nameof(value), "An acceleration must be up to 1000000 mm/s².");
 
     /// <summary>Share of the first material, 0 to 1, of a head that mixes two (M163, M164).</summary>
     public Turtle Mix(double first)

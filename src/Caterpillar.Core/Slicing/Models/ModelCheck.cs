@@ -28,7 +28,7 @@ public static class ModelCheck
             problems.Add(new Diagnostic(Severity.Warning, "models.too_large",
                 $"What is to be printed is {Size(box.Size)} mm{TooMuch(box.Size, bed.Size)}; {printer.Title} prints {Size(bed.Size)} mm"
                 + (printer.BedShape == BedShape.Round ? " on a round bed" : "")
-                + $". It fits at a scale of {NumberFormatter.Format(Math.Floor(scale * 1e4) / 1e4, 4)}."));
+                + (scale >= 1e-4 ? $". It fits at a scale of {NumberFormatter.Format(Math.Floor(scale * 1e4) / 1e4, 4)}." : ". Is its unit right?")));
         }
         else if (Beyond(box, bed) is { } beyond)
         {
