@@ -139,9 +139,42 @@ internal sealed partial class ScriptCompiler
 
     private void Call(Token token, Procedure procedure)
     {
-        var arguments = Values(procedure.Parameters.Count, procedure.Parameters.Count, false, token,
-            $"'{string.Join(" ", new[] { procedure.Name }.Concat(procedure.Parameters))}'");
+        var count = procedure.Parameters.Count;
+        var usage = $"'{string.Join(" ", new[] { procedure.Name }.Concat(procedure.Parameters))}'";
+        var arguments = IsList() ? List(count, token, usage) : Values(count, count, false, token, usage);
         Emit(new Instruction(ScriptOp.Call, token) { Procedure = procedure, Arguments = arguments });
+    }
+
+    // name(1, 2) or name(), as in a formula; name (1 + 2) has one value in brackets.
+    private bool IsList()
+    {
+        if (!Next.Is("(") || Next.SpaceBefore) return false;
+        if (_tokens[_at + 1].Is(")")) return true;
+        var depth = 0;
+        for (var i = _at; i < _tokens.Count && _tokens[i].Kind is not (TokenKind.NewLine or TokenKind.End); i++)
+        {
+            if (_tokens[i].Is("(")) depth++;
+            else if (_tokens[i].Is(")") && --depth == 0) break;
+            else if (_tokens[i].Is(",") && depth == 1) return true;
+        }
+        return false;
+    }
+
+    private Argument?[] List(int count, Token name, string usage)
+    {
+        var open = Next;
+        var values = new List<Argument?>();
+        do
+        {
+            _at++;
+            if (Next.Is(")") && values.Count == 0) break;
+            values.Add(Formula(name.Text));
+        }
+        while (Next.Is(","));
+        if (!Next.Is(")")) throw Error("formula.bracket", $"Found {Next}, expected ')'.", open);
+        _at++;
+        if (values.Count != count) throw Error("turtle.values", $"'{name.Text}' needs {Count(count)}: {usage}.", name);
+        return values.ToArray();
     }
 
     private void Command(Token token, TurtleCommandInfo info)

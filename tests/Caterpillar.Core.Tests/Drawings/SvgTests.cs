@@ -125,6 +125,8 @@ public class SvgTests
     [TestCase("matrix(1 2 3 4 5 6)", 6, 8)]
     [TestCase("skewY(45)", 1, 1)]
     [TestCase("skewX(45)", 1, 0)]
+    [TestCase("skewY(60)", 1, 1.7320508075688772)]
+    [TestCase("skewX(30) translate(0 1)", 1.5773502691896257, 1)]
     [TestCase("translate(5,7) rotate(90), scale(2)", 5, 9)]
     public void Transforms_act_from_the_right(string transform, double x, double y)
     {

@@ -66,6 +66,30 @@ internal sealed class ScriptLimitTests
     }
 
     [Test]
+    public void Whatever_a_program_says_errors_are_short_sentences_with_a_place()
+    {
+        var random = new Random(5);
+        string[] words = ["forward", "repeat", "[", "]", "4", "x", "=", "def", "f", "f(", ")", "+", "-", "\n", ";", ",", "\"F {x}\"", "return", "print", "include",
+            "image", "deform", "r", "z", "modulate", "speed", "field", "gap_bead", "cool_layers", "helix_trace", "circle_trace", "noise(", "stop", "1e300", "0",
+            "array", "a[", "break", "while", "tolerance", "bead", "extrude", "dwell", "hotend", "polygon", "arc", "push", "pop"];
+        var limits = new TurtleLimits { MaxSteps = 2000, MaxMoves = 500, MaxDepth = 50, MaxSymbols = 100, Memory = new MemoryLimit(10 << 20) };
+        var seen = 0;
+        for (var i = 0; i < 6000; i++)
+        {
+            var text = string.Join(" ", Enumerable.Range(0, random.Next(1, 16)).Select(_ => words[random.Next(words.Length)]));
+            var script = TurtleScript.Compile(text, "p");
+            var diagnostics = script.Value is null ? script.Diagnostics : script.Value.Run(limits: limits).Diagnostics;
+            foreach (var error in diagnostics.Where(d => d.Severity == Severity.Error))
+            {
+                seen++;
+                Assert.That(error.Source?.Line, Is.Not.Null, text + ": " + error);
+                Assert.That(error.Message, Has.Length.InRange(5, 300).And.Not.Contains("System.").And.Not.Contains("Parameter").And.Match("[.?…]$"), text);
+            }
+        }
+        Assert.That(seen, Is.GreaterThan(4000));
+    }
+
+    [Test]
     public void Nested_formulas_and_blocks_have_stated_limits()
     {
         string Message(string text) => TurtleScript.Compile(text, "p").Diagnostics.Single().ToString();

@@ -1,0 +1,97 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+using Caterpillar.Turtles;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Turtles;
+
+/// <summary>Defaults and limits that only one test looks at.</summary>
+internal sealed class TurtleDetailTests
+{
+    private static Turtle Run(string text) => TurtleScript.Compile(text, "p").OrThrow().Run().OrThrow();
+
+    private static int Segments(string text) => Run(text).ToSteps().OfType<PathStep>().Sum(p => p.Path.SegmentCount);
+
+    private static Diagnostic Error(string text)
+    {
+        var script = TurtleScript.Compile(text, "p");
+        return (script.Value is null ? script.Diagnostics : script.Value.Run().Diagnostics).Single(d => d.Severity == Severity.Error);
+    }
+
+    // Chords deviate by 0.01 mm: at 10 mm a chord turns by 2 acos(1 - 0.001) = 5.125 degrees, at 40 mm by 2.5621, at 1 mm by 16.22.
+    [TestCase("circle 10", 71)]
+    [TestCase("circle 40", 141)]
+    [TestCase("circle 1", 23)]
+    [TestCase("circle 10 8", 8)]
+    [TestCase("circle 10 0", 71)]
+    [TestCase("circle_around 10", 71)]
+    [TestCase("circle_around 10 5", 5)]
+    [TestCase("arc 10 90", 18)]
+    [TestCase("arc 10 90 1 4", 4)]
+    [TestCase("circle_trace 10", 72)]
+    [TestCase("polygon 5 3", 5)]
+    public void Circles_have_as_many_chords_as_the_tolerance_needs_or_as_stated(string text, int segments) => Assert.That(Segments(text), Is.EqualTo(segments));
+
+    [Test]
+    public void Commands_as_values_have_the_same_defaults()
+    {
+        foreach (var action in new[] { TurtleAction.Circle, TurtleAction.CircleAround })
+        {
+            var turtle = TurtleProgram.FromCommands([TurtleCommand.Of(action, 10)]).Run().OrThrow();
+            Assert.That(turtle.ToSteps().OfType<PathStep>().Sum(p => p.Path.SegmentCount), Is.EqualTo(71));
+        }
+    }
+
+    [TestCase("lsystem 1 \"F(1,2)\" \"F(a,b)->F(a+b,b)\"\n", 3)]
+    [TestCase("lsystem 2 \"F(1,2)F(2,1)\" \"F(a,b) -> F(a + b, b)\"\n", 9)]
+    [TestCase("lsystem 1 \"F(1,2)\" \"F(a,b):a<b->F(b,a)\"\n", 2)]
+    [TestCase("def f a b [ forward a + 10 * b ]\nf(1,2)", 21)]
+    [TestCase("def f a b [ forward a + 10 * b ]\nf(1, (2 + 1))", 31)]
+    [TestCase("def f a b [ forward a + 10 * b ]\nf (1) (2)", 21)]
+    [TestCase("def f a b [ forward a + 10 * b ]\nf (1), 2", 21)]
+    [TestCase("def f a [ forward a ]\nf(1)", 1)]
+    [TestCase("def f a [ forward a ]\nf(1) + 2", 3)]
+    [TestCase("def f [ forward 5 ]\nf()\nf", 10)]
+    public void Values_in_brackets_need_no_spaces(string text, double x) => Assert.That(Run(text).X, Is.EqualTo(x).Within(1e-12));
+
+    [TestCase("def f a b [ forward a ]\nf(1, 2, 3)", "turtle.values")]
+    [TestCase("def f a b [ forward a ]\nf(1, 2", "formula.bracket")]
+    [TestCase("def f a b [ forward a ]\nf()", "turtle.values")]
+    [TestCase("def f a b [ forward a ]\nf(1, )", "formula.syntax")]
+    public void Wrong_brackets_are_errors(string text, string code)
+    {
+        var error = Error(text);
+        Assert.That((error.Code, error.Source!.Line), Is.EqualTo((code, (int?)2)), error.ToString());
+    }
+
+    [Test]
+    public void Temperatures_wait_unless_they_say_otherwise()
+    {
+        var events = Run("hotend 200; hotend_nowait 210; bed 60; bed_nowait 50").ToSteps().Cast<EventStep>().Select(e => e.Event).ToArray();
+        Assert.That(events, Is.EqualTo(new PrinterEvent[]
+        {
+            new NozzleTemperatureEvent(200, true), new NozzleTemperatureEvent(210, false),
+            new BedTemperatureEvent(60, true), new BedTemperatureEvent(50, false),
+        }));
+        Assert.That(new Turtle().NozzleTemperature(200).BedTemperature(60).ToSteps().Cast<EventStep>().Select(e => e.Event),
+            Is.EqualTo(new PrinterEvent[] { new NozzleTemperatureEvent(200, true), new BedTemperatureEvent(60, true) }));
+    }
+
+    [Test]
+    public void Beads_that_change_and_change_back_are_kept_for_each_strand()
+    {
+        var path = ((PathStep)Run("area 1; forward 1; forward 1; forward 1; area 2; forward 1; area 1; forward 1; forward 1").ToSteps().Single()).Path;
+        Assert.That(Enumerable.Range(0, 6).Select(i => path.BeadOf(i).Area), Is.EqualTo(new[] { 1.0, 1, 1, 2, 1, 1 }));
+        Assert.That(((PathStep)Run("area 1; forward 1; area 2; forward 1").ToSteps().Single()).Path.BeadOf(1).Area, Is.EqualTo(2));
+    }
+
+    [Test]
+    public void A_kanada_step_follows_the_azimuth_of_a_tilted_turtle()
+    {
+        Assert.That(Run("left 30; pitch 40; forward 2 5").Position.DistanceTo(new Vec3(Math.Sqrt(3), 1, 5)), Is.LessThan(1e-12));
+        Assert.That(Run("left 30; forward 2 5").Position.DistanceTo(new Vec3(Math.Sqrt(3), 1, 5)), Is.LessThan(1e-12));
+    }
+}
