@@ -1,6 +1,7 @@
 using System;
 using System.CommandLine;
 using System.IO;
+using System.Threading.Tasks;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
@@ -77,6 +78,8 @@ internal sealed class ConvertVerb : Verb
         var edited = _edits.Edit(decoding.Toolpath, Tolerance(arguments), () => Pause(arguments, session), arguments, session);
         if (arguments.GetValue(_arcs) == "fit") edited = edited.FitArcs(new ArcFitOptions { Tolerance = Tolerance(arguments) });
         var code = _edits.Code(arguments);
+        // Summed up while the file is written.
+        var summary = session.Quiet ? null : Task.Run(() => (EditSummary.Of(original.Toolpath, edited), PrintSummary.Of(original, edited)));
         var written = document;
         var dialect = decoding.Dialect;
         if (!ReferenceEquals(edited, decoding.Toolpath) || code.Start is not null || code.End is not null)
@@ -91,18 +94,18 @@ internal sealed class ConvertVerb : Verb
         }
         written = Checked(written, dialect, arguments, session);
         session.WriteGCode(output, written);
-        session.Say(() => $"{(output == "-" ? "standard output" : output)}: {Changes(original, edited, dialect, target is not null, code)}; "
-            + $"{PrintSummary.Of(original, edited)}; {NumberFormatter.Format(written.LineCount)} lines, {PrintSummary.Size(written.Length)}");
+        session.Say(() => $"{(output == "-" ? "standard output" : output)}: {Changes(summary!.Result.Item1, original, dialect, target is not null, code)}; "
+            + $"{summary.Result.Item2}; {NumberFormatter.Format(written.LineCount)} lines, {PrintSummary.Size(written.Length)}");
         return ExitCode.Done;
     }
 
     public override bool ReplacesInput(ParseResult arguments) => arguments.GetValue(_inPlace);
 
-    private static string Changes(DecodedGCode before, Toolpath edited, DialectRules after, bool converted, EditOptions code)
+    private static string Changes(string edits, DecodedGCode before, DialectRules after, bool converted, EditOptions code)
     {
         string[] parts =
         [
-            EditSummary.Of(before.Toolpath, edited), code.Start is null ? "" : "start code replaced", code.End is null ? "" : "end code replaced",
+            edits, code.Start is null ? "" : "start code replaced", code.End is null ? "" : "end code replaced",
             after != before.Dialect ? $"{before.Dialect.Title} became {after.Title}" : converted ? "in another notation" : "",
         ];
         var changes = string.Join(", ", parts.Where(p => p.Length > 0));

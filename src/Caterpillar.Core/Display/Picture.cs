@@ -115,7 +115,7 @@ public static class Picture
         var lowest = double.PositiveInfinity;
         foreach (var move in toolpath.Moves())
         {
-            // The way from the unknown start of a file draws nothing.
+            // The move from the unknown start of a file draws nothing.
             if (move.Index > 0 && move.Start.Z == move.End.Z && move.Length > 0) lowest = Math.Min(lowest, move.End.Z);
         }
         return lowest;

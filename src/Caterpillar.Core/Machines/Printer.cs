@@ -39,6 +39,9 @@ public sealed partial record Printer
 
     public ExtrusionUnit ExtrusionUnit { get; init; } = ExtrusionUnit.Mm;
 
+    /// <summary>X, Y and Z are written as differences (G91); E is then relative, too.</summary>
+    public bool RelativeXyz { get; init; }
+
     /// <summary>Decimals of X, Y and Z.</summary>
     public int DecimalsXyz { get; init => field = PrinterKeys.DecimalsXyz.Check(value); } = 3;
 

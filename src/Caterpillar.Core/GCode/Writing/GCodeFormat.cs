@@ -14,6 +14,12 @@ public sealed record GCodeFormat
     /// <summary>Relative E (M83) or absolute E (M82).</summary>
     public bool RelativeE { get; init; } = true;
 
+    /// <summary>
+    /// X, Y and Z are differences (G91) of the rounded positions, so that rounding does not add up; E is then relative, too. Only a move from an unknown
+    /// position, and what templates do, is absolute.
+    /// </summary>
+    public bool RelativeXyz { get; init; }
+
     /// <summary>Decimals of X, Y and Z; of E; of F (mm/min).</summary>
     public int DecimalsXyz { get; init; } = 3;
 
@@ -80,5 +86,5 @@ public sealed record GCodeFormat
     }
 
     /// <summary>True where E is written as relative. Without M83 (E is an axis like the others) it is absolute.</summary>
-    internal bool WritesRelative => RelativeE && Dialect.RelativeE != RelativeERule.OnlyG90G91;
+    internal bool WritesRelative => RelativeXyz || (RelativeE && Dialect.RelativeE != RelativeERule.OnlyG90G91);
 }

@@ -14,7 +14,8 @@ public sealed partial class GCodeWriter
     {
         var start = i > 0 ? new Vec3(c.X[i - 1], c.Y[i - 1], c.Z[i - 1]) : _toolpath.StartOf(block);
         var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
-        var allowed = _format.Arcs && _rules.Arcs && (arc.Plane == ArcPlane.XY || _rules.Planes);
+        var allowed = _format.Arcs && _rules.Arcs && (arc.Plane == ArcPlane.XY || _rules.Planes)
+            && (_rules.ArcsInRelativeMode || !_format.RelativeXyz);
         if (allowed && _positionKnown && Native(start, end, c.E[i], c.Speed[i], arc)) return;
         Chords(start, end, c.E[i], c.Speed[i], arc, c.Kind[i] == MoveKind.Travel ? 0 : 1);
     }
@@ -46,11 +47,12 @@ public sealed partial class GCodeWriter
         var (first, second) = arc.Plane switch { ArcPlane.XY => (cu, cv), ArcPlane.ZX => (cu, cw), _ => (cv, cw) };
         if (first == 0 && second == 0) return false;
         Plane(arc.Plane);
+        if (_format.RelativeXyz) SetRelative(true);
         var ue = StepE(e, out var changed);
         _out.Command((byte)'G', code);
-        if (ux != _x || (closed && arc.Plane != ArcPlane.YZ)) _out.Word((byte)'X', ux, xyz);
-        if (uy != _y || (closed && arc.Plane != ArcPlane.ZX)) _out.Word((byte)'Y', uy, xyz);
-        if (uz != _z || (closed && arc.Plane != ArcPlane.XY)) _out.Word((byte)'Z', uz, xyz);
+        if (ux != _x || (closed && arc.Plane != ArcPlane.YZ)) _out.Word((byte)'X', _g91 ? ux - _x : ux, xyz);
+        if (uy != _y || (closed && arc.Plane != ArcPlane.ZX)) _out.Word((byte)'Y', _g91 ? uy - _y : uy, xyz);
+        if (uz != _z || (closed && arc.Plane != ArcPlane.XY)) _out.Word((byte)'Z', _g91 ? uz - _z : uz, xyz);
         _out.Word(arc.Plane == ArcPlane.YZ ? (byte)'J' : (byte)'I', first, xyz);
         _out.Word(arc.Plane == ArcPlane.XY ? (byte)'J' : (byte)'K', second, xyz);
         if (word > 0) _out.Word((byte)'P', word, 0);

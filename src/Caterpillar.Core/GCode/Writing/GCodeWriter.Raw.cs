@@ -13,11 +13,23 @@ public sealed partial class GCodeWriter
     // The head may be elsewhere than the next move begins.
     private bool _positionLost;
     private double _travelSpeed;
+    private bool _g91;
 
     private void Raw(IReadOnlyList<string> lines)
     {
+        // Lines from elsewhere may count on absolute positions.
+        SetRelative(false);
         foreach (var line in lines) _out.Line(line);
         Restate(lines);
+    }
+
+    // G91 or G90; firmware that lets the last of them decide about E is told again.
+    private void SetRelative(bool relative)
+    {
+        if (relative == _g91) return;
+        _g91 = relative;
+        Modal(relative ? 91 : 90);
+        StateModeOfE();
     }
 
     // The next move states its whole position and its speed.

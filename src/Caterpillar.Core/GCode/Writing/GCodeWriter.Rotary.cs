@@ -33,8 +33,9 @@ public sealed partial class GCodeWriter
         for (var axis = 0; axis < 3; axis++)
         {
             if (_nextTurns[axis] == _turns[axis]) continue;
+            var from = _g91 && _turns[axis] != long.MinValue ? _turns[axis] : 0;
             _turns[axis] = _nextTurns[axis];
-            _out.Word((byte)('A' + axis), _turns[axis], _format.DecimalsXyz);
+            _out.Word((byte)('A' + axis), _turns[axis] - from, _format.DecimalsXyz);
         }
         _hasTurns = false;
     }

@@ -137,6 +137,7 @@ public sealed partial class GCodeWriter
         Events(_toolpath.Count);
         if (_on) Switch(false);
         if (_format.Comments && _object.Length > 0) Object("");
+        if (_format.End.Count > 0) SetRelative(false);
         Template(_format.End);
         Flush(stream);
     }
@@ -221,10 +222,11 @@ public sealed partial class GCodeWriter
         var ue = StepE(e, out var changed);
         bool hasX = !_positionKnown || ux != _x, hasY = !_positionKnown || uy != _y, hasZ = !_positionKnown || uz != _z;
         if (!hasX && !hasY && !hasZ && !changed && !_hasTurns) return;
+        if (_format.RelativeXyz) SetRelative(_positionKnown);
         _out.Command((byte)'G', code);
-        if (hasX) _out.Word((byte)'X', ux, xyz);
-        if (hasY) _out.Word((byte)'Y', uy, xyz);
-        if (hasZ) _out.Word((byte)'Z', uz, xyz);
+        if (hasX) _out.Word((byte)'X', _g91 ? ux - _x : ux, xyz);
+        if (hasY) _out.Word((byte)'Y', _g91 ? uy - _y : uy, xyz);
+        if (hasZ) _out.Word((byte)'Z', _g91 ? uz - _z : uz, xyz);
         Turns();
         if (changed) _out.Word(_e, ue, _format.DecimalsE);
         Feed(speed);
@@ -237,14 +239,20 @@ public sealed partial class GCodeWriter
 
     private void StateModes()
     {
+        _g91 = false;
         _out.Command((byte)'G', 90);
         _out.EndLine();
+        StateModeOfE();
+        if (_e != 0 && !_relative) ResetE();
+    }
+
+    private void StateModeOfE()
+    {
         if (_e != 0 && _rules.RelativeE != RelativeERule.OnlyG90G91)
         {
             _out.Command((byte)'M', _relative ? 83 : 82);
             _out.EndLine();
         }
-        if (_e != 0 && !_relative) ResetE();
     }
 
     // Number to print for a change of E, and whether the printed sum changes at all.

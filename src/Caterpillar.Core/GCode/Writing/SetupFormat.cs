@@ -32,6 +32,7 @@ public static class SetupFormat
         {
             Dialect = printer.Dialect,
             RelativeE = printer.ExtrusionMode == ExtrusionMode.Relative,
+            RelativeXyz = printer.RelativeXyz,
             DecimalsXyz = printer.DecimalsXyz,
             DecimalsE = printer.DecimalsE,
             DecimalsF = printer.DecimalsF,

@@ -49,6 +49,10 @@ internal static class PrinterKeys
         "Unit of E: mm of filament or of plunger travel, mm³, or none for pens.",
         ("mm", Machines.ExtrusionUnit.Mm), ("mm3", Machines.ExtrusionUnit.Mm3), ("none", Machines.ExtrusionUnit.None));
 
+    public static readonly ProfileKey<Printer, bool> RelativeXyz = K.Boolean(
+        "relative_xyz", p => p.RelativeXyz, (p, v) => p with { RelativeXyz = v },
+        "X, Y and Z are written as differences (G91) of the rounded positions; E is then relative.");
+
     public static readonly ProfileKey<Printer, int> DecimalsXyz = K.Integer(
         "decimals_xyz", 0, 8, p => p.DecimalsXyz, (p, v) => p with { DecimalsXyz = v }, "Decimals of X, Y and Z.");
 
@@ -212,7 +216,7 @@ internal static class PrinterKeys
     public static readonly IReadOnlyList<ProfileKey<Printer>> All =
     [
         Title, Dialect, BuildVolume, Origin, BedShape, NozzleDiameter, DefaultMaterial, DefaultSettings, ExtrusionMode, ExtrusionUnit,
-        DecimalsXyz, DecimalsE, DecimalsF,
+        RelativeXyz, DecimalsXyz, DecimalsE, DecimalsF,
         RetractionDistance, RetractionSpeed, RestoreSpeed, RestoreExtra, FirmwareRetraction, ProgressLines, LiftClearance, LiftSpeed, MaxSpeed,
         MaxAcceleration, PrintAcceleration,
         TravelAcceleration, RetractionAcceleration, CornerRule, Jerk, JunctionDeviation, SquareCornerVelocity, MinimumCruiseRatio,
