@@ -69,7 +69,8 @@ internal sealed class ScriptLimitTests
     public void Whatever_a_program_says_errors_are_short_sentences_with_a_place()
     {
         var random = new Random(5);
-        string[] words = ["forward", "repeat", "[", "]", "4", "x", "=", "def", "f", "f(", ")", "+", "-", "\n", ";", ",", "\"F {x}\"", "return", "print", "include",
+        string[] words = ["forward", "repeat", "[", "]", "4", "x", "=", "def", "f", "f(", ")", "+", "-", "\n", ";", ",", "\"F {x}\"", "return", "print",
+            "include",
             "image", "deform", "r", "z", "modulate", "speed", "field", "gap_bead", "cool_layers", "helix_trace", "circle_trace", "noise(", "stop", "1e300", "0",
             "array", "a[", "break", "while", "tolerance", "bead", "extrude", "dwell", "hotend", "polygon", "arc", "push", "pop"];
         var limits = new TurtleLimits { MaxSteps = 2000, MaxMoves = 500, MaxDepth = 50, MaxSymbols = 100, Memory = new MemoryLimit(10 << 20) };
