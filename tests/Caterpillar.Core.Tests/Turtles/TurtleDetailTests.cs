@@ -94,4 +94,21 @@ internal sealed class TurtleDetailTests
         Assert.That(Run("left 30; pitch 40; forward 2 5").Position.DistanceTo(new Vec3(Math.Sqrt(3), 1, 5)), Is.LessThan(1e-12));
         Assert.That(Run("left 30; forward 2 5").Position.DistanceTo(new Vec3(Math.Sqrt(3), 1, 5)), Is.LessThan(1e-12));
     }
+
+    [Test]
+    public void Programs_describe_themselves_and_keep_the_profiles_of_their_script()
+    {
+        var script = TurtleProgram.FromScript(TurtleScript.Compile("use \"ender3\" \"pla\"\nforward 1\nforward 2", "p").OrThrow());
+        var commands = TurtleProgram.FromCommands([TurtleCommand.Of(TurtleAction.Forward, 5), TurtleCommand.Of(TurtleAction.Yaw, 90)]);
+        var both = TurtleProgram.Sequence([commands, script]);
+        Assert.That((script.Description, commands.Description), Is.EqualTo(("Script of 3 lines", "2 commands")));
+        Assert.That(both.Description, Is.EqualTo("2 commands, Script of 3 lines"));
+        Assert.That(script.Profiles, Is.EqualTo(new[] { "ender3", "pla" }));
+        Assert.That(both.Profiles, Is.EqualTo(script.Profiles));
+        Assert.That(commands.Profiles, Is.Empty);
+        Assert.That(both.Run().OrThrow().Position.DistanceTo(new Vec3(5, 3)), Is.LessThan(1e-12));
+        var scaled = TurtleProgram.FromScript(TurtleScript.Compile("param x = 1\nforward x").OrThrow(),
+            new System.Collections.Generic.Dictionary<string, double> { ["x"] = 7 });
+        Assert.That(scaled.Run().OrThrow().X, Is.EqualTo(7));
+    }
 }

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Turtles;
 
-internal sealed class TurtleWayTests
+internal sealed class TurtleTimelineTests
 {
     private static TurtleTimeline Timeline(Turtle turtle) => new(turtle.ToSteps());
 
