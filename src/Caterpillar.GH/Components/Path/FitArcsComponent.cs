@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
@@ -30,9 +32,21 @@ public sealed class FitArcsComponent() : CaterpillarComponent(
     {
         var paths = run.List<PrintPathGoo>(0);
         var options = new ArcFitOptions { Tolerance = run.Positive(1) };
-        var fitted = paths.Select(p => p.With(run.Cached([p.Value, options], () => PathArcs.Fit(p.Value, options)))).ToList();
+        var fitted = run.Cached([options, .. paths.Select(p => p.Value)], () => run.Work("Fitting arcs", (progress, cancel) => Fit(paths, options, progress, cancel)));
         run.SetList(0, fitted);
         run.Summarize($"{NumberFormatter.Format(paths.Sum(p => p.Value.SegmentCount))} → {NumberFormatter.Format(fitted.Sum(p => p.Value.SegmentCount))} "
             + $"segments");
+    }
+
+    private static PrintPathGoo[] Fit(List<PrintPathGoo> paths, ArcFitOptions options, IProgress<double> progress, CancellationToken cancel)
+    {
+        var fitted = new PrintPathGoo[paths.Count];
+        for (var i = 0; i < fitted.Length; i++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            fitted[i] = paths[i].With(PathArcs.Fit(paths[i].Value, options));
+            progress.Report((i + 1.0) / fitted.Length);
+        }
+        return fitted;
     }
 }

@@ -31,7 +31,7 @@ namespace Grasshopper.Kernel.Data
     public class GH_Structure<T> : IGH_Structure, GH_ISerializable
         where T : IGH_Goo
     {
-        private readonly SortedDictionary<GH_Path, List<T>> _branches = new SortedDictionary<GH_Path, List<T>>();
+        private readonly SortedList<GH_Path, List<T>> _branches = new SortedList<GH_Path, List<T>>();
 
         public int PathCount => _branches.Count;
 
@@ -43,9 +43,9 @@ namespace Grasshopper.Kernel.Data
 
         public List<List<T>> Branches => _branches.Values.ToList();
 
-        public GH_Path get_Path(int index) => _branches.Keys.ElementAt(index);
+        public GH_Path get_Path(int index) => _branches.Keys[index];
 
-        public IList get_Branch(int index) => _branches.Values.ElementAt(index);
+        public IList get_Branch(int index) => _branches.Values[index];
 
         public IList get_Branch(GH_Path path) => _branches.TryGetValue(path, out var branch) ? branch : null;
 

@@ -13,12 +13,18 @@ namespace Grasshopper.Kernel
 
         public Guid DocumentID { get; private set; } = Guid.NewGuid();
 
+        // The name in the properties of the definition.
+        internal string Name { get; set; } = "";
+
+        internal void SetId(Guid id) => DocumentID = id;
+
         public bool Write(GH_IWriter writer)
         {
             writer.SetVersion("plugin_version", 1, 0, 8);
             var header = writer.CreateChunk("DocumentHeader");
             header.SetGuid("DocumentID", DocumentID);
             header.SetString("Preview", "Shaded");
+            writer.CreateChunk("DefinitionProperties").SetString("Name", Name);
             var libraries = _objects.Select(o => o.GetType().Assembly).Where(a => !Native.Contains(a.GetName().Name)).Distinct().ToList();
             var known = libraries.Select(Instances.ComponentServer.InfoOf).ToList();
             var list = writer.CreateChunk("GHALibraries");

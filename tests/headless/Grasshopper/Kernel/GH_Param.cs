@@ -196,13 +196,14 @@ namespace Grasshopper.Kernel
 
         public virtual void PostProcessData()
         {
+            var branches = m_data.Branches;
+            if (Reverse) branches.ForEach(b => b.Reverse());
             if (DataMapping == GH_DataMapping.None) return;
             var mapped = new GH_Structure<T>();
-            for (var i = 0; i < m_data.PathCount; i++)
+            for (var i = 0; i < branches.Count; i++)
             {
-                var path = m_data.get_Path(i);
-                for (var k = 0; k < m_data.Branches[i].Count; k++)
-                    mapped.Append(m_data.Branches[i][k], DataMapping == GH_DataMapping.Flatten ? new GH_Path(0) : path.AppendElement(k));
+                if (DataMapping == GH_DataMapping.Flatten) mapped.AppendRange(branches[i], new GH_Path(0));
+                else for (var k = 0; k < branches[i].Count; k++) mapped.Append(branches[i][k], m_data.get_Path(i).AppendElement(k));
             }
             m_data = mapped;
         }

@@ -1,0 +1,189 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.GH.Components.Design;
+using Caterpillar.GH.Components.GCode;
+using Caterpillar.GH.Components.Path;
+using Caterpillar.GH.Components.Setup;
+using Caterpillar.GH.Components.Simulate;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Tests.Examples;
+
+/// <summary>The example definitions of examples/gh, made from code.</summary>
+internal static class Definitions
+{
+    private const string ToBed = "x + 110";
+
+    public static IReadOnlyDictionary<string, Func<string, GH_Document>> All { get; } = new SortedDictionary<string, Func<string, GH_Document>>(StringComparer.Ordinal)
+    {
+        ["bake"] = Bake,
+        ["check"] = Check,
+        ["custom_printer"] = CustomPrinter,
+        ["cup_with_skirt"] = CupWithSkirt,
+        ["decode_and_remix"] = DecodeAndRemix,
+        ["gap_bead"] = GapBead,
+        ["helix_to_sphere"] = HelixToSphere,
+        ["l_system_tree"] = Tree,
+        ["modulated_ring"] = ModulatedRing,
+        ["simulate"] = Simulate,
+        ["turtle_commands"] = TurtleCommands,
+        ["turtle_star"] = TurtleStar,
+    };
+
+    private static GH_Document TurtleStar(string name)
+    {
+        var s = new Sketch(name, "A star by a turtle: the script is in the panel. Change the number of points and see the G-code change.");
+        var script = s.Text(0, "Script", "param points = 7\njump 110 110 0.2\nbead 0.5 0.2\nspeed 30\nrepeat points [ forward 40; left 180 - 180 / points ]\n");
+        var points = s.Text(0, "Points", "points=9", lines: true);
+        var program = s.Component<TurtleProgramComponent>(1, ("Script", script), ("Variables", points));
+        var turtle = s.Component<TurtleComponent>(2, ("Program", program));
+        s.Component<TurtlePreviewComponent>(3, ("Steps", (turtle, "Steps")), ("Position", s.Slider(2, "Position", 0.75, 0, 1)));
+        return Print(s, 3, (turtle, "Steps"));
+    }
+
+    private static GH_Document TurtleCommands(string name)
+    {
+        var s = new Sketch(name, "The same turtle from components instead of a script: a square of commands, repeated.");
+        var forward = s.Component<TurtleMoveComponent>(1, ("Distance", s.Slider(0, "Side", 30, 5, 80, 0)));
+        var turn = s.Component<TurtleRotateComponent>(1, ("Yaw", s.Slider(0, "Yaw", 90, 0, 180, 0)));
+        var bead = s.Component<TurtleExtrusionComponent>(1, ("Kind", s.Text(0, "Kind", "Width And Height")), ("Value", s.Slider(0, "Width", 0.5, 0.2, 2)),
+            ("Height", s.Slider(0, "Height", 0.2, 0.1, 1)), ("Speed", s.Slider(0, "Speed", 25, 1, 100, 0)));
+        var square = s.Component<TurtleRepeatComponent>(2, ("Commands", forward), ("Count", s.Slider(1, "Count", 4, 1, 12, 0)));
+        square.Params.Input[0].AddSource(turn.Params.Output[0]);
+        var program = s.Component<TurtleProgramComponent>(3, ("Script", s.Text(2, "Start", "jump 90 90 0.2")), ("Commands", bead));
+        program.Params.Input[1].AddSource(square.Params.Output[0]);
+        var turtle = s.Component<TurtleComponent>(4, ("Program", program));
+        return Print(s, 5, (turtle, "Steps"));
+    }
+
+    private static GH_Document Tree(string name)
+    {
+        var s = new Sketch(name, "A branching tree as an L-system: F draws, + and - turn, [ and ] branch and return safely over what is printed.");
+        var system = s.Component<LSystemComponent>(1, ("Axiom", s.Text(0, "Axiom", "F")), ("Rules", s.Text(0, "Rules", "F -> F[+F]F[-F]F", lines: true)),
+            ("Generations", s.Slider(0, "Generations", 3, 0, 5, 0)), ("Angle", s.Slider(0, "Angle", 25.7, 0, 90, 1)), ("Step", s.Slider(0, "Step", 2, 0.5, 10, 1)));
+        var turtle = s.Component<TurtleComponent>(2, ("Program", system));
+        var moved = s.Component<DeformComponent>(3, ("Print Paths", turtle), ("X", s.Text(2, "X", "x + 60")), ("Y", s.Text(2, "Y", "y + 110")),
+            ("Z", s.Text(2, "Z", "z + 0.2")));
+        return Print(s, 4, moved);
+    }
+
+    private static GH_Document HelixToSphere(string name)
+    {
+        var s = new Sketch(name, "A helix becomes a barrel: the radius grows with the height and shrinks again. Kanada's way to forms without slicing.");
+        var helix = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 4, 1, 40, 1)),
+            ("Pitch", s.Slider(0, "Pitch", 0.4, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 36, 12, 144, 0)));
+        var round = s.Component<DeformComponent>(2, ("Print Paths", helix), ("System", s.Text(1, "System", "Cylindrical")),
+            ("X", s.Text(1, "New radius", "r + 0.5 * z * (4.2 - z)")));
+        return Print(s, 4, Moved(s, 3, round));
+    }
+
+    private static GH_Document CupWithSkirt(string name)
+    {
+        var s = new Sketch(name, "A cup: a skirt first, then a floor of spirals, then a wall that widens. Steps from several sources are printed in their order.");
+        var skirt = s.Component<SkirtTraceComponent>(1, ("Radius", s.Slider(0, "Skirt", 22, 10, 60, 0)), ("Ring Count", s.Slider(0, "Rings", 2, 1, 10, 0)));
+        var floor = s.Component<SpiralTraceComponent>(1, ("Radius", s.Slider(0, "Floor", 15, 5, 50, 0)), ("Pitch", s.Slider(0, "Pitch", 0.5, 0.2, 2)));
+        var wall = s.Component<ConeTraceComponent>(1, ("Bottom Radius", s.Slider(0, "Bottom", 15, 5, 50, 0)), ("Top Radius", s.Slider(0, "Top", 18, 5, 50, 0)),
+            ("Height", s.Slider(0, "Height", 2, 1, 40, 1)), ("Pitch", s.Slider(0, "Rise", 0.25, 0.1, 1)));
+        var moved = Moved(s, 2, skirt);
+        moved.Params.Input[0].AddSource(floor.Params.Output[0]);
+        moved.Params.Input[0].AddSource(wall.Params.Output[0]);
+        return Print(s, 3, moved);
+    }
+
+    private static GH_Document GapBead(string name)
+    {
+        var s = new Sketch(name, "Waves on a flat ring: each strand gets just the material that fills the gap to what is under it.");
+        var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 1.2, 1, 40, 1)),
+            ("Pitch", s.Slider(0, "Pitch", 0.3, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 48, 12, 144, 0)));
+        var waves = s.Component<DeformComponent>(2, ("Print Paths", ring), ("System", s.Text(1, "System", "Cylindrical")),
+            ("Z", s.Text(1, "New height", "z + 0.1 * z * sin(6 * theta)")));
+        var gap = s.Component<GapBeadComponent>(3, ("Print Paths", waves), ("Width", s.Slider(2, "Width", 0.5, 0.2, 2)));
+        return Print(s, 5, Moved(s, 4, gap));
+    }
+
+    private static GH_Document ModulatedRing(string name)
+    {
+        var s = new Sketch(name, "A pattern by displacement: a formula pushes the wall in and out along its way.");
+        var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 2, 1, 40, 1)),
+            ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 72, 12, 144, 0)));
+        var pattern = s.Component<ModulateComponent>(2, ("Print Paths", ring), ("Expression", s.Text(1, "Pattern", "0.5 + 0.5 * sin(12 * theta)")),
+            ("Mode", s.Text(1, "Mode", "Displace Left")), ("Low", s.Slider(1, "Low", 0, -2, 2)), ("High", s.Slider(1, "High", 0.8, -2, 2)));
+        return Print(s, 4, Moved(s, 3, pattern));
+    }
+
+    private static GH_Document CustomPrinter(string name)
+    {
+        var s = new Sketch(name, "A printer, a material and settings of one's own, without a file: values by their keys.");
+        var printer = s.Component<ConstructPrinterComponent>(1, ("Base", s.Text(0, "Base", "generic")), ("Nozzle", s.Slider(0, "Nozzle", 0.6, 0.2, 2)),
+            ("Limits", s.Text(0, "Limits", "max_flow_mm3_s=20\nprint_acceleration_mm_s2=600", lines: true)), ("Name", s.Text(0, "Name", "my_printer")));
+        var material = s.Component<MaterialComponent>(1, ("Name", s.Text(0, "Material", "petg")), ("Overrides", s.Text(0, "Values", "nozzle_temperature_c=235", lines: true)));
+        var settings = s.Component<ConstructPrintSettingsComponent>(1, ("Layer Height", s.Slider(0, "Layer", 0.3, 0.05, 1)), ("Print Speed", s.Slider(0, "Speed", 45, 5, 200, 0)));
+        var turtle = s.Component<TurtleComponent>(1, ("Program", s.Text(0, "Script", "jump 60 60 0.3\nbead 0.7 0.3\nrepeat 6 [ forward 20; left 60 ]")));
+        var plan = s.Component<PlanToolpathComponent>(2, ("Steps", (turtle, "Steps")), ("Printer", printer), ("Material", material), ("Settings", settings));
+        return Write(s, 3, plan);
+    }
+
+    private static GH_Document DecodeAndRemix(string name)
+    {
+        var s = new Sketch(name, "G-code is read, slowed down, paused at a layer and written again; lines that no edit touches keep their bytes.");
+        var code = s.Text(0, "G-code", "; generated by a slicer\nG28\nG90\nM83\nM109 S200\n;LAYER:0\nG1 X60 Y60 Z0.2 F6000\nG1 X100 Y60 E1.5 F1800\nG1 X100 Y100 E1.5\n"
+            + ";LAYER:1\nG1 X60 Y60 Z0.4 F6000\nG1 X100 Y60 E1.5 F1800\nG1 X100 Y100 E1.5\nM104 S0\n");
+        var decode = s.Component<DecodeGCodeComponent>(1, ("G-code", code));
+        var edit = s.Component<EditToolpathComponent>(2, ("Toolpath", decode), ("First Layer", s.Slider(1, "First layer", 1, 0, 10, 0)),
+            ("Speed Factor", s.Slider(1, "Speed", 0.5, 0.1, 2)));
+        var pause = s.Component<InsertAtLayerComponent>(3, ("Toolpath", edit), ("Layers", s.Slider(2, "Layer", 1, 0, 10, 0)), ("Text", s.Text(2, "Message", "Insert the nut")));
+        return Write(s, 4, pause, s.Component<PrinterComponent>(3, ("Name", s.Text(2, "Printer", "generic"))));
+    }
+
+    private static GH_Document Simulate(string name)
+    {
+        var s = new Sketch(name, "A print in motion: drag the slider, or switch Run off and on and connect Play to Position.");
+        var plan = Ring(s);
+        s.Component<SimulateComponent>(4, ("Toolpath", plan), ("Position", s.Slider(3, "Position", 0.42, 0, 1, 3)));
+        s.Component<PlayComponent>(4, ("Toolpath", plan), ("Run", s.Toggle(3, "Run")), ("Speed", s.Slider(3, "Speed", 20, 1, 200, 0)));
+        s.Component<StatisticsComponent>(4, ("Toolpath", plan));
+        s.Component<ToolpathPreviewComponent>(4, ("Toolpath", plan), ("Color By", s.Text(3, "Color by", "Time")), ("Travel", s.Toggle(3, "Travel")));
+        return Write(s, 5, plan);
+    }
+
+    private static GH_Document Check(string name)
+    {
+        var s = new Sketch(name, "A check before printing: move the ring with the slider beyond the bed, and it is refused; the points show where.");
+        var plan = Ring(s);
+        var check = s.Component<CheckComponent>(4, ("Toolpath", plan));
+        return Write(s, 5, check);
+    }
+
+    private static GH_Document Bake(string name)
+    {
+        var s = new Sketch(name, "What is printed as objects of Rhino: switch Bake off and on. The same name replaces what was baked before.");
+        var plan = Ring(s);
+        s.Component<BakeToolpathComponent>(4, ("Toolpath", plan), ("Name", s.Text(3, "Name", "Ring")), ("Bake", s.Toggle(3, "Bake")), ("Kind", s.Text(3, "Kind", "Beads")));
+        s.Component<DeconstructToolpathComponent>(4, ("Toolpath", plan));
+        return Write(s, 5, plan);
+    }
+
+    private static PlanToolpathComponent Ring(Sketch s)
+    {
+        var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 12, 5, 50, 0)), ("Height", s.Slider(0, "Height", 1, 1, 40, 1)),
+            ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 36, 12, 144, 0)));
+        return s.Component<PlanToolpathComponent>(3, ("Steps", Moved(s, 2, ring)), ("Printer", s.Text(2, "Printer", "generic")));
+    }
+
+    private static DeformComponent Moved(Sketch s, int column, GH_Component paths)
+        => s.Component<DeformComponent>(column, ("Print Paths", paths), ("X", s.Text(column - 1, "X", ToBed)), ("Y", s.Text(column - 1, "Y", "y + 110")),
+            ("Z", s.Text(column - 1, "Z", "z + 0.2")));
+
+    private static GH_Document Print(Sketch s, int column, object steps)
+        => Write(s, column + 1, s.Component<PlanToolpathComponent>(column, ("Steps", steps), ("Printer", s.Text(column - 1, "Printer", "generic"))));
+
+    private static GH_Document Write(Sketch s, int column, GH_Component toolpath, GH_Component? printer = null)
+    {
+        var write = printer is null ? s.Component<GenerateGCodeComponent>(column, ("Toolpath", toolpath))
+            : s.Component<GenerateGCodeComponent>(column, ("Toolpath", toolpath), ("Printer", printer));
+        s.Component<GCodeTextComponent>(column + 1, ("G-code", write));
+        s.Component<SaveGCodeComponent>(column + 1, ("G-code", write), ("File", s.Text(column, "File", "example.gcode")), ("Save", s.Toggle(column, "Save")),
+            ("Overwrite", s.Toggle(column, "Overwrite")));
+        return s.Finish();
+    }
+}

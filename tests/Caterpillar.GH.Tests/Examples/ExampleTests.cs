@@ -1,0 +1,112 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Caterpillar.GH.Components.GCode;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Plugin;
+using GH_IO.Serialization;
+using Grasshopper;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Special;
+using NUnit.Framework;
+
+namespace Caterpillar.GH.Tests.Examples;
+
+/// <summary>The definitions of examples/gh are those that the code makes; they open, solve without an error, and give the G-code of the golden files.</summary>
+public sealed class ExampleTests
+{
+    private static readonly string Root = Caterpillar.Tests.TestData.Repository;
+
+    public static IEnumerable<string> Names => Definitions.All.Keys;
+
+    private static bool Renews => Environment.GetEnvironmentVariable("CATERPILLAR_RENEW") == "1";
+
+    [SetUp]
+    public void SetUp() => Instances.ComponentServer.Load(typeof(PluginInfo).Assembly);
+
+    [TestCaseSource(nameof(Names))]
+    public void It_is_what_the_code_makes(string name)
+    {
+        var file = FileOf(name);
+        var made = Save(Definitions.All[name](name));
+        if (Renews) File.WriteAllText(file, made, new UTF8Encoding(false));
+        Assert.That(made, Is.EqualTo(File.ReadAllText(file).Replace("\r\n", "\n")), "Made with CATERPILLAR_RENEW=1.");
+    }
+
+    [TestCaseSource(nameof(Names))]
+    public void It_opens_solves_and_gives_the_G_code_of_its_golden_file(string name)
+    {
+        var document = Open(name);
+        var code = Solve(document);
+        var golden = Path.Combine(Root, "tests", "Caterpillar.GH.Tests", "Examples", "Golden", name + ".gcode");
+        if (Renews) File.WriteAllText(golden, code, new UTF8Encoding(false));
+        Assert.That(code, Is.EqualTo(File.ReadAllText(golden).Replace("\r\n", "\n")));
+        var copy = new GH_Document();
+        var archive = new GH_Archive();
+        archive.Deserialize_Xml(Save(document));
+        Assert.That(archive.ExtractObject(copy, "Definition"), Is.True);
+        Assert.That(Solve(copy), Is.EqualTo(code), "Saved and opened again.");
+    }
+
+    [TestCaseSource(nameof(Names))]
+    public void Opening_it_with_every_toggle_at_true_writes_nothing(string name)
+    {
+        var folder = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N"));
+        Directory.CreateDirectory(folder);
+        try
+        {
+            var document = Open(name);
+            document.FilePath = Path.Combine(folder, name + ".ghx");
+            foreach (var toggle in document.Objects.OfType<GH_BooleanToggle>()) toggle.Value = true;
+            Solve(document);
+            document.NewSolution(true);
+            while (document.RunSchedule())
+            {
+            }
+            Assert.That(Directory.GetFileSystemEntries(folder), Is.Empty);
+        }
+        finally
+        {
+            Directory.Delete(folder, true);
+        }
+    }
+
+    [TestCaseSource(nameof(Names))]
+    public void It_explains_itself_and_frames_its_objects(string name)
+    {
+        var document = Open(name);
+        Assert.That(document.Objects.OfType<GH_Panel>().Any(p => p.NickName == "Read me" && p.UserText.EndsWith(".", StringComparison.Ordinal)), Is.True);
+        var ids = document.Objects.Select(o => o.InstanceGuid).ToArray();
+        Assert.That(document.Objects.OfType<GH_Group>().Single().ObjectIDs, Is.SubsetOf(ids));
+    }
+
+    private static string FileOf(string name) => Path.Combine(Root, "examples", "gh", name + ".ghx");
+
+    private static GH_Document Open(string name)
+    {
+        var archive = new GH_Archive();
+        Assert.That(archive.Deserialize_Xml(File.ReadAllText(FileOf(name))), Is.True);
+        var document = new GH_Document();
+        Assert.That(archive.ExtractObject(document, "Definition"), Is.True, "All its objects are known.");
+        return document;
+    }
+
+    private static string Save(GH_Document document)
+    {
+        var archive = new GH_Archive();
+        Assert.That(archive.AppendObject(document, "Definition"), Is.True);
+        return archive.Serialize_Xml().Replace("\r\n", "\n");
+    }
+
+    private static string Solve(GH_Document document)
+    {
+        document.NewSolution(true);
+        var errors = document.Objects.OfType<IGH_ActiveObject>()
+            .SelectMany(o => o.RuntimeMessages(GH_RuntimeMessageLevel.Error).Select(m => o.NickName + ": " + m));
+        Assert.That(errors, Is.Empty);
+        var output = document.Objects.OfType<GenerateGCodeComponent>().Single().Params.Output[0];
+        return Encoding.UTF8.GetString(((GCodeGoo)output.VolatileData.get_Branch(0)[0]!).Value.ToBytes());
+    }
+}
