@@ -86,6 +86,7 @@ internal sealed class Sketch
     private Guid NextId()
     {
         using var hash = SHA256.Create();
-        return new Guid(hash.ComputeHash(Encoding.UTF8.GetBytes(_name + "/" + _count++.ToString(System.Globalization.CultureInfo.InvariantCulture))).Take(16).ToArray());
+        return new Guid(hash.ComputeHash(Encoding.UTF8.GetBytes(_name + "/" + _count++.ToString(System.Globalization.CultureInfo.InvariantCulture))).Take(16)
+            .ToArray());
     }
 }

@@ -38,7 +38,8 @@ namespace Grasshopper.Kernel
         /// <summary>Takes the objects of a library, as Grasshopper does with a .gha.</summary>
         internal void Load(Assembly library)
         {
-            foreach (var type in (library == typeof(GH_ComponentServer).Assembly ? library.GetTypes() : library.GetExportedTypes()).Where(t => !t.IsAbstract && !t.ContainsGenericParameters && typeof(IGH_DocumentObject).IsAssignableFrom(t)))
+            foreach (var type in (library == typeof(GH_ComponentServer).Assembly ? library.GetTypes() : library.GetExportedTypes())
+                .Where(t => !t.IsAbstract && !t.ContainsGenericParameters && typeof(IGH_DocumentObject).IsAssignableFrom(t)))
                 _types[((IGH_DocumentObject)Activator.CreateInstance(type)).ComponentGuid] = type;
         }
 
