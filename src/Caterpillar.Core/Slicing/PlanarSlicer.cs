@@ -74,7 +74,7 @@ public static class PlanarSlicer
         for (var i = 0; i < models.Count; i++)
         {
             var body = new Body(models[i].Mesh, i);
-            Cut(body, models[i].Settings, threads, affordable, problems, broken, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
+            Cut(body, models[i].Settings, options, affordable, problems, broken, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
             bodies.Add(body);
         }
         if (broken.Any(d => d.Severity == Severity.Error)) return new Result<SliceResult>(null, [.. problems.ToList(), .. broken]);
@@ -136,7 +136,7 @@ public static class PlanarSlicer
     }
 
     private static void Cut(
-        Body body, PrintSettings settings, int threads, SliceMemory memory, DiagnosticList problems, List<Diagnostic> broken,
+        Body body, PrintSettings settings, SliceOptions options, SliceMemory memory, DiagnosticList problems, List<Diagnostic> broken,
         IProgress<double>? progress, CancellationToken cancel)
     {
         var mesh = body.Model.Mesh;
@@ -149,9 +149,10 @@ public static class PlanarSlicer
         var planned = new LayerPlan(mesh, settings).Layers();
         foreach (var problem in planned.Diagnostics) problems.Add(problem with { Source = problem.Source ?? body.Source });
         if (planned.Value is not { } plan) return;
+        if (options.Divide is { } divide) plan = divide(plan);
         memory.Plan(body, plan);
         var lift = Raft.Lift(settings);
-        var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, threads, broken, progress, cancel);
+        var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, options.Threads, broken, progress, cancel);
         var rules = new Dictionary<double, SliceRules>();
         body.Layers = new LayerWork[plan.Length];
         for (var i = 0; i < plan.Length; i++)

@@ -1,3 +1,4 @@
+using System;
 using Caterpillar.Basics;
 
 namespace Caterpillar.Slicing;
@@ -10,4 +11,7 @@ public sealed record SliceOptions
 
     /// <summary>How much memory the layers may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
+
+    /// <summary>Divides planned layers further: curved slicing limits their thickness.</summary>
+    internal Func<PlannedLayer[], PlannedLayer[]>? Divide { get; init; }
 }

@@ -1,0 +1,15 @@
+using System;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>What curved slicing needs beyond the field and the print settings.</summary>
+public sealed record CurvedOptions
+{
+    /// <summary>The object that is printed on: nothing is printed below its surface, and the first strands fill the gap to it. Null for the bed.</summary>
+    public PlanSurface? Onto { get; init; }
+
+    /// <summary>
+    /// Where the part reaches beyond the plan, or layers are too steep for the head, the rest is printed; without it that is an error.
+    /// </summary>
+    public bool Partial { get; init; }
+}

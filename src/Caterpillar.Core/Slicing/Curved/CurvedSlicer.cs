@@ -1,0 +1,173 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Slices meshes along the level sets of a field (Caterpillar 2019, section 3.2, "curved slicer"): the part is bent until its layers are flat, sliced as by
+/// <see cref="PlanarSlicer"/> with all of its settings, and the paths are bent back. Every bead has the volume between its layer and what is below.
+/// </summary>
+public static class CurvedSlicer
+{
+    /// <summary>Slices meshes at the positions where they are printed (Z = 0 is the bed).</summary>
+    /// <param name="models">The objects; the field is common to all of them.</param>
+    /// <param name="field">The layers.</param>
+    /// <param name="setup">Settings of layers, walls, skins and infill; the printer's head limits the slope of layers.</param>
+    /// <param name="options">What is printed on, and whether a part of the print will do.</param>
+    /// <param name="threads">Degree of parallelism, 0 for all cores. It does not change the result.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <returns>The layers, whose Z is the value of the field; and what was noticed: the codes of <see cref="PlanarSlicer"/>, and those that begin with
+    /// <c>curved.</c></returns>
+    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    public static Result<SliceResult> Slice(
+        IReadOnlyList<NamedMesh> models, LayerField field, PrintSetup setup, CurvedOptions? options = null, int threads = 0,
+        IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        return SliceEach(models.Select(m => new SliceModel(m, setup.Settings)).ToArray(), field, setup, options, threads, progress, cancel);
+    }
+
+    /// <summary>Slices models that have settings of their own.</summary>
+    /// <inheritdoc cref="Slice"/>
+    public static Result<SliceResult> SliceEach(
+        IReadOnlyList<SliceModel> models, LayerField field, PrintSetup setup, CurvedOptions? options = null, int threads = 0,
+        IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        if (field is null) throw new ArgumentNullException(nameof(field));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        options ??= new CurvedOptions();
+        var problems = new DiagnosticList();
+        field.Check(problems);
+        var part = PartColumns.Of(models.Select(m => m.Mesh.Mesh));
+        if (!problems.HasErrors) CheckCover(field, part, options, problems);
+        if (problems.HasErrors) return new Result<SliceResult>(null, problems.ToList());
+        field = field.FitTo(part, setup.Settings, problems);
+        if (!problems.HasErrors) CheckDefined(field, part, problems);
+        if (problems.HasErrors) return new Result<SliceResult>(null, problems.ToList());
+
+        var flat = new List<SliceModel>();
+        for (var i = 0; i < models.Count; i++)
+        {
+            progress?.Report(0.3 * i / models.Count);
+            var mesh = MeshFlattener.Flatten(models[i].Mesh.Mesh, field, setup.Settings.CurvedTolerance, threads, cancel);
+            if (mesh is null)
+            {
+                problems.Add(Severity.Error, "curved.too_fine", "The bent model would have more than 12 million triangles: the field is too rough, or "
+                    + "curved_tolerance_mm too small.", new SourceLocation(models[i].Mesh.Name));
+                return new Result<SliceResult>(null, problems.ToList());
+            }
+            flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field)));
+        }
+        var common = OnField(setup.Settings, field);
+        if (common != setup.Settings && (setup.Settings.SkirtLoops > 0 || setup.Settings.BrimWidth > 0 || setup.Settings.RaftLayers > 0))
+            problems.Add(Severity.Remark, "curved.no_loops", "Curved layers that do not begin level have no skirt and no brim, and none have a raft.");
+        var most = setup.Settings.CurvedMaxGap > 0 ? setup.Settings.CurvedMaxGap
+            : Math.Max(setup.Printer.NozzleDiameter * 0.75, Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight));
+        var limits = new GapLimits(field, part, setup.Settings, most);
+        var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions { Threads = threads, Divide = limits.Divide }, progress.Part(0.3, 0.75), cancel);
+        problems.AddRange(sliced.Diagnostics);
+        if (sliced.Value is not { } result) return new Result<SliceResult>(null, problems.ToList());
+        return Lifted(result, field, setup, options, part, threads, problems, progress.Part(0.75, 1), cancel);
+    }
+
+    private static Result<SliceResult> Lifted(
+        SliceResult flat, LayerField field, PrintSetup setup, CurvedOptions options, PartColumns part, int threads, DiagnosticList problems,
+        IProgress<double>? progress, CancellationToken cancel)
+    {
+        var settings = setup.Settings;
+        var ceiling = SlopeLimit(setup, part, flat, field);
+        var rules = new LiftRules(
+            settings.CurvedTolerance, settings.CurvedGapStep / 100, settings.CurvedMinGap, ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial);
+        var neighbors = new LayerNeighbors(flat.Layers);
+        var layers = new SlicedLayer[flat.Layers.Count];
+        var reports = new LiftReport[layers.Length];
+        var done = 0;
+        var parallel = new ParallelOptions { CancellationToken = cancel, MaxDegreeOfParallelism = threads > 0 ? threads : -1 };
+        Parallel.For(0, layers.Length, parallel, i =>
+        {
+            var lifter = new PathLifter(field, rules, neighbors);
+            var steps = new List<PathStep>(flat.Layers[i].Steps.Count);
+            foreach (var step in flat.Layers[i].Steps)
+            {
+                cancel.ThrowIfCancellationRequested();
+                steps.AddRange(lifter.Lift(step));
+            }
+            layers[i] = flat.Layers[i] with { Steps = steps };
+            reports[i] = lifter.Report;
+            progress?.Report((double)Interlocked.Increment(ref done) / layers.Length);
+        });
+        var report = new LiftReport();
+        foreach (var layer in reports) report.Add(layer);
+        LiftFindings.Add(report, rules, problems);
+        var kept = layers.Where(l => l.Steps.Count > 0).ToArray();
+        if (kept.Length == 0 && !problems.HasErrors)
+            problems.Add(Severity.Error, "slice.nothing", "Nothing to print: no part of the models lies above the surface, within the plan.");
+        return new Result<SliceResult>(problems.HasErrors ? null : new SliceResult(kept), problems.ToList());
+    }
+
+    // The head sees no more of a layer than its rise: found from the samples of the part.
+    private static double SlopeLimit(PrintSetup setup, PartColumns part, SliceResult flat, LayerField field)
+    {
+        if (setup.Settings.CurvedMaxSlope > 0) return setup.Settings.CurvedMaxSlope;
+        var rise = 0.0;
+        foreach (var layer in flat.Layers)
+        {
+            var (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
+            foreach (var contour in layer.Region.Contours)
+            {
+                for (var i = 0; i < contour.Count; i++)
+                {
+                    var z = field.ToPart(contour[i].WithZ(layer.Layer.Z)).Z;
+                    (low, high) = (Math.Min(low, z), Math.Max(high, z));
+                }
+            }
+            rise = Math.Max(rise, high - low);
+        }
+        var size = part.Bounds.Size;
+        return HeadSlope.Limit(setup.Printer, size.LengthXY, rise);
+    }
+
+    private static PrintSettings OnField(PrintSettings settings, LayerField field) => field.StartsLevel ? settings with { RaftLayers = 0 }
+        : settings with { RaftLayers = 0, SkirtLoops = 0, BrimWidth = 0 };
+
+    private static void CheckCover(LayerField field, PartColumns part, CurvedOptions options, DiagnosticList problems)
+    {
+        var outside = 0;
+        Column? first = null;
+        foreach (var column in part.Columns)
+        {
+            if (field.Covers(column.X, column.Y)) continue;
+            first ??= column;
+            outside++;
+        }
+        if (first is not { } place) return;
+        var share = 100.0 * outside / part.Columns.Count;
+        problems.Add(options.Partial ? Severity.Warning : Severity.Error, "curved.outside_plan",
+            $"The plan has no height over {NumberFormatter.Format(share, share < 1 ? 2 : 0)} % of the part, first at x {Text(place.X)}, y {Text(place.Y)} mm: "
+            + (options.Partial ? "that is not printed." : "it is smaller than the part, lies beside it, or has a hole."));
+    }
+
+    private static void CheckDefined(LayerField field, PartColumns part, DiagnosticList problems)
+    {
+        foreach (var column in part.Columns)
+        {
+            var point = new Vec3(column.X, column.Y, column.High);
+            var flat = field.ToFlat(point);
+            if (flat.IsFinite && field.ToPart(flat).IsFinite) continue;
+            problems.Add(Severity.Error, "curved.undefined", $"The field has no value at {point}.");
+            return;
+        }
+    }
+
+    private static string Text(double value) => NumberFormatter.Format(value, 2);
+}

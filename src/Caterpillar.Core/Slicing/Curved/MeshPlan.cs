@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>The highest faces of a mesh as a plan.</summary>
+internal sealed class MeshPlan : PlanSurface
+{
+    // mm: a part as large as its plan may reach over its edge by rounding.
+    private const double Edge = 0.02;
+    private readonly TriMesh _mesh;
+    private readonly MeshHeights _heights;
+
+    public MeshPlan(TriMesh mesh)
+    {
+        _mesh = mesh;
+        _heights = new MeshHeights(mesh);
+        // About the length of an edge.
+        Detail = mesh.TriangleCount == 0 ? 1 : Math.Max(0.25, Math.Sqrt(2 * mesh.Area / mesh.TriangleCount));
+    }
+
+    public override double Detail { get; }
+
+    public override bool Covers(double x, double y) => !double.IsInfinity(Covered(x, y));
+
+    public override double Height(double x, double y)
+    {
+        var height = Covered(x, y);
+        return double.IsInfinity(height) ? Beyond(x, y) : height;
+    }
+
+    internal override void Check(DiagnosticList problems)
+    {
+        if (_mesh.TriangleCount == 0)
+        {
+            problems.Add(Severity.Error, "curved.plan_empty", "The plan has no triangles.");
+            return;
+        }
+        if (_mesh.IsWatertight) return;
+        int up = 0, down = 0, firstDown = -1, firstUp = -1;
+        for (var t = 0; t < _mesh.TriangleCount; t++)
+        {
+            var z = _mesh.Normal(t).Z;
+            if (z > 1e-6 && up++ == 0) firstUp = t;
+            if (z < -1e-6 && down++ == 0) firstDown = t;
+        }
+        if (up == 0 && down == 0)
+        {
+            problems.Add(Severity.Error, "curved.plan_upright", "The plan stands upright: it has no height over the part.");
+        }
+        else if (up > 0 && down > 0)
+        {
+            var (a, b, c) = _mesh.Triangle(down < up ? firstDown : firstUp);
+            var place = (_mesh.Vertices[a] + _mesh.Vertices[b] + _mesh.Vertices[c]) / 3;
+            problems.Add(Severity.Error, "curved.plan_folded", $"The plan is folded over itself, first at {place}: a nozzle from above cannot follow it.");
+        }
+        else if (up == 0)
+        {
+            problems.Add(Severity.Warning, "curved.plan_upside_down", "The plan faces down; its layers are printed upward all the same.");
+        }
+    }
+
+    private double Covered(double x, double y)
+    {
+        var height = _heights.TopUnder(x, y);
+        if (!double.IsInfinity(height)) return height;
+        // Points on the outermost edge may miss it by rounding.
+        var center = _mesh.Bounds.Center;
+        double dx = center.X - x, dy = center.Y - y, length = Math.Sqrt(dx * dx + dy * dy);
+        if (!(length > 0)) return height;
+        height = _heights.TopUnder(x + dx / length * Edge, y + dy / length * Edge);
+        if (!double.IsInfinity(height)) return height;
+        height = _heights.TopUnder(x + Math.Sign(dx) * Edge, y);
+        return double.IsInfinity(height) ? _heights.TopUnder(x, y + Math.Sign(dy) * Edge) : height;
+    }
+
+    // The height where the line to the middle of the surface first meets it.
+    private double Beyond(double x, double y)
+    {
+        const int Steps = 64;
+        var center = _mesh.Bounds.Center;
+        for (var i = 1; i <= Steps; i++)
+        {
+            double inside = (double)i / Steps, outside = (i - 1.0) / Steps;
+            if (double.IsInfinity(At(inside))) continue;
+            for (var k = 0; k < 30; k++)
+            {
+                var middle = (inside + outside) / 2;
+                if (double.IsInfinity(At(middle))) outside = middle;
+                else inside = middle;
+            }
+            return At(inside);
+        }
+        return center.Z;
+
+        double At(double t) => _heights.TopUnder(x + (center.X - x) * t, y + (center.Y - y) * t);
+    }
+}

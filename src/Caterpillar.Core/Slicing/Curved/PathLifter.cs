@@ -1,0 +1,205 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Numbers for bringing paths back from flat layers. Lengths in mm.</summary>
+/// <param name="Tolerance">Distance of chords from the curved path.</param>
+/// <param name="GapShare">Change of the gap along one bead, of the gap.</param>
+/// <param name="MinGap">Thinner strands are printed only every second layer, or fourth, and so on; 0 for none.</param>
+/// <param name="MaxSlope">Degrees; steeper pieces are reported, and left out of partial prints.</param>
+/// <param name="Onto">What is printed on.</param>
+/// <param name="Partial">Whether pieces that cannot be printed are left out.</param>
+internal sealed record LiftRules(double Tolerance, double GapShare, double MinGap, double MaxSlope, PlanSurface Onto, bool Partial);
+
+/// <summary>
+/// Brings paths of flat layers back into the part: divided until chords and gaps are exact enough, each piece with a bead of the volume that lies between its
+/// layer and what is below. One thread.
+/// </summary>
+internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbors neighbors)
+{
+    private const int MaxDepth = 12;
+    private readonly List<Vec3> _points = [];
+    private readonly List<Bead> _beads = [];
+    private readonly List<PathStep> _pieces = [];
+    private Layer? _layer;
+    private Vec3 _segmentStart;
+
+    /// <summary>What was noticed on all paths so far.</summary>
+    public LiftReport Report { get; } = new();
+
+    /// <summary>The step in the part: usually one, several where pieces are left out.</summary>
+    public IReadOnlyList<PathStep> Lift(PathStep step)
+    {
+        var path = step.Path;
+        _pieces.Clear();
+        Restart();
+        _layer = path.Layer;
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            Vec3 from = path.RawPoints[i], to = path.EndOf(i);
+            var bead = path.BeadOf(i);
+            var span = field.Span(to - from);
+            var parts = double.IsInfinity(field.Detail) ? 1 : (int)Math.Min(100_000, Math.Max(1, Math.Ceiling(span / field.Detail)));
+            var a = At(from, bead.Height);
+            _segmentStart = from;
+            for (var k = 1; k <= parts; k++)
+            {
+                var b = At(k == parts ? to : Vec3.Lerp(from, to, (double)k / parts), bead.Height);
+                Divide(a, b, bead, 0, step);
+                a = b;
+            }
+        }
+        var whole = _pieces.Count == 0 && path.IsClosed && _points.Count > 3;
+        if (whole)
+        {
+            _points.RemoveAt(_points.Count - 1);
+            _pieces.Add(step.With(path.WithGeometry(_points, _beads, closed: true)));
+        }
+        else
+        {
+            End(step);
+            if (path.IsClosed) JoinEnds(step);
+        }
+        return _pieces.ToArray();
+    }
+
+    private Sample At(Vec3 flat, double thickness)
+    {
+        var (part, gap) = field.Lift(flat, thickness);
+        return new Sample(flat, part, Math.Min(gap, part.Z - rules.Onto.Height(part.X, part.Y)));
+    }
+
+    private void Divide(Sample a, Sample b, Bead bead, int depth, PathStep step)
+    {
+        var m = At(Vec3.Lerp(a.Flat, b.Flat, 0.5), bead.Height);
+        if (depth < MaxDepth && !IsSmooth(a, b, m, bead) && a.Flat.DistanceTo(b.Flat) > 4 * rules.Tolerance)
+        {
+            Divide(a, m, bead, depth + 1, step);
+            Divide(m, b, bead, depth + 1, step);
+            return;
+        }
+        Add(a, b, m, bead, step);
+    }
+
+    private bool IsSmooth(Sample a, Sample b, Sample m, Bead bead)
+    {
+        if (Deviation(m.Part, a.Part, b.Part) > rules.Tolerance) return false;
+        var limit = rules.GapShare * Math.Max(Math.Abs(m.Gap), 1e-6);
+        if (Math.Abs(a.Gap - b.Gap) > limit || Math.Abs(m.Gap - (a.Gap + b.Gap) / 2) > limit / 2) return false;
+        // A second test off the middle, where waves may hide.
+        var n = At(Vec3.Lerp(a.Flat, b.Flat, 0.23), bead.Height);
+        return Deviation(n.Part, a.Part, b.Part) <= rules.Tolerance && Math.Abs(n.Gap - m.Gap) <= limit;
+    }
+
+    private static double Deviation(Vec3 p, Vec3 a, Vec3 b)
+    {
+        var d = b - a;
+        var square = d.LengthSquared;
+        var t = square > 0 ? Math.Min(1, Math.Max(0, Vec3.Dot(p - a, d) / square)) : 0;
+        return p.DistanceTo(a + d * t);
+    }
+
+    private void Add(Sample a, Sample b, Sample m, Bead bead, PathStep step)
+    {
+        var length = a.Part.DistanceTo(b.Part);
+        if (!(length > 0)) return;
+        var thickness = bead.Height;
+        var gap = (a.Gap + 4 * m.Gap + b.Gap) / 6;
+        var normal = field.Normal(m.Part);
+        var slope = Angle.Atan2(normal.LengthXY, normal.Z);
+        Report.Rise(m.Part.Z);
+        if (!(gap > 0) || !a.Part.IsFinite || !b.Part.IsFinite)
+        {
+            Report.Below.Note(length, -gap, m.Part);
+            End(step);
+            return;
+        }
+        if (!field.Covers(m.Part.X, m.Part.Y) && rules.Partial)
+        {
+            Report.Uncovered.Note(length, 1, m.Part);
+            End(step);
+            return;
+        }
+        if (slope > rules.MaxSlope)
+        {
+            Report.Steep.Note(length, slope, m.Part);
+            if (rules.Partial)
+            {
+                End(step);
+                return;
+            }
+        }
+        var layers = rules.MinGap > 0 && gap * normal.Z < rules.MinGap && _layer is not null
+            ? neighbors.LayersFor(_layer, m.Flat, (int)Math.Ceiling(rules.MinGap / (gap * normal.Z) - 1e-9)) : 1;
+        if (layers == 0)
+        {
+            Report.Thin.Note(length, gap, m.Part);
+            End(step);
+            return;
+        }
+        if (layers > 1)
+        {
+            thickness *= layers;
+            gap = (At(a.Flat, thickness).Gap + 4 * At(m.Flat, thickness).Gap + At(b.Flat, thickness).Gap) / 6;
+        }
+        Report.Printed(length, gap * normal.Z, m.Part);
+        // The area among flat layers that the strand covers, times the gap.
+        var area = bead.Height > 0 ? bead.Area / bead.Height * gap * a.Flat.DistanceTo(b.Flat) / length : bead.Area;
+        Append(a.Part, b.Part, new Bead(area, gap * normal.Z, bead.Speed), ownVertex: a.Flat == _segmentStart);
+    }
+
+    // What was divided for nothing is joined again.
+    private void Append(Vec3 from, Vec3 to, Bead bead, bool ownVertex)
+    {
+        const double Same = 1e-7;
+        if (_points.Count == 0) _points.Add(from);
+        if (!ownVertex && _beads.Count > 0)
+        {
+            var last = _beads[_beads.Count - 1];
+            if (Math.Abs(last.Area - bead.Area) <= Same * bead.Area && Math.Abs(last.Height - bead.Height) <= Same * bead.Height
+                && Deviation(from, _points[_points.Count - 2], to) <= Same)
+            {
+                _points[_points.Count - 1] = to;
+                return;
+            }
+        }
+        _points.Add(to);
+        _beads.Add(bead);
+    }
+
+    private void End(PathStep step)
+    {
+        if (_points.Count > 1) _pieces.Add(step.With(step.Path.WithGeometry(_points, _beads, closed: false)));
+        Restart();
+    }
+
+    private void Restart()
+    {
+        _points.Clear();
+        _beads.Clear();
+    }
+
+    // A closed path that was cut elsewhere goes on through its first vertex.
+    private void JoinEnds(PathStep step)
+    {
+        if (_pieces.Count < 2) return;
+        PrintPath last = _pieces[_pieces.Count - 1].Path, first = _pieces[0].Path;
+        if (last.End.DistanceTo(first.Start) > 1e-9) return;
+        var points = new List<Vec3>(last.Points);
+        var beads = new List<Bead>();
+        for (var i = 0; i < last.SegmentCount; i++) beads.Add(last.BeadOf(i));
+        for (var i = 0; i < first.SegmentCount; i++)
+        {
+            points.Add(first.EndOf(i));
+            beads.Add(first.BeadOf(i));
+        }
+        _pieces[0] = step.With(step.Path.WithGeometry(points, beads, closed: false));
+        _pieces.RemoveAt(_pieces.Count - 1);
+    }
+
+    private readonly record struct Sample(Vec3 Flat, Vec3 Part, double Gap);
+}

@@ -1,0 +1,69 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Expressions;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>A surface that layers follow: one height for each place of the plan, mm. Immutable, for any thread.</summary>
+public abstract class PlanSurface
+{
+    private protected PlanSurface()
+    {
+    }
+
+    /// <summary>Height over (x, y), mm; beyond the edge of the surface, where <see cref="Covers"/> is false, it is continued.</summary>
+    public abstract double Height(double x, double y);
+
+    /// <summary>Whether the surface has a height over (x, y).</summary>
+    public virtual bool Covers(double x, double y) => true;
+
+    /// <summary>The surface has no features smaller than this, mm; infinite for a plane.</summary>
+    public virtual double Detail => double.PositiveInfinity;
+
+    /// <summary>True for a level plane.</summary>
+    internal virtual bool IsLevel => false;
+
+    /// <summary>What is wrong with the surface itself: folded, upside down, without triangles.</summary>
+    internal virtual void Check(DiagnosticList problems)
+    {
+    }
+
+    /// <summary>A level plane.</summary>
+    public static PlanSurface Level(double height) => new FunctionPlan((_, _) => height, double.PositiveInfinity, level: true);
+
+    /// <summary>A surface given by a function of x and y, mm.</summary>
+    /// <param name="height">The height, mm; must be callable from any thread.</param>
+    /// <param name="detail">Size of its smallest features in mm; infinite for a plane.</param>
+    public static PlanSurface Of(Func<double, double, double> height, double detail = double.PositiveInfinity)
+        => new FunctionPlan(height ?? throw new ArgumentNullException(nameof(height)), detail);
+
+    /// <summary>The highest faces of a mesh: a surface with edges, or the top of a solid such as a scanned object.</summary>
+    public static PlanSurface Of(TriMesh mesh) => new MeshPlan(mesh ?? throw new ArgumentNullException(nameof(mesh)));
+
+    /// <summary>A formula in x and y (mm), and in r and theta, the polar coordinates about the origin: <c>10 + 2 * sin(9 * x)</c>.</summary>
+    /// <returns>None with an error that gives the column.</returns>
+    public static Result<PlanSurface> Formula(string text, SourceLocation? source = null)
+    {
+        var compiled = FieldFormula.Compile(text, source);
+        if (compiled.Value is not { } formula) return new Result<PlanSurface>(null, compiled.Diagnostics);
+        var detail = formula.IsConstant ? double.PositiveInfinity : FormulaField.FormulaDetail;
+        return new Result<PlanSurface>(new FunctionPlan((x, y) => formula.At(x, y, 0), detail), compiled.Diagnostics);
+    }
+
+    /// <summary>A height map: a picture over a rectangle, black the lowest, white the highest; between the middles of its dots smooth (bilinear).</summary>
+    /// <param name="picture">Its brightness is the height.</param>
+    /// <param name="box">The place of the picture in x and y, and the heights of black and white in z; mm.</param>
+    /// <exception cref="ArgumentException">The box has no area.</exception>
+    public static PlanSurface HeightMap(GrayImage picture, Bounds box) => new PicturePlan(picture, box);
+
+    private sealed class FunctionPlan(Func<double, double, double> height, double detail, bool level = false) : PlanSurface
+    {
+        internal override bool IsLevel => level;
+
+        public override double Detail => detail;
+
+        public override double Height(double x, double y) => height(x, y);
+    }
+}
