@@ -12,7 +12,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>Slices meshes into G-code by planar layers.</summary>
+/// <summary>Slices meshes into G-code, by planar layers or along a surface.</summary>
 internal sealed class SliceVerb : Verb
 {
     private readonly Argument<string[]> _models = new("MODEL")
@@ -25,6 +25,7 @@ internal sealed class SliceVerb : Verb
 
     private readonly ModelOptions _placing = new();
     private readonly ModelSettingOptions _own = new();
+    private readonly CurvedOptionValues _curved = new();
     private readonly Option<bool> _json = new("--json") { Description = "Print what was planned and written as JSON." };
     private readonly SetupOptions _setup = new();
     private readonly WriteOptions _write = new();
@@ -38,6 +39,7 @@ internal sealed class SliceVerb : Verb
         _setup.AddTo(this);
         _placing.AddTo(this);
         _own.AddTo(this);
+        _curved.AddTo(this);
         Options.Add(_threads);
         Options.Add(_json);
     }
@@ -51,17 +53,21 @@ internal sealed class SliceVerb : Verb
         var json = arguments.GetValue(_json);
         if (json && output == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
         _placing.Check(arguments);
+        _curved.Check(arguments);
         var setup = _setup.Resolve(arguments, session);
-        var (steps, layers) = Sliced(files, arguments, setup, session);
+        var curved = _curved.IsGiven(arguments) ? new CurvedSlicing(_curved, arguments, setup, arguments.GetValue(_threads), session) : null;
+        var (steps, layers) = Sliced(files, arguments, setup, curved, session);
+        var options = (curved?.Plan ?? new PlanOptions()) with { Memory = session.Memory };
         var plan = session.ValueOrFail(session.WithProgress("Planning",
-            progress => Planner.PlanWithReport(steps, setup, new PlanOptions { Memory = session.Memory }, progress, session.Cancel)));
+            progress => Planner.PlanWithReport(steps, curved?.PlanSetup ?? setup, options, progress, session.Cancel)));
         var written = _write.WriteGCode(arguments, session, plan.Toolpath, setup, output);
         if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson(files, output, [new("layers", layers)], plan, written)));
         return ExitCode.Done;
     }
 
     // The memory of each stage is free for the next one: models can be large.
-    private (IReadOnlyList<Step> Steps, int Layers) Sliced(string[] files, ParseResult arguments, PrintSetup setup, Session session)
+    private (IReadOnlyList<Step> Steps, int Layers) Sliced(
+        string[] files, ParseResult arguments, PrintSetup setup, CurvedSlicing? curved, Session session)
     {
         var own = _own.Resolve(arguments, setup, session);
         var sources = new List<string>();
@@ -69,6 +75,7 @@ internal sealed class SliceVerb : Verb
         var settings = own.For(read, sources);
         // Copies follow in the order of the originals.
         var models = _placing.Placed(read, arguments, setup, session).Select((m, i) => new SliceModel(m, settings[i % settings.Count])).ToArray();
+        if (curved is not null) return curved.Run(read, models);
         var options = new SliceOptions { Threads = arguments.GetValue(_threads), Memory = session.Memory };
         var result = session.ValueOrFail(session.WithProgress("Slicing",
             progress => PlanarSlicer.SliceEach(models, setup.Settings, options, progress, session.Cancel)));

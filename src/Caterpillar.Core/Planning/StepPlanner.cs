@@ -36,7 +36,13 @@ internal sealed class StepPlanner
         var returns = !rules.AddsNothing && Array.Exists(steps, s => s.Step is TravelStep { Intent: TravelIntent.Return });
         if (returns) _returnPath = new ReturnPath();
         if (returns || (rules.Lift == LiftRule.Corridor && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);
-        _travel = new TravelPlanner(rules, _emitter, counts, _deposit);
+        var obstacle = rules.AddsNothing ? null : options.Obstacle;
+        if (obstacle is not null)
+        {
+            if (_deposit is not null) Obstacle.AddTo(_deposit, obstacle);
+            _emitter.Reached(obstacle.Bounds.Max.Z);
+        }
+        _travel = new TravelPlanner(rules, _emitter, counts, _deposit) { RisesFirst = obstacle is not null };
         _printer = new PathPrinter(rules, _emitter, counts, _deposit, _slowed);
         _overrides = new OverrideState(rules, _emitter);
         if (rules.LayerWait != LayerWait.None || rules.FanTime > 0) _clock = new LayerClock(steps, rules);

@@ -1,4 +1,5 @@
 using System;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -15,6 +16,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private readonly DetourFinder? _detours = deposit is not null && rules.Detour ? new DetourFinder(deposit, rules.Head) : null;
     private readonly CombPath _around = new(rules.CombInset);
     private PrintPath? _last;
+
+    /// <summary>The first travel goes up, above an object on the bed, before it goes anywhere else.</summary>
+    public bool RisesFirst { get; init; }
+
     private Region? _inside;
 
     /// <summary>A path has been printed to its end.</summary>
@@ -62,6 +67,15 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         }
         if (!emitter.IsPlaced)
         {
+            if (RisesFirst)
+            {
+                var top = Math.Max(start.Z, emitter.Highest) + rules.Clearance;
+                // Where the start code leaves the head is not known: a line of its own moves Z alone.
+                emitter.Event(new RawEvent($"G0 Z{NumberFormatter.Format(top, 3)} F{NumberFormatter.Format(rules.LiftSpeed * 60, 0)}"));
+                emitter.Travel(start.WithZ(top), rules.TravelSpeed);
+                Down(start);
+                return;
+            }
             if (rules.Lift != LiftRule.None) emitter.Travel(start.WithZ(start.Z + rules.Clearance), rules.TravelSpeed);
             Down(start);
             return;

@@ -102,7 +102,7 @@ public static class CurvedSlicer
                 cancel.ThrowIfCancellationRequested();
                 steps.AddRange(lifter.Lift(step));
             }
-            layers[i] = flat.Layers[i] with { Steps = steps };
+            layers[i] = flat.Layers[i] with { Steps = IsLevel(steps) ? steps : WithoutRegions(steps) };
             reports[i] = lifter.Report;
             progress?.Report((double)Interlocked.Increment(ref done) / layers.Length);
         });
@@ -114,6 +114,22 @@ public static class CurvedSlicer
             problems.Add(Severity.Error, "slice.nothing", "Nothing to print: no part of the models lies above the surface, within the plan.");
         return new Result<SliceResult>(problems.HasErrors ? null : new SliceResult(kept), problems.ToList());
     }
+
+    private static bool IsLevel(List<PathStep> steps)
+    {
+        foreach (var step in steps)
+        {
+            foreach (var p in step.Path.RawPoints)
+            {
+                if (Math.Abs(p.Z - steps[0].Path.Start.Z) > 1e-6) return false;
+            }
+        }
+        return true;
+    }
+
+    // Level travels inside the part would run through curved layers.
+    private static List<PathStep> WithoutRegions(List<PathStep> steps)
+        => steps.ConvertAll(s => s.Region is null ? s : new PathStep(s.Path, s.Group) { KeepStart = s.KeepStart });
 
     // The head sees no more of a layer than its rise: found from the samples of the part.
     private static double SlopeLimit(PrintSetup setup, PartColumns part, SliceResult flat, LayerField field)

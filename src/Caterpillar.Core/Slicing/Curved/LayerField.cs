@@ -46,14 +46,11 @@ public abstract class LayerField
     /// <summary>The point of the part for a point among flat layers; not finite if there is none.</summary>
     public virtual Vec3 ToPart(Vec3 flat) => flat.WithZ(Height(flat.X, flat.Y, flat.Z));
 
-    /// <summary>
-    /// A point among flat layers in the part, and the vertical gap below it for a strand of a thickness, mm, times the area in plan for each area among flat
-    /// layers: volume of the part for each area of flat strand.
-    /// </summary>
-    internal virtual (Vec3 Part, double Gap) Lift(Vec3 flat, double thickness)
+    /// <summary>A point among flat layers in the part, with what a strand of a thickness in mm has below it.</summary>
+    internal virtual LiftedPoint Lift(Vec3 flat, double thickness)
     {
         var (top, bottom) = Heights(flat.X, flat.Y, flat.Z, flat.Z - thickness);
-        return (flat.WithZ(top), top - bottom);
+        return new LiftedPoint(flat.WithZ(top), top - bottom, 1);
     }
 
     /// <summary>The part of the length of a step, mm, over which the field may change in any other than a linear manner.</summary>
@@ -97,6 +94,35 @@ public abstract class LayerField
         return VerticalField.Of(plan, blend);
     }
 
+    /// <summary>Layers at equal distances from a surface, its normal offsets; the surface has to be a height field.</summary>
+    /// <exception cref="ArgumentException">The mesh has no triangles.</exception>
+    public static LayerField Offset(TriMesh surface) => new OffsetField(surface ?? throw new ArgumentNullException(nameof(surface)));
+
+    /// <summary>
+    /// Layers of a part that is bent by a map before it is sliced flat; the paths are bent back. The map must be smooth, must not fold the part, and must be
+    /// callable from any thread.
+    /// </summary>
+    /// <param name="bend">A point of the part, mm, to a point of the bent part, mm.</param>
+    public static LayerField Deformed(Func<Vec3, Vec3> bend) => new DeformedField(bend ?? throw new ArgumentNullException(nameof(bend)));
+
+    /// <summary>As <see cref="Deformed(Func{Vec3, Vec3})"/>, by formulas for the bent x, y and z in x, y, z, r and theta.</summary>
+    /// <returns>None with an error that gives the column.</returns>
+    public static Result<LayerField> Deformed(string x, string y, string z, Vec3 origin = default, SourceLocation? source = null)
+    {
+        var compiled = new[] { FieldFormula.Compile(x, source), FieldFormula.Compile(y, source), FieldFormula.Compile(z, source) };
+        var problems = new List<Diagnostic>();
+        foreach (var one in compiled) problems.AddRange(one.Diagnostics);
+        if (compiled[0].Value is not { } fx || compiled[1].Value is not { } fy || compiled[2].Value is not { } fz)
+            return new Result<LayerField>(null, problems);
+        return new Result<LayerField>(
+            new DeformedField(p =>
+            {
+                var d = p - origin;
+                return new Vec3(fx.At(d.X, d.Y, d.Z), fy.At(d.X, d.Y, d.Z), fz.At(d.X, d.Y, d.Z)) + origin;
+            }),
+            problems);
+    }
+
     /// <summary>Layers that divide the space between surfaces, of which each lies above the one before.</summary>
     /// <exception cref="ArgumentException">Fewer than two surfaces.</exception>
     public static LayerField Between(params PlanSurface[] surfaces)
@@ -113,11 +139,14 @@ public abstract class LayerField
         => new FormulaField(value ?? throw new ArgumentNullException(nameof(value)), detail);
 
     /// <summary>A field given by a formula in x, y, z (mm), and r and theta, the polar coordinates about the origin: <c>z - 2 * sin(9 * x)</c>.</summary>
+    /// <param name="text">The formula.</param>
+    /// <param name="origin">Where its origin is, mm.</param>
+    /// <param name="source">Where it comes from, for messages.</param>
     /// <returns>None with an error that gives the column.</returns>
-    public static Result<LayerField> Formula(string text, SourceLocation? source = null)
+    public static Result<LayerField> Formula(string text, Vec3 origin = default, SourceLocation? source = null)
     {
         var compiled = FieldFormula.Compile(text, source);
         return new Result<LayerField>(
-            compiled.Value is { } formula ? new FormulaField(p => formula.At(p.X, p.Y, p.Z), FormulaField.FormulaDetail) : null, compiled.Diagnostics);
+            compiled.Value is { } formula ? new FormulaField(p => formula.At(p.X - origin.X, p.Y - origin.Y, p.Z - origin.Z), FormulaField.FormulaDetail) : null, compiled.Diagnostics);
     }
 }

@@ -21,8 +21,9 @@ internal static class LiftFindings
         }
         if (report.Uncovered.Length > 0)
         {
-            problems.Add(Severity.Warning, "curved.left_out",
-                $"Paths of {Text(report.Uncovered.Length, 0)} mm lie beyond the plan, first at {report.Uncovered.Place}; they are not printed.");
+            problems.Add(rules.Partial ? Severity.Warning : Severity.Error, "curved.outside_surface",
+                $"Paths of {Text(report.Uncovered.Length, 0)} mm lie beyond the surface that they follow, first at {report.Uncovered.Place}"
+                + (rules.Partial ? "; they are not printed." : "."));
         }
         if (report.Thin.Length > 0)
         {

@@ -77,6 +77,9 @@ internal sealed class MeshFlattener
             if (bent[i]) Divide(_faces[i]);
             else if (IsWhole(_faces[i])) _faces[i] = _faces[i] with { Tested = true };
         }
+        while (DivideLongest())
+        {
+        }
         var next = new List<Face>(_faces.Count);
         foreach (var face in _faces) Split(face, next);
         var divided = next.Count > _faces.Count;
@@ -108,11 +111,10 @@ internal sealed class MeshFlattener
     private (bool Divide, Vec3 Part, Vec3 Flat) Test(int a, int b)
     {
         var middle = Vec3.Lerp(_part[a], _part[b], 0.5);
-        var span = _field.Span(_part[b] - _part[a]);
-        var divide = span > _field.Detail;
+        var divide = _field.Span(_part[b] - _part[a]) > _field.Detail;
         var flat = _field.ToFlat(middle);
         // Shorter ones would not be seen in print.
-        if (divide || span < _tolerance) return (divide, middle, flat);
+        if (divide || _part[a].DistanceTo(_part[b]) < _tolerance) return (divide, middle, flat);
         foreach (var t in Tests)
         {
             var image = t == 0.5 ? flat : _field.ToFlat(Vec3.Lerp(_part[a], _part[b], t));
@@ -123,7 +125,14 @@ internal sealed class MeshFlattener
 
     private bool IsWhole(Face face) => State(face.A, face.B) < 0 && State(face.B, face.C) < 0 && State(face.C, face.A) < 0;
 
-    private bool IsFlat(Face face) => IsFlat(face, 1.0 / 3, 1.0 / 3) && IsFlat(face, 0.2, 0.2) && IsFlat(face, 0.6, 0.2) && IsFlat(face, 0.2, 0.6);
+    private bool IsFlat(Face face)
+    {
+        // Narrow ones have no inside that could differ from their edges.
+        Vec3 a = _part[face.A], b = _part[face.B], c = _part[face.C];
+        var longest = Math.Max((b - a).LengthSquared, Math.Max((c - b).LengthSquared, (a - c).LengthSquared));
+        if (Vec3.Cross(b - a, c - a).LengthSquared < 16 * _tolerance * _tolerance * longest) return true;
+        return IsFlat(face, 1.0 / 3, 1.0 / 3) && IsFlat(face, 0.2, 0.2) && IsFlat(face, 0.6, 0.2) && IsFlat(face, 0.2, 0.6);
+    }
 
     private bool IsFlat(Face face, double u, double v)
     {
@@ -132,16 +141,35 @@ internal sealed class MeshFlattener
         return !(image.DistanceTo(_flat[face.A] * u + _flat[face.B] * v + _flat[face.C] * w) > _tolerance);
     }
 
+    // A triangle that is divided is divided across its longest edge, too: so none becomes ever narrower (Rivara, 1984).
+    private bool DivideLongest()
+    {
+        var found = false;
+        foreach (var face in _faces)
+        {
+            if (IsWhole(face)) continue;
+            double ab = Square(face.A, face.B), bc = Square(face.B, face.C), ca = Square(face.C, face.A);
+            var (a, b) = ab >= bc && ab >= ca ? (face.A, face.B) : bc >= ca ? (face.B, face.C) : (face.C, face.A);
+            if (State(a, b) >= 0) continue;
+            Divide(a, b);
+            found = true;
+        }
+        return found;
+    }
+
+    private double Square(int a, int b) => (_part[a] - _part[b]).LengthSquared;
+
     private void Divide(Face face)
     {
-        Divide(face.A, face.B);
-        Divide(face.B, face.C);
-        Divide(face.C, face.A);
+        const double Least = 4;
+        if (Square(face.A, face.B) > Least * _tolerance * _tolerance) Divide(face.A, face.B);
+        if (Square(face.B, face.C) > Least * _tolerance * _tolerance) Divide(face.B, face.C);
+        if (Square(face.C, face.A) > Least * _tolerance * _tolerance) Divide(face.C, face.A);
     }
 
     private void Divide(int a, int b)
     {
-        if (State(a, b) >= 0 || _field.Span(_part[b] - _part[a]) < _tolerance) return;
+        if (State(a, b) >= 0) return;
         var middle = a < b ? Vec3.Lerp(_part[a], _part[b], 0.5) : Vec3.Lerp(_part[b], _part[a], 0.5);
         _states[Key(a, b)] = Add(middle, _field.ToFlat(middle));
     }

@@ -9,7 +9,7 @@ namespace Caterpillar.Slicing;
 internal sealed class MeshPlan : PlanSurface
 {
     // mm: a part as large as its plan may reach over its edge by rounding.
-    private const double Edge = 0.02;
+    private static readonly double[] Steps = [1e-8, 1e-5, 1e-3, 0.02];
     private readonly TriMesh _mesh;
     private readonly MeshHeights _heights;
 
@@ -66,24 +66,27 @@ internal sealed class MeshPlan : PlanSurface
     {
         var height = _heights.TopUnder(x, y);
         if (!double.IsInfinity(height)) return height;
-        // Points on the outermost edge may miss it by rounding.
+        // Points on the outermost edge may miss it by rounding; the less they are moved the better.
         var center = _mesh.Bounds.Center;
-        double dx = center.X - x, dy = center.Y - y, length = Math.Sqrt(dx * dx + dy * dy);
-        if (!(length > 0)) return height;
-        height = _heights.TopUnder(x + dx / length * Edge, y + dy / length * Edge);
-        if (!double.IsInfinity(height)) return height;
-        height = _heights.TopUnder(x + Math.Sign(dx) * Edge, y);
-        return double.IsInfinity(height) ? _heights.TopUnder(x, y + Math.Sign(dy) * Edge) : height;
+        int dx = Math.Sign(center.X - x), dy = Math.Sign(center.Y - y);
+        foreach (var step in Steps)
+        {
+            height = _heights.TopUnder(x + dx * step, y);
+            if (double.IsInfinity(height)) height = _heights.TopUnder(x, y + dy * step);
+            if (double.IsInfinity(height)) height = _heights.TopUnder(x + dx * step, y + dy * step);
+            if (!double.IsInfinity(height)) break;
+        }
+        return height;
     }
 
     // The height where the line to the middle of the surface first meets it.
     private double Beyond(double x, double y)
     {
-        const int Steps = 64;
+        const int Parts = 64;
         var center = _mesh.Bounds.Center;
-        for (var i = 1; i <= Steps; i++)
+        for (var i = 1; i <= Parts; i++)
         {
-            double inside = (double)i / Steps, outside = (i - 1.0) / Steps;
+            double inside = (double)i / Parts, outside = (i - 1.0) / Parts;
             if (double.IsInfinity(At(inside))) continue;
             for (var k = 0; k < 30; k++)
             {

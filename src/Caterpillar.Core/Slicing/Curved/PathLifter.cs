@@ -11,15 +11,15 @@ namespace Caterpillar.Slicing;
 /// <param name="GapShare">Change of the gap along one bead, of the gap.</param>
 /// <param name="MinGap">Thinner strands are printed only every second layer, or fourth, and so on; 0 for none.</param>
 /// <param name="MaxSlope">Degrees; steeper pieces are reported, and left out of partial prints.</param>
-/// <param name="Onto">What is printed on.</param>
+/// <param name="Onto">What is printed on; null where strands keep their gap.</param>
 /// <param name="Partial">Whether pieces that cannot be printed are left out.</param>
-internal sealed record LiftRules(double Tolerance, double GapShare, double MinGap, double MaxSlope, PlanSurface Onto, bool Partial);
+internal sealed record LiftRules(double Tolerance, double GapShare, double MinGap, double MaxSlope, PlanSurface? Onto, bool Partial);
 
 /// <summary>
 /// Brings paths of flat layers back into the part: divided until chords and gaps are exact enough, each piece with a bead of the volume that lies between its
 /// layer and what is below. One thread.
 /// </summary>
-internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbors neighbors)
+internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbors? neighbors)
 {
     private const int MaxDepth = 12;
     private readonly List<Vec3> _points = [];
@@ -43,12 +43,15 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
             Vec3 from = path.RawPoints[i], to = path.EndOf(i);
             var bead = path.BeadOf(i);
             var span = field.Span(to - from);
+            var arc = path.ArcOf(i);
             var parts = double.IsInfinity(field.Detail) ? 1 : (int)Math.Min(100_000, Math.Max(1, Math.Ceiling(span / field.Detail)));
+            if (arc is { } turn)
+                parts = Math.Max(turn.ChordCount(from, rules.Tolerance / 2), (int)Math.Min(100_000, Math.Ceiling(path.LengthOf(i) / Math.Min(field.Detail, 1e6))));
             var a = At(from, bead.Height);
             _segmentStart = from;
             for (var k = 1; k <= parts; k++)
             {
-                var b = At(k == parts ? to : Vec3.Lerp(from, to, (double)k / parts), bead.Height);
+                var b = At(k == parts ? to : arc?.PointAt(from, to, (double)k / parts) ?? Vec3.Lerp(from, to, (double)k / parts), bead.Height);
                 Divide(a, b, bead, 0, step);
                 a = b;
             }
@@ -69,8 +72,10 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
 
     private Sample At(Vec3 flat, double thickness)
     {
-        var (part, gap) = field.Lift(flat, thickness);
-        return new Sample(flat, part, Math.Min(gap, part.Z - rules.Onto.Height(part.X, part.Y)));
+        // Strands of unknown height keep their volume.
+        var lifted = field.Lift(flat, thickness > 0 ? thickness : 1);
+        var gap = rules.Onto is null ? lifted.Gap : Math.Min(lifted.Gap, lifted.Part.Z - rules.Onto.Height(lifted.Part.X, lifted.Part.Y));
+        return new Sample(flat, lifted.Part, gap, lifted.Area);
     }
 
     private void Divide(Sample a, Sample b, Bead bead, int depth, PathStep step)
@@ -118,11 +123,14 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
             End(step);
             return;
         }
-        if (!field.Covers(m.Part.X, m.Part.Y) && rules.Partial)
+        if (step.Path.Role is not (Role.Skirt or Role.Brim) && !field.Covers(m.Part.X, m.Part.Y))
         {
             Report.Uncovered.Note(length, 1, m.Part);
-            End(step);
-            return;
+            if (rules.Partial)
+            {
+                End(step);
+                return;
+            }
         }
         if (slope > rules.MaxSlope)
         {
@@ -133,7 +141,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
                 return;
             }
         }
-        var layers = rules.MinGap > 0 && gap * normal.Z < rules.MinGap && _layer is not null
+        var layers = rules.MinGap > 0 && gap * normal.Z < rules.MinGap && neighbors is not null && _layer is not null
             ? neighbors.LayersFor(_layer, m.Flat, (int)Math.Ceiling(rules.MinGap / (gap * normal.Z) - 1e-9)) : 1;
         if (layers == 0)
         {
@@ -148,8 +156,8 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         }
         Report.Printed(length, gap * normal.Z, m.Part);
         // The area among flat layers that the strand covers, times the gap.
-        var area = bead.Height > 0 ? bead.Area / bead.Height * gap * a.Flat.DistanceTo(b.Flat) / length : bead.Area;
-        Append(a.Part, b.Part, new Bead(area, gap * normal.Z, bead.Speed), ownVertex: a.Flat == _segmentStart);
+        var area = bead.Area / (bead.Height > 0 ? bead.Height : 1) * gap * m.Area * a.Flat.DistanceTo(b.Flat) / length;
+        Append(a.Part, b.Part, new Bead(area, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), ownVertex: a.Flat == _segmentStart);
     }
 
     // What was divided for nothing is joined again.
@@ -201,5 +209,5 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         _pieces.RemoveAt(_pieces.Count - 1);
     }
 
-    private readonly record struct Sample(Vec3 Flat, Vec3 Part, double Gap);
+    private readonly record struct Sample(Vec3 Flat, Vec3 Part, double Gap, double Area);
 }

@@ -1,8 +1,10 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Expressions;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
@@ -30,6 +32,9 @@ public abstract class PlanSurface
     {
     }
 
+    /// <summary>The surface at another place; the shift in mm.</summary>
+    public PlanSurface Moved(Vec3 shift) => shift == Vec3.Zero ? this : new MovedPlan(this, shift);
+
     /// <summary>A level plane.</summary>
     public static PlanSurface Level(double height) => new FunctionPlan((_, _) => height, double.PositiveInfinity, level: true);
 
@@ -51,6 +56,25 @@ public abstract class PlanSurface
         var detail = formula.IsConstant ? double.PositiveInfinity : FormulaField.FormulaDetail;
         return new Result<PlanSurface>(new FunctionPlan((x, y) => formula.At(x, y, 0), detail), compiled.Diagnostics);
     }
+
+    /// <summary>A cone about a vertical axis: layers descend outward by an angle, or rise where it is negative.</summary>
+    /// <param name="axis">A point of the axis, mm.</param>
+    /// <param name="degrees">−80 to 80.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The angle is steeper.</exception>
+    public static PlanSurface Cone(Vec3 axis, double degrees)
+    {
+        if (!(Math.Abs(degrees) <= 80)) throw new ArgumentOutOfRangeException(nameof(degrees), "A cone has an angle of at most 80 degrees.");
+        var (sin, cos) = Angle.SinCos(degrees);
+        return Of((x, y) => -sin / cos * Math.Sqrt((x - axis.X) * (x - axis.X) + (y - axis.Y) * (y - axis.Y)), 5);
+    }
+
+    /// <summary>A surface that falls with the distance from where parts stand on the bed, so that overhangs lean on what is printed before them.</summary>
+    /// <param name="models">The parts, on the bed.</param>
+    /// <param name="setup">The head limits the angle.</param>
+    /// <param name="degrees">Angle of the layers; null for the least one that makes all overhangs at least 45 degrees steep.</param>
+    /// <returns>None where nothing stands on the bed.</returns>
+    public static Result<PlanSurface> AgainstOverhangs(IReadOnlyList<NamedMesh> models, PrintSetup setup, double? degrees = null)
+        => OverhangPlan.For(models ?? throw new ArgumentNullException(nameof(models)), setup ?? throw new ArgumentNullException(nameof(setup)), degrees);
 
     /// <summary>A height map: a picture over a rectangle, black the lowest, white the highest; between the middles of its dots smooth (bilinear).</summary>
     /// <param name="picture">Its brightness is the height.</param>

@@ -30,5 +30,5 @@ internal sealed class ShiftedField(LayerField inner, double shift) : LayerField
     internal override (double First, double Second) Heights(double x, double y, double first, double second)
         => inner.Heights(x, y, first - shift, second - shift);
 
-    internal override (Vec3 Part, double Gap) Lift(Vec3 flat, double thickness) => inner.Lift(flat.WithZ(flat.Z - shift), thickness);
+    internal override LiftedPoint Lift(Vec3 flat, double thickness) => inner.Lift(flat.WithZ(flat.Z - shift), thickness);
 }

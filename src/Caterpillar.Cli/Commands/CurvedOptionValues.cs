@@ -1,0 +1,186 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Slicing;
+
+namespace Caterpillar.Cli.Commands;
+
+/// <summary>Options of slicing along surfaces. Surfaces and formulas are in the coordinates of the model's file and move with the model.</summary>
+internal sealed class CurvedOptionValues
+{
+    private static readonly string[] MeshEndings = [".stl", ".obj", ".ply", ".3mf", ".gz"];
+
+    private readonly Option<string[]> _surface = new("--surface")
+    {
+        Description = "Slice along a surface: a mesh file, a formula for its height in x and y (10 + 2 * sin(9 * x)), or a picture (PNG, PGM) as a height map over "
+            + "the model with its heights: FILE:LOW,HIGH. Repeated with --field between, from below.",
+        HelpName = "PLAN",
+    };
+
+    private readonly Option<string?> _field = new("--field")
+    {
+        Description = "Layers are copies of the surface, moved up (vertical) or offset (normal); divide the space from the bed to the surface, or between "
+            + "several (between); or are level sets of a formula in x, y, z, r, theta, such as z - 2 * sin(9 * x).",
+        HelpName = "vertical|normal|between|FORMULA",
+    };
+
+    private readonly Option<string?> _blend = new("--blend")
+    {
+        Description = "Layers are level up to FROM mm (the first layer), and follow the surface from TO mm on; between, they change from one to the other.",
+        HelpName = "[FROM,]TO",
+    };
+
+    private readonly Option<string?> _onto = new("--onto")
+    {
+        Description = "Print onto an object, a scanned mesh for example: the bottom of the model is put onto its surface; with --surface or --field the model "
+            + "stays where it is, and nothing is printed below the object's surface.",
+        HelpName = "SCAN",
+    };
+
+    private readonly Option<double> _squeeze = new("--squeeze") { Description = "With --onto: how much the first layer is pressed onto the object, mm.", HelpName = "MM" };
+    private readonly Option<string?> _deform = new("--deform")
+    {
+        Description = "Bend the model, slice it flat, and bend the paths back: cone=DEGREES (layers descend outward, or rise where negative), overhangs or "
+            + "overhangs=DEGREES (layers descend from where the model stands on the bed), or formulas for the bent \"x; y; z\".",
+        HelpName = "cone=DEG|overhangs[=DEG]|X;Y;Z",
+    };
+
+    private readonly Option<bool> _partial = new("--partial")
+    {
+        Description = "Print what lies within the surface and is not too steep, instead of refusing the model.",
+    };
+
+    public void AddTo(Verb verb)
+    {
+        foreach (var option in new Option[] { _surface, _field, _blend, _onto, _squeeze, _deform, _partial }) verb.Options.Add(option);
+    }
+
+    public bool IsGiven(ParseResult arguments) => HasField(arguments) || arguments.GetValue(_onto) is not null;
+
+    public bool IsPartial(ParseResult arguments) => arguments.GetValue(_partial);
+
+    /// <summary>True where layers are curved, false where level layers are put onto an object.</summary>
+    public bool HasField(ParseResult arguments)
+        => arguments.GetValue(_surface) is { Length: > 0 } || arguments.GetValue(_field) is not null || arguments.GetValue(_deform) is not null;
+
+    /// <summary>Wrong usage is found before files are read.</summary>
+    /// <exception cref="CliException">Options do not go together.</exception>
+    public void Check(ParseResult arguments)
+    {
+        var (surfaces, field) = (arguments.GetValue(_surface) ?? [], arguments.GetValue(_field));
+        if (arguments.GetValue(_deform) is not null && (surfaces.Length > 0 || field is not null)) throw Usage("--deform and --surface or --field exclude each other.");
+        var kind = field ?? "vertical";
+        if (kind is "vertical" or "normal" or "between" && surfaces.Length == 0 && field is not null) throw Usage($"--field {kind} needs --surface.");
+        if (kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0) throw Usage("A formula for --field goes without --surface.");
+        if (kind is "vertical" or "normal" && surfaces.Length > 1) throw Usage("Several surfaces go with --field between.");
+        if (arguments.GetValue(_blend) is { } blend)
+        {
+            if (kind != "vertical" || surfaces.Length == 0) throw Usage("--blend goes with --surface and --field vertical.");
+            _ = Blend(blend);
+        }
+        if (arguments.GetValue(_squeeze) is var squeeze && !(squeeze is >= 0 and < 10)) throw Usage("--squeeze needs a distance of 0 to 10 mm.");
+        if (squeeze > 0 && (arguments.GetValue(_onto) is null || HasField(arguments))) throw Usage("--squeeze goes with --onto alone.");
+    }
+
+    /// <summary>The field of the layers.</summary>
+    /// <param name="arguments">The command line.</param>
+    /// <param name="models">The models where they are printed.</param>
+    /// <param name="shift">How far they were moved from their places in their files.</param>
+    /// <param name="setup">Its head limits overhangs.</param>
+    /// <param name="session">Reads files.</param>
+    public LayerField Field(ParseResult arguments, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
+    {
+        if (arguments.GetValue(_deform) is { } deform) return Deformed(deform, models, shift, setup, session);
+        var surfaces = arguments.GetValue(_surface) ?? [];
+        switch (arguments.GetValue(_field) ?? "vertical")
+        {
+            case "vertical":
+                return LayerField.Vertical(Surface(surfaces[0], models, shift, session), arguments.GetValue(_blend) is { } blend ? Blend(blend) : null);
+            case "normal":
+                return LayerField.Offset(Mesh(surfaces[0], session).Moved(shift));
+            case "between":
+                var plans = surfaces.Select(s => Surface(s, models, shift, session)).ToList();
+                // One surface: from the bottom of the models up to it.
+                if (plans.Count == 1) plans.Insert(0, PlanSurface.Level(models.Min(m => m.Mesh.Bounds.Min.Z)));
+                return LayerField.Between(plans.ToArray());
+            case var formula:
+                return session.ValueOrFail(LayerField.Formula(formula, shift, new SourceLocation(Key: "--field")), ExitCode.Usage);
+        }
+    }
+
+    /// <summary>The object that is printed on; none where it was not given.</summary>
+    /// <param name="arguments">The command line.</param>
+    /// <param name="shift">How far the models were moved in x and y.</param>
+    /// <param name="session">Reads files.</param>
+    public TriMesh? Onto(ParseResult arguments, Vec3 shift, Session session)
+    {
+        if (arguments.GetValue(_onto) is not { } file) return null;
+        var mesh = Mesh(file, session).Moved(shift.WithZ(0));
+        var (low, high) = (mesh.Bounds.Min, mesh.Bounds.Max);
+        session.Print([new Diagnostic(Severity.Remark, "curved.object_place",
+            $"The object is expected at x {Text(low.X)} to {Text(high.X)}, y {Text(low.Y)} to {Text(high.Y)}, z {Text(low.Z)} to {Text(high.Z)} mm.",
+            new SourceLocation(Session.NameOf(file)))]);
+        return mesh;
+    }
+
+    public double Squeeze(ParseResult arguments) => arguments.GetValue(_squeeze);
+
+    private static LayerField Deformed(string text, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
+    {
+        var (word, number) = text.Split('=', 2) is [var w, var n] ? (w.Trim(), n) : (text.Trim(), null);
+        if (word == "cone" && number is not null)
+        {
+            var bounds = Bounds.Of(models.SelectMany(m => new[] { m.Mesh.Bounds.Min, m.Mesh.Bounds.Max }));
+            return LayerField.Vertical(PlanSurface.Cone(bounds.Center, Degrees(number)));
+        }
+        if (word == "overhangs")
+        {
+            double? degrees = number is null ? null : Degrees(number);
+            return LayerField.Vertical(session.ValueOrFail(PlanSurface.AgainstOverhangs(models, setup, degrees)));
+        }
+        if (text.Split(';') is [var x, var y, var z])
+            return session.ValueOrFail(LayerField.Deformed(x, y, z, shift, new SourceLocation(Key: "--deform")), ExitCode.Usage);
+        throw Usage("--deform needs cone=DEGREES, overhangs, overhangs=DEGREES, or three formulas \"X; Y; Z\".");
+    }
+
+    private static double Degrees(string text)
+        => Numbers.List(text, "--deform") is [var degrees and >= -80 and <= 80] ? degrees : throw Usage("--deform needs an angle of −80 to 80 degrees.");
+
+    private static PlanSurface Surface(string text, IReadOnlyList<NamedMesh> models, Vec3 shift, Session session)
+    {
+        if (text.LastIndexOf(':') is > 1 and var colon && IsPicture(text[..colon]))
+        {
+            if (Numbers.List(text[(colon + 1)..], "--surface") is not [var low, var high] || !(high >= low)) throw Usage("A height map needs FILE:LOW,HIGH in mm.");
+            var picture = session.ValueOrFail(ImageReader.Read(session.ReadBytes(text[..colon]), text[..colon]));
+            var bounds = Bounds.Of(models.SelectMany(m => new[] { m.Mesh.Bounds.Min, m.Mesh.Bounds.Max }));
+            return PlanSurface.HeightMap(picture, new Bounds(bounds.Min.WithZ(low + shift.Z), bounds.Max.WithZ(high + shift.Z)));
+        }
+        if (IsPicture(text)) throw Usage("A height map needs the heights of black and white: FILE:LOW,HIGH in mm.");
+        if (MeshEndings.Any(e => text.EndsWith(e, StringComparison.OrdinalIgnoreCase)) || File.Exists(text))
+            return PlanSurface.Of(Mesh(text, session).Moved(shift));
+        return session.ValueOrFail(PlanSurface.Formula(text, new SourceLocation(Key: "--surface")), ExitCode.Usage).Moved(shift);
+    }
+
+    private static bool IsPicture(string file)
+        => file.EndsWith(".png", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".pgm", StringComparison.OrdinalIgnoreCase);
+
+    private static TriMesh Mesh(string file, Session session)
+        => TriMesh.Merge(session.ValueOrFail(MeshReader.Read(session.ReadBytes(file), Session.NameOf(file), null, session.Cancel)).Select(m => m.Mesh));
+
+    private static LayerBlend Blend(string text) => Numbers.List(text, "--blend") switch
+    {
+        [var to and > 0] => new LayerBlend(0, to),
+        [var from and >= 0, var to] when to > from => new LayerBlend(from, to),
+        _ => throw Usage("--blend needs the height in mm where layers follow the surface, or that and where they leave the level: FROM,TO."),
+    };
+
+    private static CliException Usage(string message) => new(ExitCode.Usage, message);
+
+    private static string Text(double value) => NumberFormatter.Format(value, 2);
+}
