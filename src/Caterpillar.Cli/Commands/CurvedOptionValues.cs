@@ -18,7 +18,8 @@ internal sealed class CurvedOptionValues
 
     private readonly Option<string[]> _surface = new("--surface")
     {
-        Description = "Slice along a surface: a mesh file, a formula for its height in x and y (10 + 2 * sin(9 * x)), or a picture (PNG, PGM) as a height map over "
+        Description = "Slice along a surface: a mesh file, a formula for its height in x and y (10 + 2 * sin(9 * x)), or a picture (PNG, PGM) as a height "
+            + "map over "
             + "the model with its heights: FILE:LOW,HIGH. Repeated with --field between, from below.",
         HelpName = "PLAN",
     };
@@ -43,7 +44,8 @@ internal sealed class CurvedOptionValues
         HelpName = "SCAN",
     };
 
-    private readonly Option<double> _squeeze = new("--squeeze") { Description = "With --onto: how much the first layer is pressed onto the object, mm.", HelpName = "MM" };
+    private readonly Option<double> _squeeze = new("--squeeze") { Description = "With --onto: how much the first layer is pressed onto the object, mm.",
+        HelpName = "MM" };
     private readonly Option<string?> _deform = new("--deform")
     {
         Description = "Bend the model, slice it flat, and bend the paths back: cone=DEGREES (layers descend outward, or rise where negative), overhangs or "
@@ -74,7 +76,8 @@ internal sealed class CurvedOptionValues
     public void Check(ParseResult arguments)
     {
         var (surfaces, field) = (arguments.GetValue(_surface) ?? [], arguments.GetValue(_field));
-        if (arguments.GetValue(_deform) is not null && (surfaces.Length > 0 || field is not null)) throw Usage("--deform and --surface or --field exclude each other.");
+        if (arguments.GetValue(_deform) is not null
+            && (surfaces.Length > 0 || field is not null)) throw Usage("--deform and --surface or --field exclude each other.");
         var kind = field ?? "vertical";
         if (kind is "vertical" or "normal" or "between" && surfaces.Length == 0 && field is not null) throw Usage($"--field {kind} needs --surface.");
         if (kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0) throw Usage("A formula for --field goes without --surface.");
@@ -156,7 +159,8 @@ internal sealed class CurvedOptionValues
     {
         if (text.LastIndexOf(':') is > 1 and var colon && IsPicture(text[..colon]))
         {
-            if (Numbers.List(text[(colon + 1)..], "--surface") is not [var low, var high] || !(high >= low)) throw Usage("A height map needs FILE:LOW,HIGH in mm.");
+            if (Numbers.List(text[(colon + 1)..], "--surface") is not [var low, var high]
+                || !(high >= low)) throw Usage("A height map needs FILE:LOW,HIGH in mm.");
             var picture = session.ValueOrFail(ImageReader.Read(session.ReadBytes(text[..colon]), text[..colon]));
             var bounds = Bounds.Of(models.SelectMany(m => new[] { m.Mesh.Bounds.Min, m.Mesh.Bounds.Max }));
             return PlanSurface.HeightMap(picture, new Bounds(bounds.Min.WithZ(low + shift.Z), bounds.Max.WithZ(high + shift.Z)));

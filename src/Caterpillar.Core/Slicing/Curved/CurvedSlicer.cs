@@ -87,7 +87,11 @@ public static class CurvedSlicer
         var settings = setup.Settings;
         var ceiling = SlopeLimit(setup, part, flat, field);
         var rules = new LiftRules(
-            settings.CurvedTolerance, settings.CurvedGapStep / 100, settings.CurvedMinGap, ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial);
+            settings.CurvedTolerance, settings.CurvedGapStep / 100, settings.CurvedMinGap, ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial)
+        {
+            // Without a partial print it was looked for in the whole part.
+            FindsEdge = options.Partial,
+        };
         var neighbors = new LayerNeighbors(flat.Layers);
         var layers = new SlicedLayer[flat.Layers.Count];
         var reports = new LiftReport[layers.Length];

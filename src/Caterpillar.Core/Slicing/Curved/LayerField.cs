@@ -78,7 +78,8 @@ public abstract class LayerField
         var layers = Math.Floor(lowest / settings.LayerHeight + Rounding);
         if (layers == 0 && lowest > -Rounding) return field;
         var shift = lowest > -Rounding ? -layers * settings.LayerHeight
-            : settings.FirstLayerHeight + Math.Max(0, Math.Ceiling((-lowest - settings.FirstLayerHeight) / settings.LayerHeight - Rounding)) * settings.LayerHeight;
+            : settings.FirstLayerHeight + Math.Max(0,
+                Math.Ceiling((-lowest - settings.FirstLayerHeight) / settings.LayerHeight - Rounding)) * settings.LayerHeight;
         return new ShiftedField(field, shift);
     }
 
@@ -147,6 +148,7 @@ public abstract class LayerField
     {
         var compiled = FieldFormula.Compile(text, source);
         return new Result<LayerField>(
-            compiled.Value is { } formula ? new FormulaField(p => formula.At(p.X - origin.X, p.Y - origin.Y, p.Z - origin.Z), FormulaField.FormulaDetail) : null, compiled.Diagnostics);
+            compiled.Value is { } formula ? new FormulaField(p => formula.At(p.X - origin.X, p.Y - origin.Y, p.Z - origin.Z), FormulaField.FormulaDetail)
+                : null, compiled.Diagnostics);
     }
 }

@@ -7,8 +7,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Bends a mesh so that the layers of a field are flat. Triangles are divided until straight edges match their bent image within a tolerance; an edge is divided
-/// once for both of its triangles, so a closed mesh stays closed.
+/// Bends a mesh so that the layers of a field are flat. Triangles are divided until straight edges match their bent image within a tolerance; an edge is
+/// divided once for both of its triangles, so a closed mesh stays closed.
 /// </summary>
 internal sealed class MeshFlattener
 {

@@ -81,7 +81,8 @@ internal sealed class OffsetField : LayerField
             var aside = (at - near.Point - near.Normal * Vec3.Dot(at - near.Point, near.Normal)).Length;
             if (near.OnRim && aside > Edge)
             {
-                problems.Add(Severity.Error, "curved.outside_plan", $"The surface has no point below {at} along its normal: it is smaller than the part, or has a hole.");
+                problems.Add(Severity.Error, "curved.outside_plan",
+                    $"The surface has no point below {at} along its normal: it is smaller than the part, or has a hole.");
                 return false;
             }
             if (!(Normal(at).Z > 1e-3))

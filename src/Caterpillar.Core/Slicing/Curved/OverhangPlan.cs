@@ -65,12 +65,12 @@ internal sealed class OverhangPlan : PlanSurface
         var head = setup.Settings.CurvedMaxSlope > 0 ? setup.Settings.CurvedMaxSlope
             : HeadSlope.Limit(setup.Printer, bounds.Size.LengthXY, bounds.Size.Z);
         // A degree less than the limit: what is computed reaches it.
-        var angle = degrees ?? AngleFor(models.Select(m => m.Mesh), 2 * first, Steep, Math.Max(0, head - 1));
+        var angle = degrees ?? AngleFor(models.Select(m => m.Mesh), foot, 2 * first, Steep, Math.Max(0, head - 1));
         return new Result<PlanSurface>(new OverhangPlan(foot, bounds, angle), []);
     }
 
     /// <summary>The angle that makes the flattest overhang as steep as <paramref name="wanted"/> degrees from the horizontal, at most a limit.</summary>
-    public static double AngleFor(IEnumerable<TriMesh> meshes, double above, double wanted, double limit)
+    public static double AngleFor(IEnumerable<TriMesh> meshes, Region foot, double above, double wanted, double limit)
     {
         var (sin, cos) = Angle.SinCos(wanted);
         var flattest = double.PositiveInfinity;
@@ -81,7 +81,9 @@ internal sealed class OverhangPlan : PlanSurface
                 var normal = mesh.Normal(t);
                 var (a, b, c) = mesh.Triangle(t);
                 var top = Math.Max(mesh.Vertices[a].Z, Math.Max(mesh.Vertices[b].Z, mesh.Vertices[c].Z));
-                if (normal.Z < -1e-6 && top > above) flattest = Math.Min(flattest, normal.LengthXY / -normal.Z);
+                var center = (mesh.Vertices[a] + mesh.Vertices[b] + mesh.Vertices[c]) / 3;
+                // Over the foot layers are level whatever the angle.
+                if (normal.Z < -1e-6 && top > above && !foot.Contains(center.X, center.Y)) flattest = Math.Min(flattest, normal.LengthXY / -normal.Z);
             }
         }
         return Math.Min(limit, Math.Max(0, Angle.Atan2(sin / cos - flattest, 1)));

@@ -4,7 +4,9 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Sample columns of a part: places in plan with the lowest and the highest point of the part over them. Fields take their constants from them.</summary>
+/// <summary>
+/// Sample columns of a part: places in plan with the lowest and the highest point of the part over them. Fields take their constants from them.
+/// </summary>
 internal sealed class PartColumns
 {
     private const int Cells = 96;

@@ -13,7 +13,11 @@ namespace Caterpillar.Slicing;
 /// <param name="MaxSlope">Degrees; steeper pieces are reported, and left out of partial prints.</param>
 /// <param name="Onto">What is printed on; null where strands keep their gap.</param>
 /// <param name="Partial">Whether pieces that cannot be printed are left out.</param>
-internal sealed record LiftRules(double Tolerance, double GapShare, double MinGap, double MaxSlope, PlanSurface? Onto, bool Partial);
+internal sealed record LiftRules(double Tolerance, double GapShare, double MinGap, double MaxSlope, PlanSurface? Onto, bool Partial)
+{
+    /// <summary>Whether paths may lie beyond the surface that they follow, so that its edge has to be found.</summary>
+    public bool FindsEdge { get; init; }
+}
 
 /// <summary>
 /// Brings paths of flat layers back into the part: divided until chords and gaps are exact enough, each piece with a bead of the volume that lies between its
@@ -46,7 +50,8 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
             var arc = path.ArcOf(i);
             var parts = double.IsInfinity(field.Detail) ? 1 : (int)Math.Min(100_000, Math.Max(1, Math.Ceiling(span / field.Detail)));
             if (arc is { } turn)
-                parts = Math.Max(turn.ChordCount(from, rules.Tolerance / 2), (int)Math.Min(100_000, Math.Ceiling(path.LengthOf(i) / Math.Min(field.Detail, 1e6))));
+                parts = Math.Max(turn.ChordCount(from, rules.Tolerance / 2),
+                    (int)Math.Min(100_000, Math.Ceiling(path.LengthOf(i) / Math.Min(field.Detail, 1e6))));
             var a = At(from, bead.Height);
             _segmentStart = from;
             for (var k = 1; k <= parts; k++)
@@ -75,7 +80,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         // Strands of unknown height keep their volume.
         var lifted = field.Lift(flat, thickness > 0 ? thickness : 1);
         var gap = rules.Onto is null ? lifted.Gap : Math.Min(lifted.Gap, lifted.Part.Z - rules.Onto.Height(lifted.Part.X, lifted.Part.Y));
-        return new Sample(flat, lifted.Part, gap, lifted.Area);
+        return new Sample(flat, lifted.Part, gap, lifted.Area, !rules.FindsEdge || field.Covers(lifted.Part.X, lifted.Part.Y));
     }
 
     private void Divide(Sample a, Sample b, Bead bead, int depth, PathStep step)
@@ -92,7 +97,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
 
     private bool IsSmooth(Sample a, Sample b, Sample m, Bead bead)
     {
-        if (Deviation(m.Part, a.Part, b.Part) > rules.Tolerance) return false;
+        if (Deviation(m.Part, a.Part, b.Part) > rules.Tolerance || a.Covered != m.Covered || b.Covered != m.Covered) return false;
         var limit = rules.GapShare * Math.Max(Math.Abs(m.Gap), 1e-6);
         if (Math.Abs(a.Gap - b.Gap) > limit || Math.Abs(m.Gap - (a.Gap + b.Gap) / 2) > limit / 2) return false;
         // A second test off the middle, where waves may hide.
@@ -123,7 +128,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
             End(step);
             return;
         }
-        if (step.Path.Role is not (Role.Skirt or Role.Brim) && !field.Covers(m.Part.X, m.Part.Y))
+        if (step.Path.Role is not (Role.Skirt or Role.Brim) && !m.Covered)
         {
             Report.Uncovered.Note(length, 1, m.Part);
             if (rules.Partial)
@@ -209,5 +214,5 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         _pieces.RemoveAt(_pieces.Count - 1);
     }
 
-    private readonly record struct Sample(Vec3 Flat, Vec3 Part, double Gap, double Area);
+    private readonly record struct Sample(Vec3 Flat, Vec3 Part, double Gap, double Area, bool Covered);
 }

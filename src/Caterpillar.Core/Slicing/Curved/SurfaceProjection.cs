@@ -40,7 +40,7 @@ public static class SurfaceProjection
         var field = VerticalField.Of(onto.Moved(new Vec3(0, 0, -squeeze)), null);
         var (span, rise) = Extent(steps, onto);
         var steepest = settings.CurvedMaxSlope > 0 ? settings.CurvedMaxSlope : HeadSlope.Limit(setup.Printer, span, rise);
-        var rules = new LiftRules(settings.CurvedTolerance, settings.CurvedGapStep / 100, 0, steepest, null, partial);
+        var rules = new LiftRules(settings.CurvedTolerance, settings.CurvedGapStep / 100, 0, steepest, null, partial) { FindsEdge = true };
         var lifter = new PathLifter(field, rules, null);
         var result = new List<Step>(steps.Count);
         for (var i = 0; i < steps.Count; i++)

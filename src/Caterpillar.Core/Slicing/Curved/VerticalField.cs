@@ -76,7 +76,8 @@ internal sealed class VerticalField : LayerField
         if (!(to - from > level - low))
         {
             problems.Add(Severity.Error, "curved.blend_too_short",
-                $"Layers cannot change from level to the plan between {Text(from)} and {Text(to)} mm: the plan is {Text(level - low)} mm lower at {lowest} than "
+                $"Layers cannot change from level to the plan between {Text(from)} and {Text(to)} mm: the plan is {Text(level - low)} mm lower at {lowest} "
+                    + $"than "
                 + $"at its highest place, and layers would cross. The change needs more than {Text(level - low)} mm.");
             return this;
         }
