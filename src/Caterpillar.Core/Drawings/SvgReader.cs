@@ -15,9 +15,10 @@ namespace Caterpillar.Drawings;
 /// Paths and basic shapes of SVG, in the order of the file, as curves in mm: transforms of groups, units and viewBox are applied, and the page stands upright
 /// with its lower left corner at the origin. Attributes <c>data-width</c>, <c>data-height</c>, <c>data-area</c>, <c>data-speed</c>, <c>data-multiplier</c>,
 /// <c>data-z</c>, <c>data-tool</c> and <c>data-layer</c> (mm, mm², mm/s) on shapes or groups give settings; widths, heights and speeds also as percentages.
-/// Hidden elements and definitions are ignored.
+/// Elements that refer to others (<c>use</c>, <c>symbol</c>) are followed, text is written in letters of single strokes (<see cref="StrokeFont"/>). Hidden
+/// elements and definitions are ignored.
 /// </summary>
-internal sealed class SvgReader
+internal sealed partial class SvgReader
 {
     private const int MaxDepth = 512;
 
@@ -30,7 +31,7 @@ internal sealed class SvgReader
     private readonly CurveSource _source;
     private readonly string _text;
     private readonly int[] _lines;
-    private readonly XmlReader _xml;
+    private XmlReader _xml;
     private double _pageHeight = double.NaN;
 
     private SvgReader(CurveSource source, string text, XmlReader xml)
@@ -53,8 +54,7 @@ internal sealed class SvgReader
         var text = bytes.Length >= 2 && bytes[0] == 0xFF && bytes[1] == 0xFE ? Encoding.Unicode.GetString(bytes, 2, bytes.Length - 2)
             : bytes.Length >= 2 && bytes[0] == 0xFE && bytes[1] == 0xFF ? Encoding.BigEndianUnicode.GetString(bytes, 2, bytes.Length - 2)
             : Encoding.UTF8.GetString(bytes, at, bytes.Length - at);
-        var settings = new XmlReaderSettings { DtdProcessing = DtdProcessing.Ignore, XmlResolver = null, CheckCharacters = false };
-        using var xml = XmlReader.Create(new StringReader(text), settings);
+        using var xml = XmlReader.Create(new StringReader(text), Settings());
         try
         {
             new SvgReader(source, text, xml).ReadAll();
@@ -72,54 +72,77 @@ internal sealed class SvgReader
         }
     }
 
+    private static XmlReaderSettings Settings() => new() { DtdProcessing = DtdProcessing.Ignore, XmlResolver = null, CheckCharacters = false };
+
     private sealed record Scope(Affine Map, UserCurveSettings Settings, double Width, double Height);
 
     private sealed record UserCurveSettings(double?[] Values, double Z, int Tool, int? Layer, string Name);
 
     private void ReadAll()
     {
-        var scopes = new Stack<Scope>();
-        var root = false;
+        var page = new Scope(Affine.Identity, new UserCurveSettings(new double?[5], 0, 0, null, ""), 0, 0);
         while (_xml.Read())
         {
-            if (_xml.NodeType == XmlNodeType.EndElement && scopes.Count > 0) scopes.Pop();
+            if (_xml.NodeType != XmlNodeType.Element) continue;
+            if (_xml.LocalName != "svg") _source.Error("curves.svg", "An SVG file must begin with an svg element.", Here());
+            else if (!Hides()) ReadContent(page, true);
+            return;
+        }
+    }
+
+    // What an element "use" refers to; false after an error.
+    private bool ReadInside(Scope outer)
+    {
+        while (_xml.Read())
+        {
+            if (_xml.NodeType == XmlNodeType.Element) return Hides() || ReadContent(outer, false);
+        }
+        return true;
+    }
+
+    // The element where the reader is, with all that it holds; false after an error.
+    private bool ReadContent(Scope first, bool isRoot)
+    {
+        var scopes = new Stack<Scope>();
+        if (!Element(first, isRoot, scopes)) return false;
+        while (scopes.Count > 0 && _xml.Read())
+        {
+            if (_xml.NodeType == XmlNodeType.EndElement) scopes.Pop();
             if (_xml.NodeType != XmlNodeType.Element) continue;
             _source.Pulse(LineStart(Line.LineNumber), _text.Length);
-            if (!root && _xml.LocalName != "svg")
-            {
-                _source.Error("curves.svg", "An SVG file must begin with an svg element.", Here());
-                return;
-            }
-            var outer = root ? scopes.Peek() : new Scope(Affine.Identity, new UserCurveSettings(new double?[5], 0, 0, null, ""), 0, 0);
-            var isRoot = !root;
-            root = true;
             if (scopes.Count > MaxDepth)
             {
                 _source.Error("curves.svg", "Elements are nested too deeply.", Here());
-                return;
+                return false;
             }
-            if (Hidden())
-            {
-                _source.Diagnostics.Add(Severity.Remark, "curves.hidden", "Hidden elements are ignored.", Here());
-                SkipContent();
-                continue;
-            }
-            if (!Element(outer, isRoot, scopes)) return;
+            if (!Hides() && !Element(scopes.Peek(), false, scopes)) return false;
         }
+        return true;
+    }
+
+    private bool Hides()
+    {
+        if (!Hidden()) return false;
+        _source.Diagnostics.Add(Severity.Remark, "curves.hidden", "Hidden elements are ignored.", Here());
+        SkipContent();
+        return true;
     }
 
     // False after an error.
     private bool Element(Scope outer, bool isRoot, Stack<Scope> scopes)
     {
         var name = _xml.LocalName;
-        if (Definitions.Contains(name))
+        var isSymbol = name == "symbol" && _viewport is not null;
+        if (name == "use") return Use(outer);
+        if (name == "text") return Text(outer);
+        if (Definitions.Contains(name) && !isSymbol)
         {
             SkipContent();
             return true;
         }
-        if (name is not ("svg" or "g" or "a" or "switch") && !Shapes.Contains(name))
+        if (name is not ("svg" or "symbol" or "g" or "a" or "switch") && !Shapes.Contains(name))
         {
-            if (name is "use" or "text" or "image")
+            if (name is "image")
             {
                 _source.Diagnostics.Add(Severity.Warning, "curves.svg_" + name, $"Elements \"{name}\" are ignored; convert them to paths.", Here());
             }
@@ -132,9 +155,10 @@ internal sealed class SvgReader
             return true;
         }
         var empty = _xml.IsEmptyElement;
-        if (Enter(outer, name == "svg", isRoot) is not { } scope) return false;
+        if (Enter(outer, name is "svg" or "symbol", isRoot) is not { } scope) return false;
         if (Shapes.Contains(name) && !Shape(name, scope)) return false;
-        if (!empty || isRoot) scopes.Push(scope);
+        _viewport = null;
+        if (!empty) scopes.Push(scope);
         return true;
     }
 
@@ -175,6 +199,7 @@ internal sealed class SvgReader
         }
         var ownWidth = Extent("width", box is null ? (isRoot ? 0 : width) : box[2], width, isRoot, out var badWidth);
         var ownHeight = Extent("height", box is null ? (isRoot ? 0 : height) : box[3], height, isRoot, out var badHeight);
+        if (_viewport is { } used) (ownWidth, ownHeight, badWidth, badHeight) = (used.Width, used.Height, false, false);
         if (badWidth || badHeight) return FailValue<Affine>(badWidth ? "width" : "height", "This is not a length.");
         double x = 0, y = 0;
         if (!isRoot)
@@ -338,51 +363,5 @@ internal sealed class SvgReader
         if (style is null) return false;
         var plain = string.Concat(style.Where(c => c > ' '));
         return plain.IndexOf("display:none", StringComparison.Ordinal) >= 0 || plain.IndexOf("visibility:hidden", StringComparison.Ordinal) >= 0;
-    }
-
-    private IXmlLineInfo Line => (IXmlLineInfo)_xml;
-
-    private SourceLocation Here() => _source.Place(Math.Max(1, Line.LineNumber), Math.Max(1, Line.LinePosition));
-
-    private int LineStart(int line) => line >= 1 && line <= _lines.Length ? _lines[line - 1] : 0;
-
-    // The position of a character of an attribute's value in the file.
-    private SourceLocation InAttribute(string name, int index)
-    {
-        if (!_xml.MoveToAttribute(name)) return Here();
-        var at = LineStart(Line.LineNumber) + Line.LinePosition - 1;
-        _xml.MoveToElement();
-        while (at < _text.Length && _text[at] != '"' && _text[at] != '\'') at++;
-        at++;
-        for (; index > 0 && at < _text.Length; index--)
-        {
-            if (_text[at] == '&')
-            {
-                var end = _text.IndexOf(';', at);
-                at = end < 0 ? at : end;
-            }
-            else if (_text[at] == '\r' && at + 1 < _text.Length && _text[at + 1] == '\n')
-            {
-                at++;
-            }
-            at++;
-        }
-        var line = Array.BinarySearch(_lines, Math.Min(at, _text.Length));
-        if (line < 0) line = ~line - 1;
-        return _source.Place(line + 1, at - _lines[line] + 1);
-    }
-
-    private T? Fail<T>(string attribute, string message)
-        where T : class
-    {
-        _source.Error("curves.svg", message, InAttribute(attribute, 0));
-        return null;
-    }
-
-    private T? FailValue<T>(string attribute, string message)
-        where T : struct
-    {
-        _source.Error("curves.svg", message, InAttribute(attribute, 0));
-        return null;
     }
 }

@@ -168,9 +168,9 @@ public class SvgTests
     {
         var read = CurveReaderTests.Read(Page(
             "<defs><path d=\"M0 0h1\"/></defs><g display=\"none\"><path d=\"M0 0h2\"/></g><path style=\"fill:none; display : none\" d=\"M0 "
-                + "0h3\"/><text>hello</text><use href=\"#a\"/><path d=\"M0 0h4\"/>"), "a.svg");
+                + "0h3\"/><image href=\"a.png\"/><use href=\"#a\"/><path d=\"M0 0h4\"/>"), "a.svg");
         Assert.That(read.Value!.Single().Curve.Length, Is.EqualTo(4).Within(1e-9));
-        Assert.That(read.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "curves.hidden", "curves.svg_text", "curves.svg_use" }));
+        Assert.That(read.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "curves.hidden", "curves.svg_image", "curves.svg_use" }));
         Assert.That(read.Diagnostics[0].Count, Is.EqualTo(2));
     }
 

@@ -1,0 +1,87 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>
+/// Letters of single strokes, for pens, nozzles and engraving: ASCII and the Latin letters with accents. They are drawn on a grid on which capitals are 12
+/// units high, small letters 8, and descenders reach 4 below the line.
+/// </summary>
+public static class StrokeFont
+{
+    private const double CapHeight = 12;
+    private const double SmallHeight = 8;
+    private const double Gap = 3;
+    private const int Below = 4;
+
+    // What other characters look like.
+    private const string Box = "60e6e6q0q0e";
+
+    /// <summary>True for characters that have a shape of their own; others are boxes.</summary>
+    public static bool Has(char character) => StrokeFontData.Glyph(character).Length > 0 || StrokeFontData.Accented(character) is not null;
+
+    /// <summary>The strokes of a line of text that begins at the origin and runs along X, with Y up.</summary>
+    /// <param name="text">One line.</param>
+    /// <param name="capHeight">Height of capitals, mm.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The height is not above 0.</exception>
+    public static IReadOnlyList<Vec3[]> Strokes(string text, double capHeight)
+    {
+        var scale = Scale(capHeight);
+        var strokes = new List<Vec3[]>();
+        double x = 0;
+        foreach (var character in text ?? throw new ArgumentNullException(nameof(text))) x += Draw(character, x, scale, strokes);
+        return strokes;
+    }
+
+    /// <summary>How far the text reaches, from the beginning of its first letter to that of one that followed, mm.</summary>
+    /// <inheritdoc cref="Strokes"/>
+    public static double Advance(string text, double capHeight)
+    {
+        var scale = Scale(capHeight);
+        double x = 0;
+        foreach (var character in text ?? throw new ArgumentNullException(nameof(text))) x += (WidthOf(Plain(character)) + Gap) * scale;
+        return x;
+    }
+
+    private static double Scale(double capHeight) => capHeight > 0 && !double.IsInfinity(capHeight)
+        ? capHeight / CapHeight
+        : throw new ArgumentOutOfRangeException(nameof(capHeight), "The height of letters must be above 0.");
+
+    private static char Plain(char character) => StrokeFontData.Accented(character)?.Letter ?? character;
+
+    private static string GlyphOf(char character) => StrokeFontData.Glyph(character) is { Length: > 0 } glyph ? glyph : Box;
+
+    private static double WidthOf(char character) => GlyphOf(character)[0] - '0';
+
+    private static double Draw(char character, double x, double scale, List<Vec3[]> strokes)
+    {
+        var accented = StrokeFontData.Accented(character);
+        var letter = accented?.Letter ?? character;
+        var glyph = GlyphOf(letter);
+        var width = (double)(glyph[0] - '0');
+        var words = glyph.Substring(1).Split([' '], StringSplitOptions.RemoveEmptyEntries);
+        for (var i = 0; i < words.Length; i++)
+        {
+            // An accent takes the place of the dot.
+            if (i == 1 && accented is not null && letter is 'i' or 'j') continue;
+            Add(words[i], x, 0, scale, strokes);
+        }
+        if (accented is { } with)
+        {
+            var top = char.IsUpper(letter) ? CapHeight : SmallHeight;
+            foreach (var mark in StrokeFontData.Mark(with.Mark).Split(' '))
+                Add(mark, x + (width / 2 - StrokeFontData.MarkCenter) * scale, with.Mark == ',' ? 0 : top * scale, scale, strokes);
+        }
+        return (width + Gap) * scale;
+    }
+
+    // Pairs of a digit for x and a letter for y, of which e is the line.
+    private static void Add(string word, double x, double y, double scale, List<Vec3[]> strokes)
+    {
+        var points = new Vec3[word.Length / 2];
+        for (var i = 0; i < points.Length; i++)
+            points[i] = new Vec3(x + (word[2 * i] - '0') * scale, y + (word[2 * i + 1] - 'a' - Below) * scale);
+        strokes.Add(points);
+    }
+}
