@@ -71,7 +71,7 @@ internal static class Definitions
 
     private static GH_Document HelixToSphere(string name)
     {
-        var s = new Sketch(name, "A helix becomes a barrel: the radius grows with the height and shrinks again. Kanada's way to forms without slicing.");
+        var s = new Sketch(name, "A helix becomes a barrel: the radius grows with the height and shrinks again. Forms without slicing, after Kanada.");
         var helix = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 4, 1, 40, 1)),
             ("Pitch", s.Slider(0, "Pitch", 0.4, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 36, 12, 144, 0)));
         var round = s.Component<DeformComponent>(2, ("Print Paths", helix), ("System", s.Text(1, "System", "Cylindrical")),
@@ -106,7 +106,7 @@ internal static class Definitions
 
     private static GH_Document ModulatedRing(string name)
     {
-        var s = new Sketch(name, "A pattern by displacement: a formula pushes the wall in and out along its way.");
+        var s = new Sketch(name, "A pattern by displacement: a formula pushes the wall in and out along its length.");
         var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 2, 1, 40, 1)),
             ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 72, 12, 144, 0)));
         var pattern = s.Component<ModulateComponent>(2, ("Print Paths", ring), ("Expression", s.Text(1, "Pattern", "0.5 + 0.5 * sin(12 * theta)")),
