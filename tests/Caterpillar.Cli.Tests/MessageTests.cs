@@ -72,10 +72,11 @@ public class MessageTests : CliFixture
         Assert.That(run.Messages, Does.StartWith("s.turtle:1:").And.Contain(message));
     }
 
-    [Test]
-    public void Drawings_of_a_pen_are_seen_from_above()
+    [TestCase("generic")]
+    [TestCase("pen_plotter")]
+    public void Drawings_of_a_pen_are_seen_from_above(string printer)
     {
-        Assert.That(Run("curves", "c.csv", "--strokes", "-o", "pen.gcode").Code, Is.Zero);
+        Assert.That(Run("curves", "c.csv", "--strokes", "--printer", printer, "-o", "pen.gcode").Code, Is.Zero);
         Run("picture", "pen.gcode", "-o", "a.png", "--width", "64");
         Run("picture", "pen.gcode", "-o", "b.png", "--width", "64", "--view", "top");
         Run("picture", "pen.gcode", "-o", "c.png", "--width", "64", "--view", "-60,28");

@@ -60,13 +60,14 @@ internal sealed class PictureVerb : Verb
             progress => GCodeDecoder.DecodeStream(stream, new DecodeOptions { Memory = session.Memory }, Session.NameOf(file), progress, session.Cancel)));
         var toolpath = decoding.Toolpath;
         // Pens and lasers move, and lay nothing.
-        var drawing = !toolpath.Moves().Any(m => m.Kind == MoveKind.Print && m.Role != Role.Purge);
+        var drawing = !toolpath.Moves().Any(m => m.Deposited > 0 && m.Role != Role.Purge);
         var options = new PictureOptions
         {
             Width = width,
             Height = width * 3 / 4,
             View = view ?? (drawing ? View.Top : View.ThreeQuarter),
-            Strokes = drawing,
+            // Some firmware tells strokes from travels.
+            Strokes = drawing && !toolpath.Moves().Any(m => m.Kind == MoveKind.Print && m.Role != Role.Purge),
             ColorBy = arguments.GetValue(_color),
             Memory = session.Memory,
             Travel = arguments.GetValue(_travel),
