@@ -25,7 +25,7 @@ public static class PlanarSlicer
     /// <param name="cancel">Cancels.</param>
     /// <returns>The layers, and what was noticed: <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, <c>slice.layer_formula</c>,
     /// <c>slice.vase_divided</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was mended and what is left out) and
-    /// <c>slice.lost_layers</c> (an error: there are no layers then).</returns>
+    /// <c>slice.lost_layers</c> (an error: there are no layers then), and for each model <c>slice.too_thin</c>.</returns>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
     public static Result<SliceResult> Slice(
         IReadOnlyList<NamedMesh> models, PrintSettings settings, int threads = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -68,23 +68,24 @@ public static class PlanarSlicer
         var affordable = new SliceMemory(options.Memory);
         var problems = new DiagnosticList();
         // One for each model, so not in the list that counts.
-        var broken = new List<Diagnostic>();
+        var findings = new List<Diagnostic>();
         if (common.MergeOverlapping) models = OverlappingModels.Merge(models, threads, problems, cancel);
         var bodies = new List<Body>();
         for (var i = 0; i < models.Count; i++)
         {
-            var body = new Body(models[i].Mesh, i);
-            Cut(body, models[i].Settings, options, affordable, problems, broken, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
+            var body = new Body(models[i].Mesh, i, cancel);
+            Cut(body, models[i].Settings, options, affordable, problems, findings, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
             bodies.Add(body);
         }
-        if (broken.Any(d => d.Severity == Severity.Error)) return new Result<SliceResult>(null, [.. problems.ToList(), .. broken]);
+        if (findings.Any(d => d.Severity == Severity.Error)) return new Result<SliceResult>(null, [.. problems.ToList(), .. findings]);
         var ordered = common.PrintSequence == PrintSequence.ByObject
             ? bodies.OrderBy(b => b.Model.Mesh.Bounds.Max.Z).ThenBy(b => b.Number).SelectMany(b => b.Layers).ToArray()
             : bodies.SelectMany(b => b.Layers).OrderBy(l => l.Plan.Top).ThenBy(l => l.Body.Number).ToArray();
         var kept = Finish(affordable.Watch(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1))), ordered, common, problems);
+        foreach (var body in bodies) ThinPlaces.Report(body, findings);
         if (kept.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.nothing", Nothing(models, ordered));
-        return new Result<SliceResult>(kept.Length > 0 ? new SliceResult(kept) : null, [.. problems.ToList(), .. broken]);
+        return new Result<SliceResult>(kept.Length > 0 ? new SliceResult(kept) : null, [.. problems.ToList(), .. findings]);
     }
 
     private static string Nothing(IReadOnlyList<SliceModel> models, LayerWork[] layers)
@@ -136,7 +137,7 @@ public static class PlanarSlicer
     }
 
     private static void Cut(
-        Body body, PrintSettings settings, SliceOptions options, SliceMemory memory, DiagnosticList problems, List<Diagnostic> broken,
+        Body body, PrintSettings settings, SliceOptions options, SliceMemory memory, DiagnosticList problems, List<Diagnostic> findings,
         IProgress<double>? progress, CancellationToken cancel)
     {
         var mesh = body.Model.Mesh;
@@ -152,7 +153,7 @@ public static class PlanarSlicer
         if (options.Divide is { } divide) plan = divide(plan);
         memory.Plan(body, plan);
         var lift = Raft.Lift(settings);
-        var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, options.Threads, broken, progress, cancel);
+        var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, options.Threads, findings, progress, cancel);
         var rules = new Dictionary<double, SliceRules>();
         body.Layers = new LayerWork[plan.Length];
         for (var i = 0; i < plan.Length; i++)

@@ -78,7 +78,7 @@ public class BrokenModelTests
     {
         var models = MeshReader.Read(TestData.Shared("meshes/" + file)).Value!;
         var result = PlanarSlicer.Slice(models, Plain with { LayerHeight = 1, FirstLayerHeight = 1 });
-        Assert.That(result.Diagnostics.Select(d => d.Code), Is.SubsetOf(new[] { "slice.broken_mesh", "slice.lost_layers", "slice.nothing" }));
+        Assert.That(result.Diagnostics.Select(d => d.Code), Is.SubsetOf(new[] { "slice.broken_mesh", "slice.lost_layers", "slice.nothing", "slice.too_thin" }));
         Assert.That(result.Diagnostics.Any(d => d.Severity == Severity.Error), Is.EqualTo(refused), string.Join("\n", result.Diagnostics));
         Assert.That(result.Value is null, Is.EqualTo(refused));
     }

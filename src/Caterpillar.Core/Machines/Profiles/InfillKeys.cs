@@ -18,7 +18,7 @@ internal static class InfillKeys
         ("lines", Machines.InfillPattern.Lines), ("monotonic", Machines.InfillPattern.Monotonic), ("grid", Machines.InfillPattern.Grid),
         ("triangles", Machines.InfillPattern.Triangles), ("cubic", Machines.InfillPattern.Cubic),
         ("gyroid", Machines.InfillPattern.Gyroid), ("honeycomb", Machines.InfillPattern.Honeycomb), ("concentric", Machines.InfillPattern.Concentric),
-        ("hilbert", Machines.InfillPattern.Hilbert), ("formula", Machines.InfillPattern.Formula),
+        ("hilbert", Machines.InfillPattern.Hilbert), ("lightning", Machines.InfillPattern.Lightning), ("formula", Machines.InfillPattern.Formula),
     ];
 
     private static readonly string[] FormulaVariables = ["x", "y", "z", "layer", "spacing", "width"];

@@ -41,7 +41,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
         var rank = _settings.InfillFirst ? StepRank.EarlyInfill : StepRank.Infill;
         if (_rules.IsSolid && thickness == _rules.Thickness)
         {
-            Solid(area, Role.SolidInfill, _settings.InfillPattern, angle, rank);
+            Solid(area, Role.SolidInfill, Closing(_settings.InfillPattern), angle, rank);
             return;
         }
         var rules = thickness == _rules.Thickness ? _rules : _rules with { Walls = WallRules.Of(_settings, thickness), Thickness = thickness };
@@ -60,7 +60,9 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
         Add(lines, bead.WithArea(bead.Area * flow), role, rank);
     }
 
-    // The nozzle goes over the skin at its height; its lines keep inside, so that the edge stays sharp.
+    // Trees leave most of an area open.
+    private static InfillPattern Closing(InfillPattern pattern) => pattern == InfillPattern.Lightning ? InfillPattern.Lines : pattern;
+
     // Narrow pieces are filled along their outline: lines across them would be short, and all corners. Returns the others.
     private Region NarrowParts(Region area, int rank)
     {
@@ -73,13 +75,13 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
         var group = new StepGroup(layer.Number, number, rank);
         foreach (var wall in new WallBuilder(_rules.Walls, tools.Engine).Fill(Region.Own(narrow.ToArray())).Paths)
         {
-            var points = Array.ConvertAll(wall.Points, p => p.WithZ(layer.Plan.Top));
-            var path = PrintPath.Own(points, wall.Beads(_rules.Walls), wall.Closed).With(Role.SolidInfill, layer.Layer);
+            var path = wall.ToPath(layer.Plan.Top, _rules.Walls).With(Role.SolidInfill, layer.Layer);
             steps.Add(new PathStep(path, group) { Region = island.Region });
         }
         return Region.Own(wide.ToArray());
     }
 
+    // The nozzle goes over the skin at its height; its lines keep inside, so that the edge stays sharp.
     private void Iron(Region top, double skin)
     {
         if (top.IsEmpty || !(_settings.IroningFlowPercent > 0)) return;
@@ -94,13 +96,17 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
 
     // Center lines keep half a pitch from the edge of the area, less the overlap.
     private InfillRequest Request(Region area, InfillPattern pattern, double spacing, double width, double angle, bool solid)
-    {
-        var inset = _settings.WallCount == 0 ? 0 : _rules.Pitch(width) / 2 - _rules.Overlap;
-        var lines = inset == 0 ? area : area.Offset(-inset, JoinStyle.Miter, 2, ArcTolerance, tools.Engine);
-        return new InfillRequest(lines, pattern, spacing, width)
+        => new(CenterLines(area, _rules, width, tools.Engine), pattern, spacing, width)
         {
             Angle = angle, Z = layer.Plan.Top, Layer = layer.Index, Solid = solid, Formula = _rules.InfillFormula,
+            Curves = pattern == InfillPattern.Lightning ? layer.Body.Lightning[layer.Index] : null,
         };
+
+    /// <summary>Where the center lines of strands that fill an area may run.</summary>
+    public static Region CenterLines(Region area, SliceRules rules, double width, RegionEngine engine)
+    {
+        var inset = rules.Settings.WallCount == 0 ? 0 : rules.Pitch(width) / 2 - rules.Overlap;
+        return inset == 0 ? area : area.Offset(-inset, JoinStyle.Miter, 2, ArcTolerance, engine);
     }
 
     // The factor with which the lines hold exactly the volume of their area, whatever their number, their links and their overlap with the walls.

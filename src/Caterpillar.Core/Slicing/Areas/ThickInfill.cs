@@ -39,7 +39,8 @@ internal readonly record struct ThickInfill(Region Area, double Thickness)
         return common.IsEmpty || first == last ? None : new ThickInfill(common, layer.Index == last ? thickness : 0);
     }
 
-    private static Region SparseOf(LayerWork layer, RegionEngine engine)
+    /// <summary>The infill of all islands of a layer.</summary>
+    public static Region SparseOf(LayerWork layer, RegionEngine engine)
     {
         var finder = new SkinFinder(layer, engine);
         var paths = new List<GridPoint[]>();

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
@@ -13,6 +14,8 @@ internal static class FillStage
     /// <summary>The last layer of the body that the stage reads for a layer.</summary>
     public static int LastNeeded(LayerWork layer)
     {
+        // Trees grow from the top down.
+        if (layer.Rules.Settings.InfillPattern == InfillPattern.Lightning) return layer.Body.Layers.Length - 1;
         var last = layer.Index + SkinFinder.Reach(layer);
         if (layer.Rules.Settings.InfillEvery > 1)
         {

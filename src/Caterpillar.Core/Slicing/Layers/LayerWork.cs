@@ -32,6 +32,9 @@ internal sealed class LayerWork(Body body, int index, PlannedLayer plan, SliceRu
 
     public IslandWork[] Islands { get; set; } = [];
 
+    /// <summary>What no wall fits into.</summary>
+    public List<ThinPlace> TooThin { get; } = [];
+
     /// <summary>Contours that do not close and are printed as single walls.</summary>
     public IReadOnlyList<Polyline> OpenLines { get; set; } = [];
 

@@ -26,6 +26,7 @@ internal static class OutlineStage
         for (var i = 0; i < islands.Count; i++)
         {
             var walls = builder.Build(islands[i]);
+            layer.TooThin.AddRange(walls.TooThin);
             layer.Islands[i] = new IslandWork(islands[i]) { Walls = walls.Paths, Inside = walls.Inside };
         }
     }

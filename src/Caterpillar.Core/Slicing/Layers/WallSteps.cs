@@ -41,7 +41,7 @@ internal static class WallSteps
         var settings = layer.Rules.Settings;
         if (settings.FuzzySkin > 0 && wall is { Index: 0, Closed: true } && layer.Index > 0) wall = FuzzySkin.Apply(wall, settings, layer.Number, number);
         var role = wall.Index == 0 ? Role.OuterWall : wall.IsStrand ? Role.GapFill : Role.InnerWall;
-        return PrintPath.Own(Lifted(wall.Points, layer.Plan.Top), wall.Beads(layer.Rules.Walls), wall.Closed).With(role, layer.Layer);
+        return wall.ToPath(layer.Plan.Top, layer.Rules.Walls).With(role, layer.Layer);
     }
 
     /// <summary>Contours that do not close, as single walls.</summary>

@@ -7,8 +7,8 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
 {
     private const double ArcTolerance = 0.005;
 
-    // mm²; the tip of a sharp corner is no thin place.
-    private const double SmallestReported = 0.02;
+    // mm², as much as a dot of one line's width; the tip of a sharp corner is no thin place.
+    private const double SmallestReported = 0.15;
 
     private readonly VaryingOffset _offset = new(engine);
 
@@ -16,7 +16,10 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     public WallResult Build(Region island)
     {
         var output = new WallOutput(rules);
-        return output.Result(rules.Count == 0 ? island : rules.VariableWidth && !IsThick(island) ? Varying(island, output) : Classic(island, output));
+        if (rules.Count == 0) return output.Result(island);
+        if (!rules.VariableWidth) Report(island, rules.OuterWidth / 2, output);
+        else if (!IsThick(island)) return output.Result(Varying(island, output));
+        return output.Result(Classic(island, output));
     }
 
     /// <summary>
@@ -52,7 +55,8 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
 
     private Region Varying(Region island, WallOutput output)
     {
-        Report(island, output);
+        // Half the narrowest bead is the thinnest that gets one, which is then wider than its place.
+        Report(island, rules.Edge + rules.Spacing(rules.MinWidth) / 4, output);
         var area = island.Offset(-rules.Edge, JoinStyle.Miter, 4, ArcTolerance, engine);
         for (var wall = 0; wall < rules.Count && !area.IsEmpty; wall++)
         {
@@ -63,12 +67,12 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         return area.IsEmpty ? area : new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine, _offset).Strands(area, rules.Count, output);
     }
 
-    // Half the narrowest bead is the thinnest that gets one, which is then wider than its place.
-    private void Report(Region island, WallOutput output)
+    private void Report(Region island, double radius, WallOutput output)
     {
-        var radius = rules.Edge + rules.Spacing(rules.MinWidth) / 4;
         foreach (var place in ThinParts.Of(island, radius, SmallestReported, engine, out _).Islands)
-            output.TooThin.Add(new ThinPlace(place.Bounds.Center, place.Area));
+        {
+            if (place.Area >= SmallestReported) output.TooThin.Add(new ThinPlace(place.Bounds.Center, place.Area));
+        }
     }
 
     // Walls of one width. The first keeps half a width from the outline, each next one a spacing from the last.

@@ -71,7 +71,7 @@ internal sealed class WallLevel
     /// <summary>Lays only the single strands. Returns what is wide enough for loops.</summary>
     public Region Strands(Region area, int index, WallOutput output)
     {
-        // Where a place is only just too thin for two beads they become narrower, rather than change to a strand and back.
+        // A place that is only just too thin for two beads gets two narrower ones, so that walls of nearly even thickness do not change to a strand and back.
         var core = WithoutShort(Mitered(area, -Tolerated * _single / 2));
         var certain = ThinParts.Of(area, core, Tolerated * _single / 2, SmallestThin, _engine, out var grown);
         if (certain.IsEmpty) return area;

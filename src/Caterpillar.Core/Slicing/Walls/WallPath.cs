@@ -42,6 +42,14 @@ internal sealed record WallPath(Vec3[] Points, double[] Widths, bool Closed, int
         double Scaled(double w) => Math.Min(Math.Max(rules.Width(rules.Spacing(w) * share), Math.Min(w, rules.MinWidth)), Math.Max(w, rules.MaxWidth));
     }
 
+    /// <summary>The path that prints it at a height, mm.</summary>
+    public PrintPath ToPath(double z, WallRules rules)
+    {
+        var points = new Vec3[Points.Length];
+        for (var i = 0; i < points.Length; i++) points[i] = Points[i].WithZ(z);
+        return PrintPath.Own(points, Beads(rules), Closed);
+    }
+
     /// <summary>The beads of the segments: one for all where the width is the same everywhere, else one for each.</summary>
     public Bead[] Beads(WallRules rules)
     {
