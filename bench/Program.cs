@@ -5,12 +5,14 @@ namespace Caterpillar.Bench;
 /// <summary>
 /// <c>dotnet run -c Release --project bench -- --filter *</c>; a class or method name instead of * runs part of it.
 /// <c>dotnet run -c Release --project bench -- times FOLDER</c>: print times against other slicers for the meshes of a folder.
+/// <c>dotnet run -c Release --project bench -- coverage MODEL FILE.gcode...</c>: what the beads of solid prints leave open and cover twice (bench/coverage.sh).
 /// </summary>
 internal static class Program
 {
     private static void Main(string[] arguments)
     {
         if (arguments is ["times", var folder]) PrintTimes.Run(folder);
+        else if (arguments is ["coverage", _, _, ..]) Coverage.Run(arguments[1..]);
         else BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(arguments);
     }
 }
