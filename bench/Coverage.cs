@@ -35,9 +35,10 @@ internal static class Coverage
             var toolpath = GCodeDecoder.DecodeFile(file, new DecodeOptions { FilamentDiameter = 1.75 }).Value!.Toolpath;
             var sums = new double[5];
             for (var i = 0; i < layers.Length; i++) Measure(toolpath, Region.From(sections[i].Loops), (layers[i] + 1) * Thickness, sums);
-            var share = Array.ConvertAll(sums, s => (100 * s / sums[0]).ToString("F2", CultureInfo.InvariantCulture));
-            Console.WriteLine($"{Path.GetFileName(file),-32} area {sums[0].ToString("F1", CultureInfo.InvariantCulture),8} mm², open {share[1],5} %, double {share[2],5} %, "
-                + $"outside {share[3],5} %, center line outside {sums[4].ToString("F2", CultureInfo.InvariantCulture)} mm");
+            var (area, off) = (Text(sums[0]), Text(sums[4]));
+            var share = Array.ConvertAll(sums, s => Text(100 * s / sums[0]).PadLeft(5));
+            var line = $"area {area,8} mm², open {share[1]} %, double {share[2]} %, outside {share[3]} %, center line outside {off} mm";
+            Console.WriteLine($"{Path.GetFileName(file),-32} {line}");
         }
     }
 
@@ -67,6 +68,8 @@ internal static class Coverage
         sums[2] += twice;
         sums[3] += raster.Measure(section).Outside;
     }
+
+    private static string Text(double value) => value.ToString("F2", CultureInfo.InvariantCulture);
 
     // Points at most a millimeter apart, and what the bead covers there.
     private static List<(List<Vec3> Points, List<double> Spacings)> Paths(Toolpath toolpath, double z)
