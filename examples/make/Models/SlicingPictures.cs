@@ -56,7 +56,7 @@ internal static class SlicingPictures
 
     private static Vec3[] Rectangle(double y0, double y1, double width) => [new(0, y0), new(width, y0), new(width, y1), new(0, y1)];
 
-    private static TriMesh Revolved(params (double Radius, double Z)[] profile)
+    internal static TriMesh Revolved(params (double Radius, double Z)[] profile)
         => Lofted(profile.Select(p => (p.Z, Circle(p.Radius))).ToArray());
 
     private static Vec3[] Circle(double radius)
