@@ -121,7 +121,7 @@ internal sealed partial class SvgReader
     {
         foreach (var part in (_xml.GetAttribute("style") ?? "").Split(';'))
         {
-            var colon = part.IndexOf(':');
+            var colon = part.IndexOf(':', 0);
             if (colon > 0 && part.Substring(0, colon).Trim() == name) return part.Substring(colon + 1).Trim();
         }
         return null;

@@ -1,5 +1,5 @@
 using System;
-using System.Threading;
+using System.Collections.Concurrent;
 using Caterpillar.Basics;
 using Caterpillar.Expressions;
 using Caterpillar.Geometry;
@@ -11,7 +11,7 @@ internal sealed class FieldFormula
 {
     private static readonly string[] Variables = ["x", "y", "z", "r", "theta"];
     private readonly Formula _formula;
-    private readonly ThreadLocal<FormulaContext> _contexts = new(() => new FormulaContext(new double[5]));
+    private readonly ConcurrentBag<FormulaContext> _contexts = [];
 
     private FieldFormula(Formula formula) => _formula = formula;
 
@@ -29,13 +29,15 @@ internal sealed class FieldFormula
 
     public double At(double x, double y, double z)
     {
-        var context = _contexts.Value!;
+        var context = _contexts.TryTake(out var used) ? used : new FormulaContext(new double[5]);
         var values = context.Values;
         values[0] = x;
         values[1] = y;
         values[2] = z;
         values[3] = Math.Sqrt(x * x + y * y);
         values[4] = Angle.Atan2(y, x);
-        return _formula.Evaluate(context);
+        var value = _formula.Evaluate(context);
+        _contexts.Add(context);
+        return value;
     }
 }
