@@ -34,6 +34,9 @@ internal static class SlicingPictures
         Draw(folder, "vase", Revolved((8, 0), (12, 6), (13, 10), (10, 18), (12, 24)), vase, 0, 999, Slanted);
         Draw(folder, "rough", Revolved((8, 0), (8, 10)), plain with { FuzzySkin = 0.25, LayerHeight = 0.3 }, 0, 25, Slanted);
         Draw(folder, "thick_infill", Revolved((10, 0), (10, 6)), plain with { InfillEvery = 3 }, 0, 17, Slanted);
+        var mushroom = Revolved((4, 0), (4, 12), (14, 14), (14, 17));
+        Draw(folder, "support_grid", mushroom, plain with { Support = SupportKind.Grid }, 0, 66, new View(-60, 12));
+        Draw(folder, "support_tree", mushroom, plain with { Support = SupportKind.Tree }, 0, 66, new View(-60, 12));
     }
 
     private static void Draw(string folder, string name, TriMesh mesh, PrintSettings settings, int from, int to, View view, ColorBy color = ColorBy.Role)

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
+using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -69,6 +70,8 @@ public static class PlanarSlicer
         var problems = new DiagnosticList();
         // One for each model, so not in the list that counts.
         var findings = new List<Diagnostic>();
+        var helpers = models.Where(m => m.Settings.ModelUse != ModelUse.Part).ToArray();
+        if (helpers.Length > 0) models = models.Where(m => m.Settings.ModelUse == ModelUse.Part).ToArray();
         if (common.MergeOverlapping) models = OverlappingModels.Merge(models, threads, problems, cancel);
         var bodies = new List<Body>();
         for (var i = 0; i < models.Count; i++)
@@ -81,7 +84,9 @@ public static class PlanarSlicer
         var ordered = common.PrintSequence == PrintSequence.ByObject
             ? bodies.OrderBy(b => b.Model.Mesh.Bounds.Max.Z).ThenBy(b => b.Number).SelectMany(b => b.Layers).ToArray()
             : bodies.SelectMany(b => b.Layers).OrderBy(l => l.Plan.Top).ThenBy(l => l.Body.Number).ToArray();
-        var kept = Finish(affordable.Watch(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1))), ordered, common, problems);
+        var parallel = new ParallelOptions { CancellationToken = cancel, MaxDegreeOfParallelism = threads > 0 ? threads : -1 };
+        var kept = Finish(affordable.Watch(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1))), ordered, common, problems,
+            layers => PrintSupports.Add(layers, ordered, bodies, helpers, common, parallel));
         foreach (var body in bodies) ThinPlaces.Report(body, findings);
         if (kept.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.nothing", Nothing(models, ordered));
@@ -90,6 +95,7 @@ public static class PlanarSlicer
 
     private static string Nothing(IReadOnlyList<SliceModel> models, LayerWork[] layers)
     {
+        if (models.Count == 0) return "Nothing to print: all models are bodies for supports.";
         if (layers.All(l => l.Region.IsEmpty)) return "Nothing to print: no layer of the models has a closed contour.";
         if (models.All(m => m.Settings is { WallCount: 0, InfillPercent: 0, InfillSpacing: 0, TopLayers: 0, BottomLayers: 0 }))
             return "Nothing to print: the settings ask for no walls, no infill and no top or bottom layers.";
@@ -98,34 +104,37 @@ public static class PlanarSlicer
     }
 
     // What depends on the layers before, or on all objects on the bed.
-    private static SlicedLayer[] Finish(IEnumerable<SlicedLayer> layers, LayerWork[] works, PrintSettings settings, DiagnosticList problems)
+    private static SlicedLayer[] Finish(
+        IEnumerable<SlicedLayer> layers, LayerWork[] works, PrintSettings settings, DiagnosticList problems, Action<List<SlicedLayer>> supports)
     {
         var vases = new Dictionary<Body, (VaseSpiral Spiral, int Last)>();
         var seams = new Dictionary<Body, SeamPlacer>();
-        var kept = new List<SlicedLayer>();
-        var next = 0;
+        var all = new List<SlicedLayer>();
         foreach (var layer in layers)
         {
-            var work = works[next++];
+            var work = works[all.Count];
             if (!seams.TryGetValue(work.Body, out var placer)) seams.Add(work.Body, placer = new SeamPlacer(work.Body));
             var finished = placer.Next(work, layer);
             if (work.VaseLoop is not null)
             {
                 if (!vases.TryGetValue(work.Body, out var vase)) vase = (new VaseSpiral(), 0);
                 finished = vase.Spiral.Next(work, layer);
-                vases[work.Body] = (vase.Spiral, kept.Count);
+                vases[work.Body] = (vase.Spiral, finished.Steps.Count > 0 ? all.Count : vase.Last);
             }
-            if (finished.Steps.Count > 0) kept.Add(finished);
+            all.Add(finished);
         }
-        foreach (var body in vases.Keys.OrderBy(b => b.Number)) EndVase(vases[body].Spiral, vases[body].Last, body, kept, problems);
+        foreach (var body in vases.Keys.OrderBy(b => b.Number)) EndVase(vases[body].Spiral, vases[body].Last, body, all, problems);
+        supports(all);
+        var kept = all.FindAll(l => l.Steps.Count > 0);
         if (kept.Count == 0) return [];
         // All objects that stand as low as the first layer, which are those that the loops go around together.
-        var covered = Region.Union(kept.Where(l => l.Layer.Z <= kept[0].Layer.Z + 1e-9).Select(l => l.Region));
+        var low = kept.Where(l => l.Layer.Z <= kept[0].Layer.Z + 1e-9);
+        var covered = Region.Union(low.Select(l => l.Region).Concat(low.Select(l => l.Support)));
         if (settings.RaftLayers > 0) kept.InsertRange(0, Raft.Below(covered, settings));
         kept[0] = Adhesion.Around(kept[0], settings.RaftLayers > 0 ? kept[0].Region : covered, settings);
-        var all = kept.ToArray();
-        LayerTime.Apply(all, settings, problems);
-        return all;
+        var ready = kept.ToArray();
+        LayerTime.Apply(ready, settings, problems);
+        return ready;
     }
 
     private static void EndVase(VaseSpiral spiral, int last, Body body, List<SlicedLayer> kept, DiagnosticList problems)

@@ -10,6 +10,9 @@ namespace Caterpillar.Slicing;
 /// <param name="Steps">Its paths: by island, walls by contour, then infill; grouped, so that planning may sort them.</param>
 public sealed record SlicedLayer(Layer Layer, Region Region, IReadOnlyList<PathStep> Steps)
 {
+    /// <summary>What its supports cover.</summary>
+    public Region Support { get; init; } = Region.Empty;
+
     /// <summary>The loops of each contour, until their seams are chosen.</summary>
     internal IReadOnlyList<WallChain> Chains { get; init; } = [];
 }

@@ -136,6 +136,6 @@ internal static class SettingsKeys
         WipeDistance, RestoreDuringDescent,
         StartDistance, StopDistance, SortPaths,
         ..WallWidthKeys.All, ..LayerKeys.All, ..SkinKeys.All, ..InfillKeys.All, ..BedKeys.All, ..SurfaceKeys.All, ..SeamKeys.All, ..TravelKeys.All,
-        ..CurvedKeys.All,
+        ..CurvedKeys.All, ..SupportKeys.All,
     ];
 }

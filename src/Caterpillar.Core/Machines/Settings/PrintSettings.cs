@@ -117,6 +117,7 @@ public sealed partial record PrintSettings
             Role.SolidInfill or Role.BottomSkin => SolidInfillSpeed > 0 ? SolidInfillSpeed : InfillSpeed,
             Role.Bridge => BridgeSpeed,
             Role.Ironing => IroningSpeed,
+            Role.Support or Role.SupportInterface => SupportSpeed,
             _ => 0,
         };
         var speed = own > 0 ? own : PrintSpeed;

@@ -1,0 +1,234 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Finds where supports stand, in three passes: what hangs over (each level for itself); from the top down, where it has to be held; from the bottom up, what
+/// of that is carried.
+/// </summary>
+internal sealed class SupportBuilder
+{
+    private const double ArcTolerance = 0.02;
+
+    // mm; a step that is too wide by no more than twice this is not.
+    private const double Least = 0.005;
+    // mm; supports need not follow the part more closely.
+    private const double Coarse = 0.06;
+    private readonly SupportStack _stack;
+    private readonly PrintSettings _settings;
+    private readonly SupportLevel[] _levels;
+    private readonly ParallelOptions _options;
+    private readonly double _width;
+
+    private SupportBuilder(SupportStack stack, ParallelOptions options)
+    {
+        _stack = stack;
+        _settings = stack.Settings;
+        _levels = stack.Levels;
+        _options = options;
+        _width = _settings.LineWidth;
+    }
+
+    /// <summary>Fills the levels of a stack.</summary>
+    /// <param name="stack">The bodies to support.</param>
+    /// <param name="others">Layers of all other bodies, which supports keep away from.</param>
+    /// <param name="blockers">Bodies in which nothing is supported.</param>
+    /// <param name="enforcers">Bodies in which everything is.</param>
+    /// <param name="options">Threads, and cancelling.</param>
+    public static void Build(
+        SupportStack stack, IReadOnlyList<LayerWork> others, IReadOnlyList<TriMesh> blockers, IReadOnlyList<TriMesh> enforcers, ParallelOptions options)
+    {
+        var builder = new SupportBuilder(stack, options);
+        builder.FindOverhangs(builder.SectionsOf(blockers), builder.SectionsOf(enforcers));
+        if (Array.TrueForAll(stack.Levels, l => l.Overhang.IsEmpty)) return;
+        builder.Forbid(others);
+        builder.FindContacts();
+        if (builder._settings.Support == SupportKind.Tree) new TreeSupport(stack, options).Grow();
+        else builder.Drop();
+        builder.Carry();
+        builder.FindInterfaces();
+    }
+
+    private Region[]? SectionsOf(IReadOnlyList<TriMesh> meshes)
+    {
+        if (meshes.Count == 0) return null;
+        var mesh = TriMesh.Merge(meshes);
+        // Part layers may have been lifted by a raft, which these bodies know nothing of.
+        var lift = Raft.Lift(_settings);
+        var heights = Array.ConvertAll(_levels, l => l.Top - lift - l.Thickness / 2);
+        var sections = MeshSections.At(mesh, heights, new SectionOptions(), null, _options.CancellationToken).Value!;
+        return sections.Select(s => Region.From(s.Loops)).ToArray();
+    }
+
+    private void FindOverhangs(Region[]? blockers, Region[]? enforcers) => Parallel.For(1, _levels.Length, _options, i =>
+    {
+        var (level, below) = (_levels[i], _levels[i - 1].Part);
+        var engine = new RegionEngine();
+        var reach = _settings.SupportAngle < 90 ? Math.Min(1000, level.Thickness * Angle.Sin(_settings.SupportAngle) / Angle.Cos(_settings.SupportAngle))
+            : 1000;
+        if (reach < 1000 && below.Surrounds(level.Part)) return;
+        var step = level.Part.Subtract(below, engine);
+        var overhang = below.IsEmpty && reach < 1000 ? level.Part : Region.Empty;
+        if (reach < 1000 && !below.IsEmpty)
+        {
+            // What leans out too far, and all of the step that it is the edge of.
+            var far = Opened(step.Subtract(below.Offset(reach, JoinStyle.Round, 2, ArcTolerance, engine), engine), Least, engine);
+            if (!far.IsEmpty) overhang = far.Offset(reach + Least, JoinStyle.Round, 2, ArcTolerance, engine).Intersect(step, engine);
+        }
+        if (blockers is not null) overhang = overhang.Subtract(blockers[i], engine);
+        if (enforcers is not null) overhang = overhang.Union(step.Intersect(enforcers[i], engine), engine);
+        level.Overhang = overhang;
+    });
+
+    private void Forbid(IReadOnlyList<LayerWork> others) => Parallel.For(0, _levels.Length, _options, i =>
+    {
+        var level = _levels[i];
+        var near = others.Where(o => o.Plan.Top > level.Top - level.Thickness + 1e-9 && o.Plan.Top - o.Plan.Thickness < level.Top - 1e-9).Select(o => o.Region);
+        level.Forbidden = Simple(Region.Union(near.Append(level.Part)), _settings.SupportXyGap, new RegionEngine());
+    });
+
+    // Moved outward by a distance and a bit, so that the simplified outline is nowhere nearer.
+    private static Region Simple(Region region, double distance, RegionEngine engine)
+        => region.Offset(distance + Coarse, JoinStyle.Round, 2, Coarse / 2, engine).Simplified(Coarse / 2, engine);
+
+
+    // Overhangs are held from the highest level that leaves the gap open.
+    private void FindContacts()
+    {
+        var contacts = new List<Region>[_levels.Length];
+        for (var i = 1; i < _levels.Length; i++)
+        {
+            if (_levels[i].Overhang.IsEmpty) continue;
+            var at = _stack.LevelBelow(_levels[i].Top - _levels[i].Thickness - _settings.SupportTopGap);
+            if (at >= 0) (contacts[at] ??= []).Add(_levels[i].Overhang);
+        }
+        Parallel.For(0, _levels.Length, _options, i =>
+        {
+            if (contacts[i] is { } list) _levels[i].Contact = Region.Union(list);
+        });
+    }
+
+    // Columns: from each overhang straight down until the part begins.
+    private void Drop()
+    {
+        var engine = new RegionEngine();
+        var needed = Region.Empty;
+        for (var i = _levels.Length - 1; i >= 0; i--)
+        {
+            _options.CancellationToken.ThrowIfCancellationRequested();
+            var level = _levels[i];
+            if (!level.Contact.IsEmpty) needed = needed.Union(level.Contact, engine);
+            if (needed.IsEmpty) continue;
+            needed = needed.Subtract(level.Part, engine).Simplified(Coarse, engine);
+            level.Support = needed;
+        }
+        Parallel.For(0, _levels.Length, _options, i =>
+        {
+            var level = _levels[i];
+            if (!level.Support.IsEmpty) level.Support = Clear(i, level.Support, new RegionEngine());
+        });
+    }
+
+    // Away from the walls, and so far above and below the part that the gaps stay open.
+    private Region Clear(int i, Region support, RegionEngine engine)
+    {
+        var level = _levels[i];
+        support = support.Subtract(level.Forbidden, engine);
+        for (var k = i + 1; k < _levels.Length && _levels[k].Top - _levels[k].Thickness < level.Top + _settings.SupportTopGap - 1e-6; k++)
+            support = support.Subtract(_levels[k].Part, engine);
+        for (var k = i - 1; k >= 0 && _levels[k].Top > level.Top - level.Thickness - _settings.SupportBottomGap + 1e-6; k--)
+            support = support.Subtract(_levels[k].Part, engine);
+        return support;
+    }
+
+    // From the bed up: only what lies on the bed, on supports below, or (everywhere) closely above the part.
+    private void Carry()
+    {
+        var engine = new RegionEngine();
+        var grounded = new Region[_levels.Length];
+        Parallel.For(0, _levels.Length, _options, i =>
+        {
+            var own = new RegionEngine();
+            grounded[i] = Region.Empty;
+            if (_levels[i].Support.IsEmpty) return;
+            if (_settings.Support == SupportKind.Tree) _levels[i].Support = Clear(i, _levels[i].Support, own);
+            if (i > 0 && _settings.SupportPlace == SupportPlace.Everywhere) grounded[i] = _levels[i].Support.Intersect(Ground(i), own);
+        });
+        for (var i = 0; i < _levels.Length; i++)
+        {
+            _options.CancellationToken.ThrowIfCancellationRequested();
+            var level = _levels[i];
+            if (level.Support.IsEmpty) continue;
+            var support = level.Support;
+            if (i > 0)
+            {
+                var below = _levels[i - 1].Support;
+                if (support.SameAs(below) || below.Surrounds(support))
+                {
+                    level.Support = support;
+                    continue;
+                }
+                support = below.IsEmpty ? Region.Empty : support.Intersect(below.Offset(Lean(level), JoinStyle.Round, 2, Coarse / 2, engine), engine);
+                if (!grounded[i].IsEmpty) support = support.Union(grounded[i], engine);
+            }
+            level.Support = Opened(support, _width / 2, engine);
+        }
+    }
+
+    // How far a strand may reach beyond what is below it.
+    private double Lean(SupportLevel level)
+    {
+        var roof = _settings.Support == SupportKind.Tree && !RoofOver(level).IsEmpty ? _settings.SupportTipDistance : 0;
+        var angle = Math.Max(45, _settings.Support == SupportKind.Tree ? _settings.SupportBranchAngle : 0);
+        return Math.Max(roof, level.Thickness * Angle.Sin(angle) / Angle.Cos(angle));
+    }
+
+    // The contacts that dense layers up to this one hold.
+    private Region RoofOver(SupportLevel level)
+    {
+        if (_settings.SupportInterfaceLayers == 0) return Region.Empty;
+        var from = level.Work.Index;
+        var roof = Region.Empty;
+        for (var k = from; k < Math.Min(_levels.Length, from + _settings.SupportInterfaceLayers); k++)
+            roof = roof.IsEmpty ? _levels[k].Contact : roof.Union(_levels[k].Contact);
+        return roof;
+    }
+
+    // The surface of the part as far below a level as the gaps explain: at walls that are not upright, supports begin a bit above it.
+    private Region Ground(int i)
+    {
+        var bottom = _levels[i].Top - _levels[i].Thickness;
+        var from = _stack.LevelBelow(bottom - _settings.SupportBottomGap);
+        if (from < 0) return Region.Empty;
+        var to = Math.Max(0, _stack.LevelBelow(bottom - _settings.SupportBottomGap - _settings.SupportXyGap));
+        var ground = _levels[from].Part;
+        for (var k = to; k < from; k++)
+        {
+            if (!ground.Surrounds(_levels[k].Part)) ground = ground.Union(_levels[k].Part);
+        }
+        return ground;
+    }
+
+    private void FindInterfaces() => Parallel.For(0, _levels.Length, _options, i =>
+    {
+        var level = _levels[i];
+        if (level.Support.IsEmpty) return;
+        var engine = new RegionEngine();
+        var roof = RoofOver(level);
+        if (!roof.IsEmpty) level.Interface = Opened(roof.Intersect(level.Support, engine), _width / 2, engine);
+    });
+
+    private static Region Opened(Region region, double radius, RegionEngine engine)
+    {
+        if (region.IsEmpty) return region;
+        var core = region.Offset(-radius, JoinStyle.Miter, 2, ArcTolerance, engine);
+        return core.IsEmpty ? core : core.Offset(radius, JoinStyle.Miter, 2, ArcTolerance, engine).Intersect(region, engine);
+    }
+}

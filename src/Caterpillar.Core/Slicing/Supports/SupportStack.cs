@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>One level of bodies that share their layers, with its supports.</summary>
+/// <param name="work">The layer that prints the supports of the level.</param>
+internal sealed class SupportLevel(LayerWork work)
+{
+    public LayerWork Work { get; } = work;
+
+    public double Top => Work.Plan.Top;
+
+    public double Thickness => Work.Plan.Thickness;
+
+    /// <summary>What the bodies cover.</summary>
+    public Region Part { get; set; } = Region.Empty;
+
+    /// <summary>What supports keep out of: all bodies and their distance from them.</summary>
+    public Region Forbidden { get; set; } = Region.Empty;
+
+    /// <summary>What hangs over too far, of this level.</summary>
+    public Region Overhang { get; set; } = Region.Empty;
+
+    /// <summary>The overhangs of higher levels that are held from right here.</summary>
+    public Region Contact { get; set; } = Region.Empty;
+
+    /// <summary>What the supports cover.</summary>
+    public Region Support { get; set; } = Region.Empty;
+
+    /// <summary>Part of it that is dense.</summary>
+    public Region Interface { get; set; } = Region.Empty;
+}
+
+/// <summary>Bodies whose layers are at the same heights, from the bed up.</summary>
+internal sealed class SupportStack
+{
+    private SupportStack(PrintSettings settings, SupportLevel[] levels)
+    {
+        Settings = settings;
+        Levels = levels;
+    }
+
+    public PrintSettings Settings { get; }
+
+    public SupportLevel[] Levels { get; }
+
+    /// <summary>The stacks of all bodies that want supports: those of equal settings together, unless each object is printed on its own.</summary>
+    public static List<SupportStack> Of(IReadOnlyList<Body> bodies, PrintSettings common)
+    {
+        var stacks = new List<SupportStack>();
+        var left = bodies.Where(b => b.Layers.Length > 0 && b.Layers[0].Rules.Settings is { Support: not SupportKind.None, Vase: false }).ToList();
+        while (left.Count > 0)
+        {
+            var settings = left[0].Layers[0].Rules.Settings;
+            var alone = common.PrintSequence == PrintSequence.ByObject || settings.AdaptiveLayers;
+            var members = alone ? [left[0]] : left.Where(b => b.Layers[0].Rules.Settings == settings).ToList();
+            left.RemoveAll(members.Contains);
+            var tallest = members.OrderByDescending(b => b.Layers.Length).ThenBy(b => b.Number).First();
+            var levels = new SupportLevel[tallest.Layers.Length];
+            for (var i = 0; i < levels.Length; i++)
+            {
+                var at = i;
+                levels[i] = new SupportLevel(tallest.Layers[i]) { Part =
+                    Region.Union(members.Where(b => at < b.Layers.Length).Select(b => b.Layers[at].Region)) };
+            }
+            stacks.Add(new SupportStack(settings, levels));
+        }
+        return stacks;
+    }
+
+    /// <summary>The highest level that ends at or below a height, or −1.</summary>
+    public int LevelBelow(double z)
+    {
+        const double Rounding = 1e-6;
+        int low = -1, high = Levels.Length - 1;
+        while (low < high)
+        {
+            var middle = low + (high - low + 1) / 2;
+            if (Levels[middle].Top <= z + Rounding) low = middle;
+            else high = middle - 1;
+        }
+        return low;
+    }
+}

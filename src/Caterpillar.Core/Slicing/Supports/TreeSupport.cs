@@ -1,0 +1,221 @@
+using System;
+using System.Collections.Generic;
+using System.Threading.Tasks;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Supports as trees, grown from the top down: tips below what hangs over; further down, branches lean out of the shadow of the part, so that they reach
+/// the bed, and toward each other until they join. They get thicker downwards.
+/// </summary>
+internal sealed class TreeSupport
+{
+    private const double ArcTolerance = 0.05;
+
+    // Growth of the radius, mm for each mm down, and for each tip that a branch carries, of the line width.
+    private const double Taper = 0.06;
+    private const double Joined = 0.15;
+
+    private readonly PrintSettings _settings;
+    private readonly SupportLevel[] _levels;
+    private readonly ParallelOptions _options;
+    private readonly double _width;
+    private readonly double _slope;
+    private readonly RegionEngine _engine = new();
+    private List<Branch> _branches = [];
+
+    public TreeSupport(SupportStack stack, ParallelOptions options)
+    {
+        _settings = stack.Settings;
+        _levels = stack.Levels;
+        _options = options;
+        _width = _settings.LineWidth;
+        _slope = Angle.Sin(_settings.SupportBranchAngle) / Angle.Cos(_settings.SupportBranchAngle);
+    }
+
+    // A branch where it passes a level.
+    private readonly record struct Branch(Vec3 Place, double Depth, int Tips);
+
+    /// <summary>Fills the supports of the levels, without regard to gaps and to what carries them.</summary>
+    public void Grow()
+    {
+        var shadows = Shadows();
+        var at = new List<Branch>?[_levels.Length];
+        var waiting = Region.Empty;
+        for (var i = _levels.Length - 1; i >= 0; i--)
+        {
+            _options.CancellationToken.ThrowIfCancellationRequested();
+            var level = _levels[i];
+            var shadow = _branches.Count > 0 ? shadows[i].Offset(_settings.SupportXyGap + _width, JoinStyle.Round, 2, ArcTolerance, _engine) : Region.Empty;
+            Move(level, shadow);
+            if (!level.Contact.IsEmpty) waiting = waiting.Union(level.Contact, _engine);
+            if (!waiting.IsEmpty)
+            {
+                waiting = waiting.Subtract(level.Part, _engine).Simplified(0.05, _engine);
+                var ready = waiting.Subtract(level.Forbidden, _engine).Offset(-_width / 20, JoinStyle.Miter, 2, ArcTolerance, _engine);
+                AddTips(ready);
+                waiting = waiting.Subtract(ready, _engine);
+            }
+            if (_branches.Count > 0) at[i] = [.. _branches];
+        }
+        Parallel.For(0, _levels.Length, _options, i =>
+        {
+            var shapes = new List<Region>();
+            if (at[i] is { } branches) shapes.Add(Discs(branches));
+            for (var k = i; k < Math.Min(_levels.Length, i + _settings.SupportInterfaceLayers); k++) shapes.Add(_levels[k].Contact);
+            if (shapes.Count > 0) _levels[i].Support = Region.Union(shapes);
+        });
+    }
+
+    // What the part covers up to each level, seen from below.
+    private Region[] Shadows()
+    {
+        var shadows = new Region[_levels.Length];
+        var shadow = Region.Empty;
+        for (var i = 0; i < shadows.Length; i++)
+        {
+            if (!shadow.Surrounds(_levels[i].Part)) shadow = shadow.Union(_levels[i].Part, _engine).Simplified(0.1, _engine);
+            shadows[i] = shadow;
+        }
+        return shadows;
+    }
+
+    private void Move(SupportLevel level, Region shadow)
+    {
+        var step = level.Thickness * _slope;
+        var reach = level.Top * _slope;
+        var moved = new List<Branch>(_branches.Count);
+        for (var b = 0; b < _branches.Count; b++)
+        {
+            var branch = _branches[b];
+            var place = branch.Place;
+            // On the part: the branch ends here.
+            if (level.Part.Contains(place.X, place.Y)) continue;
+            var next = place;
+            if (shadow.Contains(place.X, place.Y))
+            {
+                var (edge, distance) = Edge(shadow, place);
+                if (distance <= reach) next = Toward(place, edge, Math.Min(step, distance + 0.01));
+                else if (_settings.SupportPlace == SupportPlace.Bed) continue;
+                // Never through a wall.
+                if (level.Forbidden.Contains(next.X, next.Y) && !level.Forbidden.Contains(place.X, place.Y)) next = place;
+            }
+            else if (Neighbor(b, 2 * reach) is { } other)
+            {
+                next = Toward(place, other, Math.Min(step, place.DistanceTo(other) / 2));
+                if (shadow.Contains(next.X, next.Y)) next = place;
+            }
+            moved.Add(branch with { Place = next, Depth = branch.Depth + level.Thickness });
+        }
+        _branches = Merged(moved);
+    }
+
+    // Branches that have met become one.
+    private List<Branch> Merged(List<Branch> branches)
+    {
+        var kept = new List<Branch>(branches.Count);
+        foreach (var branch in branches)
+        {
+            var same = kept.FindIndex(k => k.Place.DistanceTo(branch.Place) < _width / 2);
+            if (same < 0) kept.Add(branch);
+            else kept[same] = new Branch(kept[same].Place, Math.Max(kept[same].Depth, branch.Depth), kept[same].Tips + branch.Tips);
+        }
+        return kept;
+    }
+
+    private Vec3? Neighbor(int branch, double reach)
+    {
+        var least = reach;
+        Vec3? best = null;
+        for (var i = 0; i < _branches.Count; i++)
+        {
+            if (i == branch) continue;
+            var distance = _branches[i].Place.DistanceTo(_branches[branch].Place);
+            if (distance >= least) continue;
+            least = distance;
+            best = _branches[i].Place;
+        }
+        return best;
+    }
+
+    private void AddTips(Region ready)
+    {
+        var spacing = _settings.SupportTipDistance;
+        foreach (var island in ready.Islands)
+        {
+            var count = _branches.Count;
+            var box = island.Bounds;
+            for (var y = Math.Ceiling(box.Min.Y / spacing) * spacing; y <= box.Max.Y; y += spacing)
+            {
+                for (var x = Math.Ceiling(box.Min.X / spacing) * spacing; x <= box.Max.X; x += spacing)
+                {
+                    if (island.Contains(x, y)) AddTip(new Vec3(x, y));
+                }
+            }
+            if (_branches.Count == count && Middle(island) is { } middle) AddTip(middle);
+        }
+    }
+
+    private void AddTip(Vec3 place)
+    {
+        if (!_branches.Exists(b => b.Place.DistanceTo(place) < _settings.SupportTipDistance / 2)) _branches.Add(new Branch(place, 0, 1));
+    }
+
+    // A point well inside: the middle of the longest level line at half its height.
+    private static Vec3? Middle(Region island)
+    {
+        var box = island.Bounds;
+        Vec3? middle = null;
+        var longest = 0.0;
+        foreach (var line in island.HatchLines(0, box.Size.Y + 1, box.Center.Y))
+        {
+            if (line.From.DistanceTo(line.To) <= longest) continue;
+            longest = line.From.DistanceTo(line.To);
+            middle = Vec3.Lerp(line.From, line.To, 0.5);
+        }
+        return middle;
+    }
+
+    private Region Discs(List<Branch> branches)
+    {
+        const int Sides = 16;
+        var discs = new List<Polyline>(branches.Count);
+        foreach (var branch in branches)
+        {
+            var radius = Math.Max(_width, Math.Min(
+                _settings.SupportBranchDiameter / 2, _width * (1 + Joined * Math.Sqrt(branch.Tips - 1)) + Taper * branch.Depth));
+            var points = new Vec3[Sides];
+            for (var k = 0; k < Sides; k++)
+            {
+                var (sin, cos) = Angle.SinCos(360.0 * k / Sides);
+                points[k] = branch.Place + new Vec3(radius * cos, radius * sin);
+            }
+            discs.Add(Polyline.Own(points, closed: true));
+        }
+        return Region.From(discs);
+    }
+
+    private static (Vec3 Place, double Distance) Edge(Region region, Vec3 from)
+    {
+        var best = from;
+        var least = double.PositiveInfinity;
+        foreach (var contour in region.Contours)
+        {
+            var place = LoopPlace.Nearest(contour.Raw, from).Point;
+            var distance = place.DistanceTo(from);
+            if (distance >= least) continue;
+            least = distance;
+            best = place;
+        }
+        return (best, least);
+    }
+
+    private static Vec3 Toward(Vec3 from, Vec3 to, double step)
+    {
+        var distance = from.DistanceTo(to);
+        return distance > 0 ? from + (to - from) * (step / distance) : from;
+    }
+}
