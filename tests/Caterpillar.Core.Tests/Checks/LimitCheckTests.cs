@@ -171,6 +171,26 @@ public class LimitCheckTests
         => Assert.That(Run(Generic, b => b.Add(new Vec3(20, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 1, 0)).Single().Code,
             Is.EqualTo("limit.tool"));
 
+    [TestCase(1, 0)]
+    [TestCase(1.0001, 1)]
+    public void A_move_at_exactly_the_greatest_speed_is_fine(double factor, int findings)
+    {
+        var speed = Generic.Printer.MaxSpeed.X * factor;
+        var found = Run(Generic, b => b.Add(new Vec3(210, 10, 0.2), 0.01, 0.01, speed, MoveKind.Print, Role.Unspecified, -1, 0, 0));
+        Assert.That(found.Select(d => d.Code), Is.EqualTo(Enumerable.Repeat("limit.speed", findings)));
+    }
+
+    [Test]
+    public void Null_arguments_are_a_misuse()
+    {
+        var toolpath = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero).Build([new ToolpathTool(1)]);
+        Assert.That(() => LimitCheck.Run((Toolpath)null!, Generic), Throws.ArgumentNullException);
+        Assert.That(() => LimitCheck.Run(toolpath, null!), Throws.ArgumentNullException);
+        Assert.That(() => SafeWriter.Write(null!, Generic, System.IO.Stream.Null), Throws.ArgumentNullException);
+        Assert.That(() => SafeWriter.Write(toolpath, null!, System.IO.Stream.Null), Throws.ArgumentNullException);
+        Assert.That(() => SafeWriter.Write(toolpath, Generic, (System.IO.Stream)null!), Throws.ArgumentNullException);
+    }
+
     private static void Print(ToolpathBuilder builder, Vec3 to)
         => builder.Add(to, 0.1, 0.1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0);
 

@@ -96,6 +96,8 @@ public class PlanarSlicerTests
         var skirt = slices.ToSteps().Cast<PathStep>().Where(s => s.Path.Role == Role.Skirt).ToArray();
         Assert.That(skirt, Has.Length.EqualTo(2));
         Assert.That(skirt.Select(s => s.Path.Layer!.Index), Is.All.EqualTo(0));
+        // Each loop has the next one to lean on.
+        Assert.That(skirt[0].Path.Length, Is.GreaterThan(skirt[1].Path.Length + 1));
         // Round corners: 4 · 10 + 2π · 5.2.
         Assert.That(skirt.Min(s => s.Path.Length), Is.EqualTo(40 + 2 * Math.PI * 5.2).Within(0.2));
     }
