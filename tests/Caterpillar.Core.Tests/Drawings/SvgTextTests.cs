@@ -129,8 +129,8 @@ public class SvgTextTests
         }
         // The accent takes the place of the dot.
         Assert.That(StrokeFont.Strokes("\u00ED", 12), Has.Count.EqualTo(2));
-        Assert.That(StrokeFont.Strokes("\u00C9", 12)[^1].Min(p => p.Y), Is.GreaterThan(12));
-        Assert.That(StrokeFont.Strokes("\u00E7", 12)[^1].Max(p => p.Y), Is.Zero);
+        Assert.That(StrokeFont.Strokes("\u00C9", 12).Last().Min(p => p.Y), Is.GreaterThan(12));
+        Assert.That(StrokeFont.Strokes("\u00E7", 12).Last().Max(p => p.Y), Is.Zero);
     }
 
     [Test]

@@ -85,8 +85,8 @@ public class NarrowAreaTests
         Assert.That(trees, Has.Count.EqualTo(lines.Count));
         Assert.That(trees.Sum(Infill), Is.GreaterThan(0).And.LessThan(0.4 * lines.Sum(Infill)));
         // The layer under the four closed ones at the top, and one that is farther below them than half the width.
-        var top = Infill(trees[^6]);
-        Assert.That(top, Is.GreaterThan(0.3 * Infill(lines[^6])));
+        var top = Infill(trees[trees.Count - 6]);
+        Assert.That(top, Is.GreaterThan(0.3 * Infill(lines[lines.Count - 6])));
         Assert.That(Infill(trees[10]), Is.LessThan(0.1 * top));
     }
 }
