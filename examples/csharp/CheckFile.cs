@@ -13,6 +13,6 @@ public static class CheckFile
     {
         var setup = new ProfileLibrary().Setup("ender3").OrThrow();
         var file = GCodeDecoder.DecodeFile(input).OrThrow();
-        return LimitCheck.Run(file, setup).Select(finding => finding.ToString());
+        return PrintCheck.Run(file, setup).Select(finding => finding.ToString());
     }
 }

@@ -46,7 +46,7 @@ internal sealed class CheckVerb : Verb
         {
             var name = Session.NameOf(file);
             var decoded = Decoded(file, name, options, session, harmless);
-            all.AddRange(session.WithProgress("Checking " + name, progress => LimitCheck.Run(decoded, setup, progress, session.Cancel)));
+            all.AddRange(session.WithProgress("Checking " + name, progress => PrintCheck.Run(decoded, setup, progress, session.Cancel)));
         }
         session.WriteText("-", text =>
         {

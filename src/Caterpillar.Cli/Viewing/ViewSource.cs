@@ -69,7 +69,7 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
         var motion = MotionSetup.Of(setup, arguments, decoded, session);
         var timeline = session.WithProgress("Planning " + name, progress => Timeline.Of(decoded.Toolpath, motion.Setup, progress, session.Cancel));
         var findings = setup.IsGiven(arguments)
-            ? session.WithProgress("Checking " + name, progress => LimitCheck.Run(decoded, resolved, progress, session.Cancel))
+            ? session.WithProgress("Checking " + name, progress => PrintCheck.Run(decoded, resolved, progress, session.Cancel))
             : [];
         return new ViewerContent(Title(file))
         {

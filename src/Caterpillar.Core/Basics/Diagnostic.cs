@@ -15,19 +15,25 @@ public enum Severity
     Error,
 }
 
-/// <summary>Where a <see cref="Diagnostic"/> comes from. Any part may be missing; lines and columns count from 1, steps and moves from 0.</summary>
+/// <summary>
+/// Where a <see cref="Diagnostic"/> comes from. Any part may be missing; lines and columns count from 1, steps and moves from 0. The origin is the place in
+/// the design that it was made from: the line of a script, an entry of a file of curves.
+/// </summary>
 public sealed record SourceLocation(
-    string? File = null, int? Line = null, int? Column = null, string? Key = null, int? Step = null, int? Move = null)
+    string? File = null, int? Line = null, int? Column = null, string? Key = null, int? Step = null, int? Move = null, SourceLocation? Origin = null)
 {
     /// <summary>For example <c>part.gcode:12:4</c>, <c>ender3.json: layer_height_mm</c> or <c>move 731</c>.</summary>
     public override string ToString()
     {
-        var text = new StringBuilder(File);
-        if (Line is { } line) text.Append(text.Length > 0 ? ":" : "line ").Append(NumberFormatter.Format(line));
+        var text = new StringBuilder();
+        if (Origin is not null) text.Append(Origin).Append(" -> ");
+        var begin = text.Length;
+        text.Append(File);
+        if (Line is { } line) text.Append(text.Length > begin ? ":" : "line ").Append(NumberFormatter.Format(line));
         if (Column is { } column) text.Append(':').Append(NumberFormatter.Format(column));
-        if (Key is not null) text.Append(text.Length > 0 ? ": " : "").Append(LongWords.Shorten(Key));
-        if (Step is { } step) text.Append(text.Length > 0 ? ", " : "").Append("step ").Append(NumberFormatter.Format(step));
-        if (Move is { } move) text.Append(text.Length > 0 ? ", " : "").Append("move ").Append(NumberFormatter.Format(move));
+        if (Key is not null) text.Append(text.Length > begin ? ": " : "").Append(LongWords.Shorten(Key));
+        if (Step is { } step) text.Append(text.Length > begin ? ", " : "").Append("step ").Append(NumberFormatter.Format(step));
+        if (Move is { } move) text.Append(text.Length > begin ? ", " : "").Append("move ").Append(NumberFormatter.Format(move));
         return text.ToString();
     }
 }

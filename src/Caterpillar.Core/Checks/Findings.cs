@@ -1,30 +1,78 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>What checks find along a toolpath: for each kind the first place and a count. Messages are made for the first finding only.</summary>
-internal sealed class Findings(Toolpath toolpath)
+/// <summary>
+/// What checks find along a toolpath: for each kind the first place and a count, as serious as the printer says. Messages are made for the first finding
+/// only.
+/// </summary>
+internal sealed class Findings
 {
+    private readonly Dictionary<string, Severity?> _severities = new(StringComparer.Ordinal);
     private readonly DiagnosticList _list = new();
+    private readonly Func<int, SourceLocation?> _place;
+    private readonly Func<MoveEvent, SourceLocation?> _placeOfEvent;
 
-    public void Add(Severity severity, string code, int move, Func<string> message)
+    /// <param name="printer">Says how serious they are.</param>
+    /// <param name="place">The place of a move; null where there is none to name.</param>
+    /// <param name="placeOfEvent">The same of an event.</param>
+    public Findings(Printer printer, Func<int, SourceLocation?> place, Func<MoveEvent, SourceLocation?> placeOfEvent)
     {
-        if (!_list.Contains(code, severity)) _list.Add(severity, code, message(), Place(move));
-        else _list.Add(severity, code, "");
+        foreach (var rule in CheckCodes.All) _severities[rule.Code] = rule.Severity;
+        foreach (var own in printer.CheckSeverities) _severities[own.Code] = own.Severity;
+        _place = place;
+        _placeOfEvent = placeOfEvent;
     }
+
+    public Findings(Printer printer, Toolpath toolpath)
+        : this(printer, move => PlaceIn(toolpath, move), what => PlaceIn(toolpath, what))
+    {
+    }
+
+    /// <summary>Hears of each finding at a move.</summary>
+    public Action<string, int>? Heard { get; init; }
+
+    public void Add(string code, int move, Func<string> message)
+    {
+        Heard?.Invoke(code, move);
+        Add(code, () => _place(move), message);
+    }
+
+    public void Add(string code, Func<SourceLocation?> place, Func<string> message)
+    {
+        if (_severities[code] is not { } severity) return;
+        if (_list.Contains(code, severity)) _list.Add(severity, code, "");
+        else _list.Add(severity, code, message(), place());
+    }
+
+    /// <summary>The place of a move.</summary>
+    public SourceLocation? PlaceOf(int move) => _place(move);
+
+    /// <summary>The place of an event.</summary>
+    public SourceLocation? PlaceOfEvent(MoveEvent what) => _placeOfEvent(what);
 
     public IReadOnlyList<Diagnostic> ToList() => _list.ToList();
 
-    private SourceLocation? Place(int move)
+    private static SourceLocation? PlaceIn(Toolpath toolpath, MoveEvent what)
+    {
+        int? move = what.Move < toolpath.Count ? what.Move : null;
+        int? source = what.Source >= 0 ? what.Source : null;
+        return toolpath.Source == MoveSource.Lines
+            ? new SourceLocation(Line: source, Move: move)
+            : new SourceLocation(Step: source, Move: move, Origin: toolpath.PlaceOfStep(what.Source));
+    }
+
+    private static SourceLocation? PlaceIn(Toolpath toolpath, int move)
     {
         // Before the first move and after the last there is none to name.
         if (move < 0 || move >= toolpath.Count) return null;
         var source = toolpath[move].Source;
         return toolpath.Source == MoveSource.Lines
             ? new SourceLocation(Line: source > 0 ? source : null, Move: move)
-            : new SourceLocation(Step: source >= 0 ? source : null, Move: move);
+            : new SourceLocation(Step: source >= 0 ? source : null, Move: move, Origin: toolpath.PlaceOf(move));
     }
 }

@@ -20,6 +20,9 @@ public static class SafeWriter
     /// <summary>Code of the error that says that nothing was written.</summary>
     public const string Refused = "write.refused";
 
+    // mm, of coordinates and of filament.
+    private const double MostPrintable = 1e7;
+
     /// <summary>Checks a toolpath and writes it as a file, whole or not at all.</summary>
     /// <param name="toolpath">What to write.</param>
     /// <param name="setup">The printer, material and settings it is for.</param>
@@ -34,7 +37,7 @@ public static class SafeWriter
     {
         using var file = new AtomicFile(path);
         Result<WrittenGCode>? written = null;
-        BinaryGCode.WriteAs(path, file.Stream, text => written = Write(toolpath, setup, text, reason, progress, cancel), cancel);
+        BinaryGCode.WriteAs(path, file.Stream, text => written = WriteDraft(toolpath, setup, text, reason, progress, cancel), cancel);
         if (written!.Value is not null) file.Commit();
         return written;
     }
@@ -57,17 +60,59 @@ public static class SafeWriter
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     public static Result<WrittenGCode> Write(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+        => Write(toolpath, setup, stream, reason, false, progress, cancel);
+
+    /// <summary>
+    /// Checks a toolpath while it is written to a stream, as text, in one pass: for temporary files. Where it is refused, what was written must be thrown
+    /// away.
+    /// </summary>
+    /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
+    public static Result<WrittenGCode> WriteDraft(
+        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+        => Write(toolpath, setup, stream, reason, true, progress, cancel);
+
+    private static Result<WrittenGCode> Write(
+        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason, bool isDraft, IProgress<double>? progress, CancellationToken cancel)
     {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
         if (stream is null) throw new ArgumentNullException(nameof(stream));
-        // Timed while it is checked.
-        var timing = Task.Run(() => ProgressLines.Add(toolpath, setup, cancel), CancellationToken.None);
-        var guard = WriteGuard.Check(toolpath, setup, reason, progress.Part(0, 0.2), cancel);
+        if (!IsPrintable(toolpath))
+        {
+            // Numbers too large to be written are outside every machine.
+            var unprintable = new WriteGuard(PrintCheck.Run(toolpath, setup, progress, cancel), reason);
+            if (unprintable.Refuses) return new Result<WrittenGCode>(null, unprintable.Refusal([]));
+        }
         var format = SetupFormat.Of(setup, toolpath);
-        if (guard.Refuses || format.Value is null) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
-        var (timed, seconds) = timing.GetAwaiter().GetResult();
-        var writer = new GCodeWriter(timed, format.Value with { Header = [.. format.Value.Header, .. guard.Comments()], PrintTime = seconds });
-        writer.WriteAll(stream, progress.Part(0.2, 1), cancel);
-        return new Result<WrittenGCode>(new WrittenGCode(writer.Bytes, writer.Lines, guard.Overridden, seconds), guard.Remarks(format.Diagnostics));
+        if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
+        var (timed, seconds) = ProgressLines.Add(toolpath, setup, cancel);
+        var plain = format.Value with { PrintTime = seconds };
+        // With a reason what was found stands at the top of the file, and must be known before.
+        var twice = !isDraft || WriteGuard.IsReason(reason);
+        var (findings, lines, bytes) = ReadBack.Write(timed, setup, plain, twice ? null : stream, progress.Part(0, twice ? 0.7 : 1), cancel);
+        var guard = new WriteGuard(findings, reason);
+        if (guard.Refuses) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
+        if (twice)
+        {
+            var writer = new GCodeWriter(timed, plain with { Header = [.. guard.Comments(), .. plain.Header] });
+            writer.WriteAll(stream, progress.Part(0.7, 1), cancel);
+            (lines, bytes) = (writer.Lines, writer.Bytes);
+        }
+        return new Result<WrittenGCode>(new WrittenGCode(bytes, lines, guard.Overridden, seconds), guard.Remarks(format.Diagnostics));
+    }
+
+    private static bool IsPrintable(Toolpath toolpath)
+    {
+        foreach (var block in toolpath.Blocks)
+        {
+            var c = block.Columns;
+            for (var i = 0; i < c.Count; i++)
+            {
+                if (!(Math.Abs(c.X[i]) < MostPrintable && Math.Abs(c.Y[i]) < MostPrintable && Math.Abs(c.Z[i]) < MostPrintable
+                    && Math.Abs(c.E[i]) < MostPrintable)) return false;
+            }
+        }
+        return true;
     }
 
     /// <summary>Checks a toolpath and writes it as a document in memory.</summary>
@@ -76,7 +121,7 @@ public static class SafeWriter
         Toolpath toolpath, PrintSetup setup, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         using var memory = new MemoryStream();
-        var written = Write(toolpath, setup, memory, reason, progress, cancel);
+        var written = WriteDraft(toolpath, setup, memory, reason, progress, cancel);
         return new Result<GCodeDocument>(written.Value is null ? null : GCodeDocument.FromBytes(memory.ToArray()), written.Diagnostics);
     }
 
@@ -108,10 +153,16 @@ public static class SafeWriter
             decoding = GCodeDecoder.Decode(replaced.Value, options, null, cancel).Value!;
             edited = decoding.Toolpath;
         }
-        var guard = WriteGuard.Check(LimitCheck.WithVolumes(edited, setup), LimitCheck.SetupForFile(setup, edited), reason, progress.Part(0, 0.2), cancel);
-        if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), 0);
-        foreach (var comment in guard.Comments().Reverse()) edited = edited.Insert(0, new CommentEvent(comment));
-        var written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0.2, 1), cancel);
+        var written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0, 0.4), cancel);
+        if (written.Value is null) return (written, 0);
+        var findings = EditCheck.Run(decoding, edited, written.Value, setup, progress.Part(0.4, 0.8), cancel);
+        var guard = new WriteGuard(findings, reason);
+        if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal(written.Diagnostics)), 0);
+        if (guard.Overridden > 0)
+        {
+            foreach (var comment in guard.Comments().Reverse()) edited = edited.Insert(0, new CommentEvent(comment));
+            written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0.8, 1), cancel);
+        }
         return (new Result<GCodeDocument>(written.Value, guard.Remarks(written.Diagnostics)), guard.Overridden);
     }
 }

@@ -1,10 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using System.Threading;
 using Caterpillar.Basics;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
@@ -15,7 +12,7 @@ internal sealed class WriteGuard
     private readonly IReadOnlyList<Diagnostic> _findings;
     private readonly string? _reason;
 
-    private WriteGuard(IReadOnlyList<Diagnostic> findings, string? reason)
+    public WriteGuard(IReadOnlyList<Diagnostic> findings, string? reason)
     {
         _findings = findings;
         _reason = reason;
@@ -26,13 +23,10 @@ internal sealed class WriteGuard
     public int Overridden => _errors.Sum(e => e.Count);
 
     /// <summary>True where a finding stops the file.</summary>
-    public bool Refuses => _errors.Length > 0 && !IsReason;
+    public bool Refuses => _errors.Length > 0 && !IsReason(_reason);
 
-    // A word has a letter; "1" or "!!!" say nothing to the one who reads the file later.
-    private bool IsReason => _reason is not null && _reason.Any(char.IsLetter);
-
-    public static WriteGuard Check(Toolpath toolpath, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
-        => new(LimitCheck.Run(toolpath, setup, progress, cancel), reason);
+    /// <summary>True if a reason has words: one without letters ("1", "!!!") says nothing to the one who reads the file later.</summary>
+    public static bool IsReason(string? reason) => reason is not null && reason.Any(char.IsLetter);
 
     /// <summary>What to say where nothing is written, with what else went wrong.</summary>
     public IReadOnlyList<Diagnostic> Refusal(IReadOnlyList<Diagnostic> others)
@@ -40,7 +34,7 @@ internal sealed class WriteGuard
         var list = new DiagnosticList();
         list.AddRange(_findings);
         list.AddRange(others);
-        list.Add(Severity.Error, SafeWriter.Refused, _reason is null || IsReason ? "Nothing was written." : "An override needs a reason in words.");
+        list.Add(Severity.Error, SafeWriter.Refused, _reason is null || IsReason(_reason) ? "Nothing was written." : "An override needs a reason in words.");
         return list.ToList();
     }
 
@@ -48,7 +42,10 @@ internal sealed class WriteGuard
     public IReadOnlyList<Diagnostic> Remarks(IReadOnlyList<Diagnostic> others)
     {
         var list = new DiagnosticList();
-        list.AddRange(_findings.Select(d => d.Severity == Severity.Error ? d with { Severity = Severity.Warning } : d));
+        // The comments stand before everything that the lines of the findings are counted in.
+        var shift = _errors.Length == 0 ? 0 : Comments().Count;
+        list.AddRange(_findings.Select(d => (d.Severity == Severity.Error ? d with { Severity = Severity.Warning } : d)
+            with { Source = d.Source?.Line is { } line && d.Source.File is null ? d.Source with { Line = line + shift } : d.Source }));
         list.AddRange(others);
         return list.ToList();
     }

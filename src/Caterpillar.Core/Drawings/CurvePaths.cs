@@ -35,7 +35,7 @@ public static class CurvePaths
                 CurveSorting.All => new StepGroup(0),
                 _ => null,
             };
-            if (group is not null) steps[i] = new PathStep(path, group);
+            if (group is not null) steps[i] = new PathStep(path, group) { Source = made.Value[i].Source };
         }
         return new Result<IReadOnlyList<Step>>(steps, made.Diagnostics);
     }
@@ -56,6 +56,7 @@ public static class CurvePaths
         var diagnostics = new DiagnosticList();
         var steps = new List<Step>(curves.Count);
         var run = new List<PrintPath>();
+        var places = new List<SourceLocation>();
         var points = 0L;
         var maker = new PathMaker(options, diagnostics, cancel);
         for (var i = 0; i < curves.Count; i++)
@@ -74,12 +75,12 @@ public static class CurvePaths
             }
             if (withDots && options.Dots > 0)
             {
-                foreach (var point in PointsOf(curve.Curve, options, cancel)) Dot(point, options.Dots);
+                foreach (var point in PointsOf(curve.Curve, options, cancel)) Dot(point, options.Dots, source);
                 continue;
             }
             if (curve.Dot > 0)
             {
-                if (withDots) Dot(curve.Curve.Start, curve.Dot);
+                if (withDots) Dot(curve.Curve.Start, curve.Dot, source);
                 if (!(curve.Curve.Bounds.Size.LengthSquared > 0)) continue;
             }
             var path = maker.Make(curve, source);
@@ -91,6 +92,7 @@ public static class CurvePaths
                 diagnostics.Add(tooMuch);
                 break;
             }
+            places.Add(curve.Name.Length > 0 ? source with { Key = source.Key ?? curve.Name } : source);
             run.Add(options.FitArcs > 0 ? PathArcs.Fit(path, new ArcFitOptions { Tolerance = options.FitArcs }) : path);
         }
         EndRun();
@@ -99,18 +101,25 @@ public static class CurvePaths
         progress?.Report(1);
         return new Result<IReadOnlyList<Step>>(steps, diagnostics.ToList());
 
-        void Dot(Vec3 at, double volume)
+        void Dot(Vec3 at, double volume, SourceLocation place)
         {
             EndRun();
-            steps.Add(new TravelStep(at, intent: TravelIntent.Return));
-            steps.Add(new ExtrudeEvent(volume, options.DotSpeed, IsDot: true));
+            steps.Add(new TravelStep(at, intent: TravelIntent.Return) { Source = place });
+            steps.Add(new EventStep(new ExtrudeEvent(volume, options.DotSpeed, IsDot: true)) { Source = place });
         }
 
         // Paths between two dots may be joined.
         void EndRun()
         {
-            foreach (var path in options.MergeTolerance > 0 ? PathMerging.Merge(run, options.MergeTolerance) : run) steps.Add(path);
+            var paths = options.MergeTolerance > 0 ? PathMerging.Merge(run, options.MergeTolerance) : run;
+            for (int i = 0, next = 0; i < paths.Count; i++)
+            {
+                steps.Add(new PathStep(paths[i]) { Source = places[next++] });
+                // A path of several curves states the first.
+                while (paths.Count < run.Count && next < run.Count && i + 1 < paths.Count && run[next].Start != paths[i + 1].Start) next++;
+            }
             run.Clear();
+            places.Clear();
         }
     }
 

@@ -136,6 +136,15 @@ public sealed partial record Printer
     /// <summary>Boxes around parts of the head and the gantry that are not round, relative to the tip of the nozzle, mm.</summary>
     public ValueList<Bounds> HeadBoxes { get; init => field = PrinterKeys.HeadBoxes.Check(value); } = ValueList<Bounds>.Empty;
 
+    /// <summary>Beams along X over the whole bed that carry the head, relative to the tip of the nozzle, mm; X has no meaning.</summary>
+    public ValueList<Bounds> Gantry { get; init => field = PrinterKeys.Gantry.Check(value); } = ValueList<Bounds>.Empty;
+
+    /// <summary>Boxes around what stands on the bed before the print (clips), in the machine's coordinates, mm.</summary>
+    public ValueList<Bounds> Clips { get; init => field = PrinterKeys.Clips.Check(value); } = ValueList<Bounds>.Empty;
+
+    /// <summary>How serious findings of checks are, where that differs from <see cref="CheckCodes.All"/>.</summary>
+    public ValueList<CheckSeverity> CheckSeverities { get; init => field = PrinterKeys.CheckSeverities.Check(value); } = ValueList<CheckSeverity>.Empty;
+
     /// <summary>Rectangles of the bed on which nothing may stand, in the machine's coordinates, mm.</summary>
     public ValueList<Bounds> ExcludedAreas { get; init => field = PrinterKeys.ExcludedAreas.Check(value); } = ValueList<Bounds>.Empty;
 

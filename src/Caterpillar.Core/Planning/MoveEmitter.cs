@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -55,9 +56,16 @@ internal sealed class MoveEmitter
     /// <summary>True if some E of printing moves only restored earlier retraction.</summary>
     public bool PrintedRetracted { get; private set; }
 
-    public Toolpath Build() => _builder.Build(Array.ConvertAll(_rules.Tools, t => new ToolpathTool(t.VolumePerE)));
+    /// <summary>Line of the script that the next moves come from; 0 if unknown.</summary>
+    public int Line
+    {
+        set => _builder.Line = value;
+    }
 
-    public void Event(PrinterEvent what) => _builder.AddEvent(what);
+    public Toolpath Build(IReadOnlyList<SourceLocation?>? places)
+        => _builder.Build(Array.ConvertAll(_rules.Tools, t => new ToolpathTool(t.VolumePerE)), places);
+
+    public void Event(PrinterEvent what) => _builder.AddEvent(what, Source);
 
     public void EnterLayer(Layer? layer)
     {
@@ -69,7 +77,7 @@ internal sealed class MoveEmitter
 
     public void SwitchTool(int tool)
     {
-        _builder.AddEvent(new ToolEvent(tool));
+        _builder.AddEvent(new ToolEvent(tool), Source);
         Tool = tool;
         _counts.ToolChanges++;
     }
@@ -144,7 +152,7 @@ internal sealed class MoveEmitter
     /// <summary>Waits in place.</summary>
     public void Dwell(DwellEvent what)
     {
-        _builder.AddEvent(what);
+        _builder.AddEvent(what, Source);
         Add(Position, 0, 0, 0, MoveKind.Dwell, Role.Unspecified);
     }
 

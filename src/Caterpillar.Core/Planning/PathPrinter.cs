@@ -8,7 +8,7 @@ namespace Caterpillar.Planning;
 internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanReport counts, Deposit? deposit, SlowedRoles slowed)
 {
     /// <summary>Prints a path of some length in mm from its start, where the head is.</summary>
-    public void Print(PrintPath path, double length)
+    public void Print(PrintPath path, double length, int[]? lines = null)
     {
         // A path keeps at least half of its length between the two lags.
         var stopAt = double.PositiveInfinity;
@@ -32,6 +32,7 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanRepo
                 counts.EmptySegments++;
                 continue;
             }
+            if (lines is not null) emitter.Line = lines[i];
             var bead = path.BeadOf(i);
             var isFirst = rules.LayerOf(path, Math.Max(from.Z, to.Z)) == 0;
             var speed = rules.SpeedOf(path, bead, isFirst);

@@ -58,11 +58,13 @@ internal sealed class StepPlanner
                 progress?.Report((double)i / _steps.Length);
             }
             _emitter.Source = _steps[i].Source;
+            _emitter.Line = _steps[i].Step.Source?.Line ?? 0;
             switch (_steps[i].Step)
             {
                 case PathStep step:
                     if (_clock is not null && _clock.Changes(i)) WaitFor(i - 1);
-                    Path(_steps[i].Path!, step.Region, _clock?.TimeOf(i) ?? double.PositiveInfinity);
+                    Path(_steps[i].Path!, step.Region, _clock?.TimeOf(i) ?? double.PositiveInfinity,
+                        ReferenceEquals(_steps[i].Path, step.Path) ? step.Lines : null);
                     break;
                 case TravelStep travel: Travel(travel, i); break;
                 case EventStep step: Event(step.Event); break;
@@ -78,10 +80,18 @@ internal sealed class StepPlanner
                 Severity.Warning, "plan.printed_retracted",
                     "Paths start while filament is retracted: their first E only restores it. Extrude the retracted length before printing.");
         }
-        return _emitter.Build();
+        return _emitter.Build(Places());
     }
 
-    private void Path(PrintPath path, Region? inside, double layerTime)
+    private SourceLocation?[]? Places()
+    {
+        if (!Array.Exists(_steps, s => s.Step.Source is not null)) return null;
+        var places = new SourceLocation?[_steps.Length];
+        foreach (var step in _steps) places[step.Source] = step.Step.Source;
+        return places;
+    }
+
+    private void Path(PrintPath path, Region? inside, double layerTime, int[]? lines)
     {
         var length = path.Length;
         if (!(length > 0))
@@ -95,7 +105,7 @@ internal sealed class StepPlanner
         _travel.To(path.Start, direct: !_prepared, inside);
         _overrides.Apply(path, layerTime);
         _travel.Restore();
-        _printer.Print(path, length);
+        _printer.Print(path, length, lines);
         if (_returnPath is not null) Remember(path);
         _travel.Printed(path, inside);
         _prepared = false;

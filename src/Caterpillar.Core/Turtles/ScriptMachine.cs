@@ -17,6 +17,7 @@ internal sealed partial class ScriptMachine
     private const int NumbersPerStep = 64;
 
     private readonly ScriptCode _code;
+    private readonly string? _file;
     private readonly TurtleLimits _limits;
     private readonly IReadOnlyDictionary<string, double> _given;
     private readonly FormulaContext _context;
@@ -30,8 +31,10 @@ internal sealed partial class ScriptMachine
     private bool _stopped;
 
     public ScriptMachine(
-        ScriptCode code, Turtle turtle, TurtleLimits limits, IReadOnlyDictionary<string, double> given, int seed, CancellationToken cancel)
+        ScriptCode code, Turtle turtle, TurtleLimits limits, IReadOnlyDictionary<string, double> given, int seed, CancellationToken cancel,
+        string? file = null)
     {
+        _file = file;
         _code = code;
         _current = code.Instructions[0];
         Turtle = turtle;
@@ -184,6 +187,7 @@ internal sealed partial class ScriptMachine
         for (var i = 0; i < arguments.Length; i++) _numbers[i] = arguments[i] is { } argument ? Number(argument) : double.NaN;
         var moves = Turtle.MoveCount;
         if (moves >= _limits.MaxMoves) throw TooManyMoves(at);
+        Turtle.At(_file, at.Line);
         try
         {
             if (TraceShape.Of(at.Action, arguments.Length, _numbers) is { } shape) Draw(at, shape);

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -13,7 +14,9 @@ internal sealed class StepRecorder
     private readonly List<Step> _steps = [];
     private readonly List<Vec3> _points = [];
     private readonly List<Bead> _beads = [];
+    private readonly List<int> _lines = [];
     private readonly List<Vec3> _travel = [];
+    private int _travelLine;
     private bool _uniform = true;
     private PathTags? _tags;
     private double _travelSpeed;
@@ -31,6 +34,12 @@ internal sealed class StepRecorder
 
     /// <summary>True if something has been recorded at a position, so that the start is fixed.</summary>
     public bool HasStarted { get; private set; }
+
+    /// <summary>Name of the script, or null.</summary>
+    public string? File { get; set; }
+
+    /// <summary>Line of the script that is being carried out, from 1; 0 without a script.</summary>
+    public int Line { get; set; }
 
     public void Print(Vec3 from, Vec3 to, Bead bead, PathTags tags)
     {
@@ -53,6 +62,7 @@ internal sealed class StepRecorder
         }
         _points.Add(to);
         if (!_uniform || _beads.Count == 0) _beads.Add(bead);
+        if (Line > 0) _lines.Add(Line);
     }
 
     public void Travel(Vec3 from, Vec3 to, double speed)
@@ -63,6 +73,7 @@ internal sealed class StepRecorder
         ClosePath();
         if (_travel.Count > 0 && _travelSpeed != speed) CloseTravel();
         _travelSpeed = speed;
+        if (_travel.Count == 0) _travelLine = Line;
         _travel.Add(to);
     }
 
@@ -72,7 +83,7 @@ internal sealed class StepRecorder
         HasStarted = true;
         if (from == to) return;
         Close();
-        _steps.Add(new TravelStep(to, intent: TravelIntent.Return));
+        _steps.Add(new TravelStep(to, intent: TravelIntent.Return) { Source = Place(Line) });
     }
 
     public void Event(PrinterEvent what, Vec3 at, double speed)
@@ -80,7 +91,7 @@ internal sealed class StepRecorder
         _texts += EventBytes + 2L * (what switch { CommentEvent comment => comment.Text.Length, RawEvent raw => raw.Line.Length, _ => 0 });
         if (what is ExtrudeEvent) StateStart(at, speed);
         Close();
-        _steps.Add(new EventStep(what));
+        _steps.Add(new EventStep(what) { Source = Place(Line) });
     }
 
     /// <summary>Ends the path at hand; the number of the next step.</summary>
@@ -109,7 +120,7 @@ internal sealed class StepRecorder
         var steps = new List<Step>(_steps.Count + 1);
         steps.AddRange(_steps);
         if (_points.Count > 0) steps.Add(MakePath());
-        if (_travel.Count > 0) steps.Add(new TravelStep(_travel, _travelSpeed));
+        if (_travel.Count > 0) steps.Add(new TravelStep(_travel, _travelSpeed) { Source = Place(_travelLine) });
         return steps.ToArray();
     }
 
@@ -119,6 +130,7 @@ internal sealed class StepRecorder
         if (HasStarted) return;
         HasStarted = true;
         _travel.Add(at);
+        _travelLine = Line;
         _travelSpeed = speed;
     }
 
@@ -134,12 +146,13 @@ internal sealed class StepRecorder
         _steps.Add(MakePath());
         _points.Clear();
         _beads.Clear();
+        _lines.Clear();
     }
 
     private void CloseTravel()
     {
         if (_travel.Count == 0) return;
-        _steps.Add(new TravelStep(_travel, _travelSpeed));
+        _steps.Add(new TravelStep(_travel, _travelSpeed) { Source = Place(_travelLine) });
         _travel.Clear();
     }
 
@@ -147,6 +160,13 @@ internal sealed class StepRecorder
     {
         var path = PrintPath.Own(_points.ToArray(), _beads.ToArray(), closed: false);
         var tags = _tags!;
-        return new PathStep(path.With(tags.Role, tags.Layer, tags.Tool, tags.Name).WithColor(tags.Color));
+        var known = _lines.Count > 0 && _lines.Count == _points.Count - 1;
+        return new PathStep(path.With(tags.Role, tags.Layer, tags.Tool, tags.Name).WithColor(tags.Color))
+        {
+            Source = known ? Place(_lines[0]) : null,
+            Lines = known ? _lines.ToArray() : null,
+        };
     }
+
+    private SourceLocation? Place(int line) => line > 0 ? new SourceLocation(File, line) : null;
 }

@@ -243,6 +243,13 @@ public sealed partial class Turtle
     /// </summary>
     public IReadOnlyList<Step> ToSteps() => _recorder.ToSteps();
 
+    /// <summary>What follows comes from a line of a script, from 1; 0 for none.</summary>
+    internal void At(string? file, int line)
+    {
+        _recorder.File = file;
+        _recorder.Line = line;
+    }
+
     /// <summary>
     /// The turtle as a triangle of three points that points forward: <paramref name="size"/> mm to the left, as much to the right, and 2.5 times as much
     /// ahead.

@@ -94,7 +94,7 @@ public sealed class TurtleScript
             diagnostics.Add(Severity.Error, "turtle.not_finite", $"The value of '{name}' is not finite.", _file is null ? null : new SourceLocation(_file));
         if (diagnostics.HasErrors) return diagnostics.ToList();
         var unclosed = turtle.StackDepth;
-        var machine = new ScriptMachine(_code, turtle, limits ?? new TurtleLimits(), given, seed, cancel);
+        var machine = new ScriptMachine(_code, turtle, limits ?? new TurtleLimits(), given, seed, cancel, _file);
         try
         {
             machine.Run();

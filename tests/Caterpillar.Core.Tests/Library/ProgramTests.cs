@@ -149,7 +149,7 @@ public sealed class ProgramTests : IDisposable
     {
         // 10 mm of filament over 1 mm at 50 mm/s: 1200 mm³/s.
         var file = GCodeDecoder.Decode(GCodeDocument.FromText("G28\nM109 S200\nM83\nG1 X50 Y50 Z0.2 F3000\nG1 X51 E10\n")).OrThrow();
-        Assert.That(LimitCheck.Run(file, new PrintSetup()).Select(d => d.Code), Does.Contain("limit.flow"));
+        Assert.That(PrintCheck.Run(file, new PrintSetup()).Select(d => d.Code), Does.Contain("limit.flow"));
         Assert.That(SafeWriter.ToDocument(file, file.Toolpath, new PrintSetup()).Diagnostics.Select(d => d.Code), Does.Contain("limit.flow"));
     }
 

@@ -23,7 +23,7 @@ public class KanadaGCodeTests
     {
         var setup = new PrintSetup();
         var toolpath = Golden.Under("tr-TR", () => Plan(name, setup));
-        Assert.That(LimitCheck.Run(toolpath, setup).Where(d => d.Severity == Severity.Error), Is.Empty, "it fits on a printer");
+        Assert.That(PrintCheck.Run(toolpath, setup).Where(d => d.Severity == Severity.Error), Is.Empty, "it fits on a printer");
         Golden.Check($"traces/{name}.gcode", Golden.Under("ar-SA", () => GCodeWriter.ToBytes(toolpath)));
     }
 

@@ -60,7 +60,7 @@ internal sealed class MoveRecorder
     public static bool IsTooFar(double x, double y, double z)
         => !(Math.Abs(x) < LargestLength && Math.Abs(y) < LargestLength && Math.Abs(z) < LargestLength);
 
-    public void AddEvent(PrinterEvent what) => _events.Add(new MoveEvent(_moves.Count, what));
+    public void AddEvent(PrinterEvent what) => _events.Add(new MoveEvent(_moves.Count, what) { Source = _diagnostics.Line });
 
     public void Clear()
     {

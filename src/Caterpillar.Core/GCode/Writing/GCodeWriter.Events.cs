@@ -15,7 +15,12 @@ public sealed partial class GCodeWriter
     private void Events(int move)
     {
         var events = _toolpath.Events;
-        for (; _nextEvent < events.Count && events[_nextEvent].Move <= move; _nextEvent++) Event(events[_nextEvent].Event);
+        for (; _nextEvent < events.Count && events[_nextEvent].Move <= move; _nextEvent++)
+        {
+            var before = Lines;
+            Event(events[_nextEvent].Event);
+            Written?.Event(_nextEvent, before, Lines);
+        }
     }
 
     private void Event(PrinterEvent what)

@@ -61,6 +61,9 @@ public sealed partial class GCodeWriter
         _largestSum = NumberFormatter.ToUnits(LargestSum, _format.DecimalsE);
     }
 
+    /// <summary>Takes down which lines belong to each move, event and template; null for nobody.</summary>
+    internal WrittenLines? Written { get; init; }
+
     /// <summary>Lines written so far.</summary>
     public long Lines => _out.Lines;
 
@@ -107,6 +110,7 @@ public sealed partial class GCodeWriter
         if (_raw.Plane && _rules.Planes) Modal(17);
         StateModes();
         if (_raw.Tool is > 0) StateTool(_tool);
+        Written?.EndStart(Lines);
         Flush(stream);
     }
 
@@ -125,6 +129,7 @@ public sealed partial class GCodeWriter
             if (columns.Kind[i] == MoveKind.Dwell && columns.Layer[i] != _layer) Layer(columns.Layer[i]);
             Events(first + i);
             Move(columns, block, i);
+            Written?.EndMove(first + i, Lines);
             if (_out.Count > 1 << 20) Flush(stream);
         }
         Flush(stream);
@@ -138,6 +143,7 @@ public sealed partial class GCodeWriter
         if (_on) Switch(false);
         if (_format.Comments && _object.Length > 0) Object("");
         if (_format.End.Count > 0) SetRelative(false);
+        Written?.BeginEnd(Lines);
         Template(_format.End);
         Flush(stream);
     }
@@ -164,6 +170,7 @@ public sealed partial class GCodeWriter
     {
         if (c.Layer[i] != _layer) Layer(c.Layer[i]);
         if (c.Tool[i] != _tool) Tool(c.Tool[i]);
+        Written?.BeginMove(_toolpath.FirstOf(block) + i, Lines);
         var kind = c.Kind[i];
         var home = _homed;
         _homed = null;

@@ -174,6 +174,22 @@ internal static class PrinterKeys
         p => p.HeadBoxes, (p, v) => p with { HeadBoxes = v },
         "Boxes around parts of head and gantry that are not round, relative to the tip of the nozzle.");
 
+    public static readonly ProfileKey<Printer, ValueList<Bounds>> Gantry = new(
+        "gantry_mm", new RowsFormat<Bounds>(["min y", "min z", "max y", "max z"], 0, 64, -10_000, 10_000,
+            n => n[0] <= n[2] && n[1] <= n[3] ? new Bounds(new Vec3(0, n[0], n[1]), new Vec3(0, n[2], n[3])) : null,
+            b => [b.Min.Y, b.Min.Z, b.Max.Y, b.Max.Z]),
+        p => p.Gantry, (p, v) => p with { Gantry = v },
+        "Beams along X over the whole bed that carry the head, relative to the tip of the nozzle.");
+
+    public static readonly ProfileKey<Printer, ValueList<Bounds>> Clips = new(
+        "clips_mm", new RowsFormat<Bounds>(["min x", "min y", "min z", "max x", "max y", "max z"], 0, 64, -100_000, 100_000, MakeBox, TakeBox),
+        p => p.Clips, (p, v) => p with { Clips = v },
+        "Boxes around what stands on the bed before the print, for example clips, in the machine's coordinates.");
+
+    public static readonly ProfileKey<Printer, ValueList<CheckSeverity>> CheckSeverities = new(
+        "check_severities", new SeverityFormat(), p => p.CheckSeverities, (p, v) => p with { CheckSeverities = v },
+        "How serious the findings of checks are on this printer, where that differs from the usual; errors refuse the file.");
+
     public static readonly ProfileKey<Printer, ValueList<Bounds>> ExcludedAreas = new(
         "excluded_areas_mm", new RowsFormat<Bounds>(["min x", "min y", "max x", "max y"], 0, 64, -100_000, 100_000,
             n => Bounds.Of([new Vec3(n[0], n[1]), new Vec3(n[2], n[3])]), b => [b.Min.X, b.Min.Y, b.Max.X, b.Max.Y]),
@@ -221,7 +237,7 @@ internal static class PrinterKeys
         MaxAcceleration, PrintAcceleration,
         TravelAcceleration, RetractionAcceleration, CornerRule, Jerk, JunctionDeviation, SquareCornerVelocity, MinimumCruiseRatio,
         InstantaneousCornerVelocity, PlannerQueue, ArcSegment, NozzleHeating, BedHeating, ToolChangeTime, HomingTime, ToolOffsets, HeadOutline, HeadBoxes,
-        ExcludedAreas,
+        Gantry, Clips, ExcludedAreas, CheckSeverities,
         MaxFlow, MinExtrusionTemperature, MaxNozzleTemperature, MaxBedTemperature, MaxStationaryVolume, StartTemplate, EndTemplate, LayerTemplate,
             ToolChangeTemplate, .. PauseKeys.All,
     ];

@@ -9,7 +9,7 @@ namespace Caterpillar.Toolpaths;
 /// travels, beads from the gap, the safe return of turtles, support and collision. It grows with the print; strands far below the top of their bin are dropped,
 /// and there the cells answer (never too low, and too wide by less than one cell). Not thread-safe.
 /// </summary>
-public sealed class Deposit
+public sealed partial class Deposit
 {
     // Deviation of the chords of an arc, mm.
     private const double ArcTolerance = 0.02;
@@ -73,12 +73,15 @@ public sealed class Deposit
 
     /// <summary>Adds a straight strand: the path of the nozzle tip (its top) in mm and half its width in mm.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite, or the width is negative.</exception>
-    public void Add(Vec3 from, Vec3 to, double halfWidth)
+    public void Add(Vec3 from, Vec3 to, double halfWidth) => Add(from, to, halfWidth, -1);
+
+    /// <summary>The same with a number for what it is, 0 or more.</summary>
+    internal void Add(Vec3 from, Vec3 to, double halfWidth, int tag)
     {
         if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "The ends of a strand must be finite.");
         if (!(halfWidth >= 0) || double.IsInfinity(halfWidth)) throw new ArgumentOutOfRangeException(nameof(halfWidth),
             "The width of a strand must be finite and not negative.");
-        var strand = new Strand { Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth };
+        var strand = new Strand { Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth, Tag = tag };
         Highest = Math.Max(Highest, strand.Top);
         var edge = MaxBins * DepositBin.Side * _cell;
         if (IsOutside(from, halfWidth, edge) || IsOutside(to, halfWidth, edge))
@@ -228,11 +231,20 @@ public sealed class Deposit
                 {
                     bin = BinAt(column >> DepositBin.Bits, row >> DepositBin.Bits);
                     bin.Add(index, _store, _keepDepth);
-                    bin.Top = Math.Max(bin.Top, highest);
+                    if (highest > bin.Top) Raise(bin, column >> DepositBin.Bits, row >> DepositBin.Bits, highest);
                 }
                 var top = rise == 0 ? az : square > 0 ? Math.Min(highest, az + rise * t + spread) : highest;
                 var cell = ((row & (DepositBin.Side - 1)) << DepositBin.Bits) | (column & (DepositBin.Side - 1));
-                if (top > bin.Cells[cell]) bin.Cells[cell] = top;
+                if (top > bin.Cells[cell])
+                {
+                    // The same height again is no layer of its own.
+                    if (top > bin.Cells[cell] + SameHeight) bin.Under[cell] = bin.Cells[cell];
+                    bin.Cells[cell] = top;
+                }
+                else if (top > bin.Under[cell] && top < bin.Cells[cell] - SameHeight)
+                {
+                    bin.Under[cell] = top;
+                }
             }
         }
     }
@@ -278,5 +290,6 @@ public sealed class Deposit
             Array.Copy(_bins, y * _columns, bins, (y + _bottom - bottom) * (right - left + 1) + _left - left, _columns);
         }
         (_bins, _left, _bottom, _columns, _rows) = (bins, left, bottom, right - left + 1, top - bottom + 1);
+        GrowTops();
     }
 }

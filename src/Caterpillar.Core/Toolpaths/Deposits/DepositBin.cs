@@ -12,6 +12,9 @@ internal sealed class DepositBin
     /// <summary>Highest top in each cell, mm; negative infinity in empty cells.</summary>
     public readonly double[] Cells = new double[Side * Side];
 
+    /// <summary>In each cell the highest top that is clearly below the highest, mm; negative infinity if there is none.</summary>
+    public readonly double[] Under = new double[Side * Side];
+
     public int[] Strands = new int[4];
 
     public int Count;
@@ -26,7 +29,7 @@ internal sealed class DepositBin
 
     public DepositBin()
     {
-        for (var i = 0; i < Cells.Length; i++) Cells[i] = double.NegativeInfinity;
+        for (var i = 0; i < Cells.Length; i++) Cells[i] = Under[i] = double.NegativeInfinity;
     }
 
     public void Add(int strand, StrandStore store, double keepDepth)

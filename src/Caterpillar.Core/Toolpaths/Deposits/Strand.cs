@@ -13,6 +13,9 @@ internal struct Strand
     // Number of bins that refer to it; 0 if it is free.
     public int Users;
 
+    // A number of the caller, for what it is.
+    public int Tag;
+
     public readonly double Top => Math.Max(Az, Bz);
 
     /// <summary>
@@ -23,6 +26,25 @@ internal struct Strand
         var reach = distance + Half;
         if (!StadiumClip.TryClip(Ax, Ay, Bx - Ax, By - Ay, a, b, reach, out var from, out var to)) return double.NegativeInfinity;
         return Math.Max(Az + (Bz - Az) * from, to >= 1 ? Bz : Az + (Bz - Az) * to);
+    }
+
+    /// <summary>
+    /// True if its part within some distance of a segment seen from above is as high as a head in height <paramref name="z"/> allows there.
+    /// </summary>
+    public readonly bool Meets(Vec3 a, Vec3 b, double z, HeadShape head, bool lenient)
+    {
+        var excess = Top - z;
+        // What is highest may be farther off: the part within its reach decides, and so on. The reach only shrinks.
+        for (var i = 0; i < 32; i++)
+        {
+            var reach = head.AxisReach(excess, Half, lenient);
+            if (!(reach >= 0)) return false;
+            var top = TopWithin(a, b, reach - Half) - z;
+            if (top >= excess - 1e-9) return true;
+            if (double.IsNegativeInfinity(top)) return false;
+            excess = top;
+        }
+        return true;
     }
 
     /// <summary>Top at its point nearest to a point seen from above, if that is within a distance of its footprint; else negative infinity.</summary>

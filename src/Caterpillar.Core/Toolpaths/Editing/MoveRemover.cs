@@ -138,7 +138,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move <= before; _nextEvent++)
         {
             var what = toolpath.Events[_nextEvent];
-            _events.Add(new MoveEvent(_made + Math.Max(what.Move - first, 0), what.Event));
+            _events.Add(what with { Move = _made + Math.Max(what.Move - first, 0) });
         }
     }
 
@@ -150,7 +150,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move == move; _nextEvent++)
         {
             if (dwell is null && toolpath.Events[_nextEvent].Event is DwellEvent taken) dwell = taken;
-            else _events.Add(new MoveEvent(_made, toolpath.Events[_nextEvent].Event));
+            else _events.Add(toolpath.Events[_nextEvent] with { Move = _made });
         }
         return dwell;
     }

@@ -150,6 +150,6 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
     private void Events(int before, int first = int.MaxValue)
     {
         for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move <= before; _nextEvent++)
-            _events.Add(new MoveEvent(_made + Math.Max(toolpath.Events[_nextEvent].Move - first, 0), toolpath.Events[_nextEvent].Event));
+            _events.Add(toolpath.Events[_nextEvent] with { Move = _made + Math.Max(toolpath.Events[_nextEvent].Move - first, 0) });
     }
 }

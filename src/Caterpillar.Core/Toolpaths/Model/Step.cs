@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
@@ -11,6 +12,9 @@ public abstract class Step
     private protected Step()
     {
     }
+
+    /// <summary>Where the design states it: script and line, file of curves and entry; null if unknown.</summary>
+    public SourceLocation? Source { get; init; }
 
     public static implicit operator Step(PrintPath path) => new PathStep(path);
 
@@ -50,8 +54,15 @@ public sealed class PathStep : Step
     /// <summary>The region that its layer covers, seen from above: travels inside it stay over the part. Null if unknown.</summary>
     public Region? Region { get; init; }
 
+    /// <summary>The line of each segment in the script of <see cref="Step.Source"/>, from 1; null if they are unknown.</summary>
+    internal int[]? Lines { get; init; }
+
     /// <summary>The same step with another path.</summary>
-    public PathStep With(PrintPath path) => new(path, Group) { KeepStart = KeepStart, Joined = Joined, Region = Region };
+    public PathStep With(PrintPath path)
+        => new(path, Group)
+        {
+            KeepStart = KeepStart, Joined = Joined, Region = Region, Source = Source, Lines = path.SegmentCount == Lines?.Length ? Lines : null,
+        };
 }
 
 /// <summary>The intent of a drawn travel.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
@@ -20,7 +21,16 @@ public enum MoveSource : byte
 public sealed record ToolpathTool(double? VolumePerE);
 
 /// <summary>An event and the move before which it happens; an event after the last move has the number of moves.</summary>
-public readonly record struct MoveEvent(int Move, PrinterEvent Event);
+public readonly record struct MoveEvent(int Move, PrinterEvent Event)
+{
+    /// <summary>Number of its step (from 0) or line of the file (from 1), according to the toolpath; −1 if it has none.</summary>
+    public int Source { get; init; } = -1;
+
+    // What happens, and when; not where it is stated.
+    public bool Equals(MoveEvent other) => Move == other.Move && Equals(Event, other.Event);
+
+    public override int GetHashCode() => Move;
+}
 
 /// <summary>
 /// What the machine does, move by move, in order: planned from steps or decoded from a file. Columns in shared blocks, so that many million moves fit and an
@@ -34,7 +44,7 @@ public sealed class Toolpath
 
     internal Toolpath(
         IEnumerable<ToolpathBlock> blocks, IEnumerable<Layer> layers, IEnumerable<MoveEvent> events, IEnumerable<ToolpathTool> tools, Vec3? start,
-            MoveSource source)
+            MoveSource source, IReadOnlyList<SourceLocation?>? places = null)
     {
         _blocks = blocks.Where(b => b.Count > 0).ToArray();
         _firsts = new int[_blocks.Length];
@@ -48,6 +58,7 @@ public sealed class Toolpath
         Tools = tools.ToArray();
         Start = start;
         Source = source;
+        Places = places ?? [];
     }
 
     /// <summary>Number of moves.</summary>
@@ -70,6 +81,9 @@ public sealed class Toolpath
     /// <summary>The meaning of <see cref="Move.Source"/>.</summary>
     public MoveSource Source { get; }
 
+    /// <summary>Where the design states each step; empty, or null for a step, if unknown.</summary>
+    internal IReadOnlyList<SourceLocation?> Places { get; }
+
     /// <summary>A move by its number.</summary>
     public Move this[int index]
     {
@@ -89,6 +103,21 @@ public sealed class Toolpath
             for (var i = 0; i < _blocks[block].Count; i++) yield return Gather(block, i);
         }
     }
+
+    /// <summary>Where the design states a move of a planned toolpath: script and line, file of curves and entry; null if unknown.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such move.</exception>
+    public SourceLocation? PlaceOf(int move)
+    {
+        if (move < 0 || move >= Count) throw new ArgumentOutOfRangeException(nameof(move));
+        var block = BlockOf(move);
+        var columns = _blocks[block].Columns;
+        var i = move - _firsts[block];
+        if (PlaceOfStep(columns.Source[i]) is not { } place) return null;
+        return columns.Line is { } lines && lines[i] > 0 ? place with { Line = lines[i] } : place;
+    }
+
+    /// <summary>Where the design states a step; null if unknown.</summary>
+    internal SourceLocation? PlaceOfStep(int step) => Source == MoveSource.Steps && step >= 0 && step < Places.Count ? Places[step] : null;
 
     /// <summary>mm³ of material that a move deposits; null if the factor of its tool is unknown.</summary>
     public double? VolumeOf(Move move) => VolumePerE(move.Tool) * move.Deposited;
@@ -113,16 +142,16 @@ public sealed class Toolpath
 
     /// <summary>The same toolpath with other moves in some blocks; for edits.</summary>
     internal Toolpath WithBlocks(IEnumerable<ToolpathBlock> blocks, IEnumerable<MoveEvent>? events = null, IEnumerable<Layer>? layers = null)
-        => new(blocks, layers ?? Layers, events ?? _events, Tools, Start, Source);
+        => new(blocks, layers ?? Layers, events ?? _events, Tools, Start, Source, Places);
 
     /// <summary>The same moves with other events.</summary>
-    internal Toolpath WithEvents(IEnumerable<MoveEvent> events) => new(_blocks, Layers, events, Tools, Start, Source);
+    internal Toolpath WithEvents(IEnumerable<MoveEvent> events) => new(_blocks, Layers, events, Tools, Start, Source, Places);
 
     /// <summary>The same moves with other tools.</summary>
-    internal Toolpath WithTools(IEnumerable<ToolpathTool> tools) => new(_blocks, Layers, _events, tools, Start, Source);
+    internal Toolpath WithTools(IEnumerable<ToolpathTool> tools) => new(_blocks, Layers, _events, tools, Start, Source, Places);
 
     /// <summary>The same moves from another start, in layers of other heights.</summary>
-    internal Toolpath With(Vec3? start, IEnumerable<Layer> layers) => new(_blocks, layers, _events, Tools, start, Source);
+    internal Toolpath With(Vec3? start, IEnumerable<Layer> layers) => new(_blocks, layers, _events, Tools, start, Source, Places);
 
     /// <summary>Number of the first event at or after a move.</summary>
     internal int FirstEventOf(int move)

@@ -35,7 +35,7 @@ public static class ToolpathArcs
             for (var i = 0; i < columns.Count;)
             {
                 for (; next < toolpath.Events.Count
-                    && toolpath.Events[next].Move <= first + i; next++) events.Add(new MoveEvent(made, toolpath.Events[next].Event));
+                    && toolpath.Events[next].Move <= first + i; next++) events.Add(toolpath.Events[next] with { Move = made });
                 if (run <= i) run = RunEnd(columns, points, i, first, eventful, evenness);
                 if (run - i > 1 && fitter.From(i, run) is { } fit)
                 {
@@ -60,7 +60,7 @@ public static class ToolpathArcs
             if (editor is null) blocks.Add(toolpath.Blocks[block]);
             else blocks.AddRange(editor.ToBlocks());
         }
-        for (; next < toolpath.Events.Count; next++) events.Add(new MoveEvent(made, toolpath.Events[next].Event));
+        for (; next < toolpath.Events.Count; next++) events.Add(toolpath.Events[next] with { Move = made });
         return toolpath.WithBlocks(blocks, events);
     }
 

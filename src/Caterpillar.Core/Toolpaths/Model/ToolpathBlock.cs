@@ -50,6 +50,9 @@ internal sealed class ToolpathColumns
     // Line of the G-code file (from 1) or number of the step (from 0); -1 if there is none.
     public int[] Source;
 
+    // Line of the script, from 1; 0 if unknown. Null if no move of the block has one.
+    public int[]? Line;
+
     // Rotary axes in degrees at the end of the move, if some move of the block has them.
     public double[]? A;
     public double[]? B;
@@ -98,6 +101,11 @@ internal sealed class ToolpathColumns
         Array.Copy(Tool, copy.Tool, Count);
         Array.Copy(Layer, copy.Layer, Count);
         Array.Copy(Source, copy.Source, Count);
+        if (Line is not null)
+        {
+            copy.Line = new int[capacity];
+            Array.Copy(Line, copy.Line, Count);
+        }
         copy.A = Resized(A, capacity);
         copy.B = Resized(B, capacity);
         copy.C = Resized(C, capacity);

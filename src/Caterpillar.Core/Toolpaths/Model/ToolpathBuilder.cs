@@ -35,6 +35,9 @@ public sealed class ToolpathBuilder
     /// <summary>Number of moves so far.</summary>
     public int Count => _sealed + _columns.Count;
 
+    /// <summary>Line of the script that the next moves come from, from 1; 0 if unknown.</summary>
+    internal int Line { get; set; }
+
     /// <summary>Adds a layer and returns the index by which moves refer to it.</summary>
     public int AddLayer(Layer layer)
     {
@@ -43,7 +46,8 @@ public sealed class ToolpathBuilder
     }
 
     /// <summary>Adds an event before the next move.</summary>
-    public void AddEvent(PrinterEvent what) => _events.Add(new MoveEvent(Count, what ?? throw new ArgumentNullException(nameof(what))));
+    public void AddEvent(PrinterEvent what, int source = -1)
+        => _events.Add(new MoveEvent(Count, what ?? throw new ArgumentNullException(nameof(what))) { Source = source });
 
     /// <summary>Adds a move. The parameters are those of <see cref="Move"/>.</summary>
     /// <exception cref="DiagnosticException">The moves take more than <see cref="Memory"/>.</exception>
@@ -63,6 +67,7 @@ public sealed class ToolpathBuilder
         c.Tool[i] = checked((short)tool);
         c.Layer[i] = layer;
         c.Source[i] = source;
+        if (Line > 0) (c.Line ??= new int[c.Capacity])[i] = Line;
         if (arc is { } geometry)
         {
             _arcMoves.Add(i);
@@ -84,10 +89,13 @@ public sealed class ToolpathBuilder
     }
 
     /// <summary>The toolpath. The builder is used up afterwards.</summary>
-    public Toolpath Build(IEnumerable<ToolpathTool> tools)
+    public Toolpath Build(IEnumerable<ToolpathTool> tools) => Build(tools, null);
+
+    /// <summary>The same, with the places in the design of the steps.</summary>
+    internal Toolpath Build(IEnumerable<ToolpathTool> tools, IReadOnlyList<SourceLocation?>? places)
     {
         Seal();
-        return new Toolpath(_blocks, _layers, _events, tools, Start, _source);
+        return new Toolpath(_blocks, _layers, _events, tools, Start, _source, places);
     }
 
     private void Grow()

@@ -51,7 +51,7 @@ public sealed class CheckComponent() : CaterpillarComponent(
 
     // A file as it was read heats by itself; an edit of it is checked move by move.
     private static IReadOnlyList<Diagnostic> Findings(ToolpathGoo goo, PrintSetup setup, IProgress<double> progress, System.Threading.CancellationToken cancel)
-        => goo.DecodedGCode is not { } file ? LimitCheck.Run(goo.Value, setup, progress, cancel)
-            : ReferenceEquals(file.Toolpath, goo.Value) ? LimitCheck.Run(file, setup, progress, cancel)
-            : LimitCheck.Run(goo.Value, LimitCheck.SetupForFile(setup, goo.Value), progress, cancel);
+        => goo.DecodedGCode is not { } file ? PrintCheck.Run(goo.Value, setup, progress, cancel)
+            : ReferenceEquals(file.Toolpath, goo.Value) ? PrintCheck.Run(file, setup, progress, cancel)
+            : PrintCheck.Run(goo.Value, PrintCheck.SetupForFile(setup, goo.Value), progress, cancel);
 }

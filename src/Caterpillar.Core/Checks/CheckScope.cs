@@ -1,0 +1,37 @@
+using System.Linq;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>What else is known of what is checked.</summary>
+/// <param name="NozzleTemperature">Temperature of the nozzles at the beginning, °C.</param>
+/// <param name="IsWholeFile">It is a file with its start and end code: it must home and heat.</param>
+/// <param name="HasMacros">It calls macros of the firmware, which may home and heat.</param>
+internal sealed record CheckScope(double NozzleTemperature, bool IsWholeFile = false, bool HasMacros = false)
+{
+    /// <summary>A file: one that heats by itself begins cold; one that leaves that to a macro of the firmware is taken as hot.</summary>
+    public static CheckScope OfFile(DecodedGCode file, PrintSetup setup)
+        => new(HeatsItself(file.Toolpath) ? 0 : setup.Material.NozzleTemperature, true, file.Ignored.Keys.Any(IsMacro) || HomesItself(file));
+
+    /// <summary>A file that is written with the templates of a printer; without start code that is elsewhere.</summary>
+    public static CheckScope OfWritten(DecodedGCode file, PrintSetup setup)
+        => setup.Printer.StartTemplate.Count > 0 ? OfFile(file, setup) : new CheckScope(setup.Material.NozzleTemperature);
+
+    /// <summary>True if a toolpath sets the temperature of a nozzle.</summary>
+    public static bool HeatsItself(Toolpath toolpath)
+    {
+        foreach (var entry in toolpath.Events)
+        {
+            if (entry.Event is NozzleTemperatureEvent) return true;
+        }
+        return false;
+    }
+
+    // Ultimakers home, heat and prime before the file begins.
+    private static bool HomesItself(DecodedGCode file)
+        => file.Dialect.Name == "ultigcode" || (file.Settings.TryGetValue("flavor", out var flavor) && flavor == "Griffin");
+
+    private static bool IsMacro(string command) => command.Length > 5 && command.All(c => char.IsLetter(c) || c == '_' || char.IsDigit(c));
+}

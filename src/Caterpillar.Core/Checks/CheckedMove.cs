@@ -1,0 +1,47 @@
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>A move with what several checks need of it. Lengths in mm, volumes in mm³.</summary>
+internal struct CheckedMove
+{
+    public int Index;
+    public Vec3 Start;
+    public Vec3 End;
+
+    /// <summary>False before the first move of a file that does not say where it begins, and after homing.</summary>
+    public bool StartKnown;
+
+    /// <summary>A move to the switches.</summary>
+    public bool IsHoming;
+    public MoveKind Kind;
+    public Role Role;
+    public int Layer;
+    public int Tool;
+    public double E;
+    public double Speed;
+    public double Length;
+    public Arc? Arc;
+
+    /// <summary>Material that becomes a strand, and what the extruder pushes (negative: pulls); NaN if unknown.</summary>
+    public double Deposited;
+
+    /// <inheritdoc cref="Deposited"/>
+    public double Pushed;
+
+    /// <summary>Nominal thickness of its layer; 0 if unknown.</summary>
+    public double Thickness;
+}
+
+/// <summary>A check that sees all moves and events once, in order.</summary>
+internal interface IMoveCheck
+{
+    /// <summary>An event before the next move.</summary>
+    void Event(MoveEvent what);
+
+    void Move(in CheckedMove move);
+
+    /// <summary>After the last move.</summary>
+    void End(Toolpath toolpath);
+}

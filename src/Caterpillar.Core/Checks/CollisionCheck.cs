@@ -1,0 +1,181 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>
+/// Nozzle, head and gantry against what is printed before and what stands on the bed, along any path. A slope is divided until its pieces are almost level,
+/// each taken at its lower end: nothing is missed.
+/// </summary>
+internal sealed class CollisionCheck
+{
+    /// <summary>What a travel may touch, mm: slicers travel across what they have just printed.</summary>
+    public const double Flush = 0.05;
+    private const double Level = 0.02;
+    private const double Everywhere = 1e6;
+    private const double ClipLine = 0.25;
+    private readonly PrintedSoFar _printed;
+    private readonly Findings _findings;
+    private readonly (Bounds Box, string Code)[] _boxes;
+    private readonly Deposit? _clips;
+    private int _hit = -1;
+    private (Vec3 From, Vec3 To)? _digs;
+
+    public CollisionCheck(Printer printer, PrintedSoFar printed, Findings findings)
+    {
+        _printed = printed;
+        _findings = findings;
+        _boxes = new (Bounds, string)[printer.HeadBoxes.Count + printer.Gantry.Count];
+        for (var i = 0; i < printer.HeadBoxes.Count; i++) _boxes[i] = (printer.HeadBoxes[i], CheckCodes.HeadHits);
+        for (var i = 0; i < printer.Gantry.Count; i++)
+        {
+            var beam = printer.Gantry[i];
+            _boxes[printer.HeadBoxes.Count + i] = (
+                new Bounds(new Vec3(-Everywhere, beam.Min.Y, beam.Min.Z), new Vec3(Everywhere, beam.Max.Y, beam.Max.Z)), CheckCodes.GantryHits);
+        }
+        if (printer.Clips.Count > 0) _clips = Stand(printer.Clips);
+    }
+
+    /// <summary>Checks a straight move that prints a strand of some height in mm, or none.</summary>
+    public void Check(in CheckedMove move, double height)
+    {
+        var prints = move.Kind == MoveKind.Print;
+        // A strand may be printed into another by half its height.
+        var tolerance = prints ? Math.Max(Flush, height / 2) : Flush;
+        // One finding for a move, also for the chords of an arc.
+        if (move.Index == _hit) return;
+        // What is fresh at its start is not any more farther on.
+        var at = move.Start;
+        _digs = null;
+        for (var piece = 1; piece <= PrintedSoFar.FreshPieces && piece * _printed.FreshPiece < move.Length; piece++)
+        {
+            var next = Vec3.Lerp(move.Start, move.End, piece * _printed.FreshPiece / move.Length);
+            if (Hits(move, at, next, tolerance, prints)) return;
+            _printed.Advance(piece * _printed.FreshPiece);
+            at = next;
+        }
+        // Where it goes through something farther on, that is to be told.
+        if (!Hits(move, at, move.End, tolerance, prints) && _digs is { } digs) Digs(move, digs.From, digs.To, tolerance);
+    }
+
+    private bool Hits(in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints)
+    {
+        if (!Check(move, a, b, tolerance, prints)) return false;
+        _hit = move.Index;
+        return true;
+    }
+
+    private bool Check(in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints)
+    {
+        var hit = false;
+        if (_clips is not null) hit |= Clips(move, a, b);
+        var low = Math.Min(a.Z, b.Z) + tolerance;
+        var deposit = _printed.Deposit;
+        if (deposit.Highest > low && Meets(deposit, a, b, tolerance, false, out _))
+        {
+            if (Meets(deposit, a, b, tolerance, true, out var strand))
+            {
+                hit = true;
+                Report(prints ? CheckCodes.NozzleHits : CheckCodes.TravelHits, move, a, b, tolerance, strand);
+            }
+            else
+            {
+                _digs ??= (a, b);
+            }
+        }
+        foreach (var (box, code) in _boxes)
+        {
+            if (!(deposit.Highest > low + box.Min.Z) || !MeetsBox(deposit, a, b, tolerance, box, out var tag)) continue;
+            hit = true;
+            ReportBox(code, move, a, tag);
+        }
+        return hit;
+    }
+
+    private bool Clips(in CheckedMove move, Vec3 a, Vec3 b)
+    {
+        var low = Math.Min(a.Z, b.Z);
+        if (!(_clips!.Highest > low)) return false;
+        var part = Meets(_clips, a, b, 0, false, out var clip) ? "nozzle" : "";
+        foreach (var (box, code) in _boxes)
+        {
+            if (part.Length == 0 && MeetsBox(_clips, a, b, 0, box, out clip)) part = code == CheckCodes.HeadHits ? "head" : "gantry";
+        }
+        if (part.Length == 0) return false;
+        _findings.Add(CheckCodes.ClipHit, move.Index,
+            () => $"The {part} hits clip {NumberFormatter.Format(clip + 1)} of the bed between {a} and {b}.");
+        return true;
+    }
+
+    private bool Meets(Deposit deposit, Vec3 a, Vec3 b, double tolerance, bool lenient, out int tag)
+    {
+        if (!deposit.Meets(a, b, Math.Min(a.Z, b.Z) + tolerance, _printed.Head, lenient, out tag)) return false;
+        if (IsLevel(deposit, a, b)) return true;
+        var middle = Vec3.Lerp(a, b, 0.5);
+        return Meets(deposit, a, middle, tolerance, lenient, out tag) || Meets(deposit, middle, b, tolerance, lenient, out tag);
+    }
+
+    private static bool MeetsBox(Deposit deposit, Vec3 a, Vec3 b, double tolerance, Bounds box, out int tag)
+    {
+        if (!deposit.MeetsBox(a, b, Math.Min(a.Z, b.Z) + tolerance + box.Min.Z, box, out tag)) return false;
+        if (IsLevel(deposit, a, b)) return true;
+        var middle = Vec3.Lerp(a, b, 0.5);
+        return MeetsBox(deposit, a, middle, tolerance, box, out tag) || MeetsBox(deposit, middle, b, tolerance, box, out tag);
+    }
+
+    // Straight up and down the lower end decides.
+    private static bool IsLevel(Deposit deposit, Vec3 a, Vec3 b) => Math.Abs(a.Z - b.Z) <= Level || (b - a).LengthXY <= deposit.Cell / 8;
+
+    private void Report(string code, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, int strand)
+        => _findings.Add(code, move.Index, () =>
+        {
+            var at = FirstMeeting(a, b, tolerance);
+            return $"The nozzle goes through what was printed before{By(strand)}, at {at}.";
+        });
+
+    private void Digs(in CheckedMove move, Vec3 a, Vec3 b, double tolerance)
+        => _findings.Add(CheckCodes.DigsIn, move.Index,
+            () => $"The flat of the nozzle digs into a slope beside it by more than {NumberFormatter.Format(tolerance, 2)} mm between {a} and {b}.");
+
+    private void ReportBox(string code, in CheckedMove move, Vec3 a, int tag)
+    {
+        var end = move.End;
+        _findings.Add(code, move.Index,
+            () => $"{(code == CheckCodes.HeadHits ? "A box of the head" : "The gantry")} goes through what was printed before{By(tag)}, "
+            + $"while the nozzle goes from {a} to {end}.");
+    }
+
+    private string By(int strand) => strand >= 0 && _findings.PlaceOf(strand) is { } place ? $" ({place with { Origin = null, Step = null }})" : "";
+
+    private Vec3 FirstMeeting(Vec3 a, Vec3 b, double tolerance)
+    {
+        while (a.DistanceTo(b) > _printed.Deposit.Cell)
+        {
+            var middle = Vec3.Lerp(a, b, 0.5);
+            if (Meets(_printed.Deposit, a, middle, tolerance, true, out _)) b = middle;
+            else a = middle;
+        }
+        return new Vec3(Math.Round(a.X, 2), Math.Round(a.Y, 2), Math.Round(a.Z, 2));
+    }
+
+    // Boxes as lines of strands of their height.
+    private Deposit Stand(ValueList<Bounds> clips)
+    {
+        var deposit = new Deposit(_printed.Deposit.Cell, 1e6);
+        for (var i = 0; i < clips.Count; i++)
+        {
+            var (min, max) = (clips[i].Min, clips[i].Max);
+            var half = Math.Min(ClipLine, Math.Min(max.X - min.X, max.Y - min.Y) / 2);
+            var lines = half > 0 ? (int)Math.Ceiling((max.Y - min.Y) / (2 * half)) : 1;
+            for (var k = 0; k < lines; k++)
+            {
+                var y = lines == 1 ? (min.Y + max.Y) / 2 : min.Y + half + (max.Y - min.Y - 2 * half) * k / (lines - 1);
+                deposit.Add(new Vec3(min.X + half, y, max.Z), new Vec3(max.X - half, y, max.Z), half, i);
+            }
+        }
+        return deposit;
+    }
+}

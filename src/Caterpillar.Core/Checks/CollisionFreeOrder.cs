@@ -1,0 +1,179 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>
+/// An order in which free paths can be printed without the nozzle, the head or the gantry going through one that is printed already. Between paths the head
+/// goes up, over everything, and down.
+/// </summary>
+public static class CollisionFreeOrder
+{
+    /// <summary>Code of the errors that name two paths that block each other, or several in a circle.</summary>
+    public const string Blocked = "order.blocked";
+
+    /// <summary>Code of the error that names a path that blocks itself in both directions.</summary>
+    public const string BlocksItself = "order.blocks_itself";
+
+    /// <summary>
+    /// Finds an order, close to the given one. A path that blocks itself is reversed where that helps. Of paths that block each other, whichever is first,
+    /// there is no order: then the errors name them.
+    /// </summary>
+    /// <param name="paths">The paths, in any order.</param>
+    /// <param name="setup">The printer with its head, the material and the settings.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <returns>The steps, paths with the travels between them; the steps of errors are the numbers of the paths.</returns>
+    public static Result<IReadOnlyList<Step>> Find(
+        IReadOnlyList<PrintPath> paths, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (paths is null) throw new ArgumentNullException(nameof(paths));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        var problems = new List<Diagnostic>();
+        var top = paths.Count == 0 ? 0 : paths.Max(p => p.Bounds.Max.Z);
+        var trial = new OrderTrial(setup, top + Math.Max(setup.Printer.LiftClearance, 1));
+        var turned = paths.Select((p, i) => Turned(p, i, trial, problems)).ToArray();
+        var before = problems.Count > 0 ? null : Constraints(turned, trial, problems, progress, cancel);
+        if (before is null || problems.Count > 0) return new Result<IReadOnlyList<Step>>(null, problems);
+        var order = Sorted(before, problems);
+        if (order is null) return new Result<IReadOnlyList<Step>>(null, problems);
+        progress?.Report(1);
+        return new Result<IReadOnlyList<Step>>(trial.Steps(order.Select(i => turned[i])), []);
+    }
+
+    private static PrintPath Turned(PrintPath path, int index, OrderTrial trial, List<Diagnostic> problems)
+    {
+        if (path is null) throw new ArgumentException("A path is null.", nameof(path));
+        if (!trial.Collides(path)) return path;
+        var back = path.Reversed();
+        if (!trial.Collides(back)) return back;
+        problems.Add(new Diagnostic(Severity.Error, BlocksItself,
+            $"Path {Name(path, index)} cannot be printed in either direction: the nozzle would go through it.",
+            new SourceLocation(Step: index)));
+        return path;
+    }
+
+    // For each path those that must be printed before it.
+    private static List<int>[] Constraints(PrintPath[] paths, OrderTrial trial, List<Diagnostic> problems, IProgress<double>? progress,
+        CancellationToken cancel)
+    {
+        var before = Array.ConvertAll(paths, _ => new List<int>());
+        for (var i = 0; i < paths.Length; i++)
+        {
+            progress?.Report((double)i / paths.Length);
+            for (var k = i + 1; k < paths.Length; k++)
+            {
+                cancel.ThrowIfCancellationRequested();
+                var (late, early) = (trial.Collides(paths[i], paths[k]), trial.Collides(paths[k], paths[i]));
+                if (late && early)
+                    problems.Add(new Diagnostic(Severity.Error, Blocked,
+                        $"Paths {Name(paths[i], i)} and {Name(paths[k], k)} block each other: whichever is printed first, the head goes through it for the "
+                            + $"other.",
+                        new SourceLocation(Step: k)));
+                else if (late) before[i].Add(k);
+                else if (early) before[k].Add(i);
+            }
+        }
+        return before;
+    }
+
+    // The first path that nothing has to come before any more, again and again.
+    private static List<int>? Sorted(List<int>[] before, List<Diagnostic> problems)
+    {
+        var order = new List<int>(before.Length);
+        var done = new bool[before.Length];
+        while (order.Count < before.Length)
+        {
+            var next = 0;
+            while (next < done.Length && (done[next] || !before[next].TrueForAll(b => done[b]))) next++;
+            if (next == done.Length)
+            {
+                var circle = Enumerable.Range(0, before.Length).Where(i => !done[i]).ToArray();
+                problems.Add(new Diagnostic(Severity.Error, Blocked, "Each of these paths must be printed before another of them: "
+                    + string.Join(", ", circle.Select(i => NumberFormatter.Format(i))) + ".", new SourceLocation(Step: circle[0])));
+                return null;
+            }
+            done[next] = true;
+            order.Add(next);
+        }
+        return order;
+    }
+
+    private static string Name(PrintPath path, int index)
+        => path.Name.Length > 0 ? $"{NumberFormatter.Format(index)} ({path.Name})" : NumberFormatter.Format(index);
+}
+
+/// <summary>Tries paths one after the other with the checks of collisions.</summary>
+internal sealed class OrderTrial(PrintSetup setup, double travelHeight)
+{
+    private readonly double _reach = Math.Max(setup.Printer.HeadOutline.Max(p => p.Radius), setup.Printer.HeadBoxes.Concat(setup.Printer.Gantry)
+        .Select(b => Math.Max(Math.Max(-b.Min.X, b.Max.X), Math.Max(-b.Min.Y, b.Max.Y))).DefaultIfEmpty(0).Max());
+
+    /// <summary>Paths with the travels up, over and down between them.</summary>
+    public IReadOnlyList<Step> Steps(IEnumerable<PrintPath> paths)
+    {
+        var steps = new List<Step>();
+        var at = (Vec3?)null;
+        foreach (var path in paths)
+        {
+            var over = path.Start.WithZ(Math.Max(travelHeight, path.Start.Z));
+            steps.Add(new TravelStep(at is { } from ? [from.WithZ(over.Z), over, path.Start] : [over, path.Start]));
+            steps.Add(path);
+            at = path.End;
+        }
+        return steps;
+    }
+
+    /// <summary>True if the head goes through the first of two paths while it prints the second.</summary>
+    public bool Collides(PrintPath first, PrintPath second)
+    {
+        if (second.Bounds.Min.Z >= first.Bounds.Max.Z) return false;
+        var (a, b) = (first.Bounds, second.Bounds);
+        if (setup.Printer.Gantry.Count == 0 && (a.Min.X - b.Max.X > _reach + 2 || b.Min.X - a.Max.X > _reach + 2)) return false;
+        return a.Min.Y - b.Max.Y <= _reach + 2 && b.Min.Y - a.Max.Y <= _reach + 2 && Collides([first, second], 1);
+    }
+
+    /// <summary>True if the head goes through a path while it prints it.</summary>
+    public bool Collides(PrintPath path) => Collides([path], 0);
+
+    private bool Collides(PrintPath[] paths, int judged)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, null);
+        var first = 0;
+        for (var i = 0; i < paths.Length; i++)
+        {
+            if (i == judged) first = builder.Count;
+            Add(builder, paths[i]);
+        }
+        builder.Add(builder.Position.WithZ(travelHeight), 0, 0, 1, MoveKind.Travel, Role.Unspecified, -1, 0, -1);
+        var toolpath = builder.Build([new ToolpathTool(1)]);
+        var collides = false;
+        var findings = new Findings(setup.Printer, toolpath)
+        {
+            Heard = (code, move) => collides |= move >= first && code.StartsWith("collision.", StringComparison.Ordinal),
+        };
+        CheckRun.Run(toolpath, [new DepositCheck(setup, findings)], null, CancellationToken.None);
+        return collides;
+    }
+
+    private void Add(ToolpathBuilder builder, PrintPath path)
+    {
+        var height = Math.Max(travelHeight, path.Start.Z);
+        if (builder.Count > 0) Travel(builder, builder.Position.WithZ(height));
+        Travel(builder, path.Start.WithZ(height));
+        Travel(builder, path.Start);
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            var volume = path.LengthOf(i) * path.BeadOf(i).Area;
+            builder.Add(path.EndOf(i), volume, volume, 1, MoveKind.Print, path.Role, -1, 0, -1, path.ArcOf(i));
+        }
+    }
+
+    private static void Travel(ToolpathBuilder builder, Vec3 to) => builder.Add(to, 0, 0, 1, MoveKind.Travel, Role.Unspecified, -1, 0, -1);
+}

@@ -1,0 +1,67 @@
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>Shows the checks of what is printed each move as straight pieces, and adds what it prints.</summary>
+internal sealed class DepositCheck : IMoveCheck
+{
+    private const double ArcTolerance = 0.02;
+    private readonly PrintedSoFar _printed;
+    private readonly StrandCheck _strands;
+    private readonly CollisionCheck _collisions;
+
+    public DepositCheck(PrintSetup setup, Findings findings)
+    {
+        _printed = new PrintedSoFar(setup);
+        _strands = new StrandCheck(setup, _printed, findings);
+        _collisions = new CollisionCheck(setup.Printer, _printed, findings);
+    }
+
+    public void Event(MoveEvent what)
+    {
+    }
+
+    public void Move(in CheckedMove move)
+    {
+        if (move.Arc is not { } arc)
+        {
+            Piece(move);
+            return;
+        }
+        var chords = arc.ChordCount(move.Start, move.End, ArcTolerance);
+        var piece = move;
+        piece.Arc = null;
+        piece.Length = move.Length / chords;
+        piece.Deposited = move.Deposited / chords;
+        for (var k = 1; k <= chords; k++)
+        {
+            piece.End = arc.PointAt(move.Start, move.End, (double)k / chords);
+            Piece(piece);
+            piece.Start = piece.End;
+        }
+    }
+
+    public void End(Toolpath toolpath) => _strands.End();
+
+    private void Piece(in CheckedMove move)
+    {
+        if (!move.StartKnown)
+        {
+            _strands.Break();
+            return;
+        }
+        _printed.Advance(0);
+        if (!(move.Length > 0))
+        {
+            if (move.Kind == MoveKind.Prime) _strands.Blob(move);
+            return;
+        }
+        var height = 0.0;
+        if (move.Kind == MoveKind.Print && move.Deposited > 0) height = _strands.Strand(move);
+        else _strands.Break();
+        _collisions.Check(move, height);
+        _printed.Add(move, height);
+    }
+}

@@ -1,0 +1,64 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>Reads an edited file again, compares it with its toolpath and checks what was read.</summary>
+internal static class EditCheck
+{
+    // mm; files have three decimals or two.
+    private const double Position = 0.006;
+    private const double Share = 0.001;
+
+    public static IReadOnlyList<Diagnostic> Run(
+        DecodedGCode decoding, Toolpath edited, GCodeDocument document, PrintSetup setup, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var options = new DecodeOptions { Dialect = decoding.Dialect, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
+        var file = GCodeDecoder.Decode(document, options, null, cancel).OrThrow();
+        var read = PrintCheck.WithVolumes(file.Toolpath, setup);
+        var findings = new Findings(setup.Printer, read);
+        Compare(edited, read, findings);
+        var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), () => new Findings(setup.Printer, read), progress, cancel);
+        return [.. findings.ToList(), .. checks];
+    }
+
+    // Edits may join and divide moves: where their numbers differ, only the sums are compared.
+    private static void Compare(Toolpath wanted, Toolpath read, Findings findings)
+    {
+        if (wanted.Count == read.Count)
+        {
+            for (var block = 0; block < wanted.Blocks.Count; block++)
+            {
+                var c = wanted.Blocks[block].Columns;
+                for (var i = 0; i < c.Count; i++) Compare(new Vec3(c.X[i], c.Y[i], c.Z[i]), c.E[i], read, wanted.FirstOf(block) + i, findings);
+            }
+            return;
+        }
+        var (a, b) = (ToolpathTotals.Of(wanted), ToolpathTotals.Of(read));
+        if (Math.Abs(a.PrintLength - b.PrintLength) > Share * a.PrintLength + Position)
+            findings.Add(CheckCodes.FilePosition, -1, () => $"The file prints {NumberFormatter.Format(b.PrintLength, 2)} mm; the edit asks for "
+                + $"{NumberFormatter.Format(a.PrintLength, 2)} mm.");
+        if (Math.Abs(a.DepositedE - b.DepositedE) > Share * a.DepositedE + Position)
+            findings.Add(CheckCodes.FileExtrusion, -1, () => $"The file extrudes {NumberFormatter.Format(b.DepositedE, 3)}; the edit asks for "
+                + $"{NumberFormatter.Format(a.DepositedE, 3)}.");
+    }
+
+    private static void Compare(Vec3 wanted, double e, Toolpath read, int move, Findings findings)
+    {
+        var block = read.BlockOf(move);
+        var (c, i) = (read.Blocks[block].Columns, move - read.FirstOf(block));
+        var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
+        if (Math.Abs(end.X - wanted.X) > Position || Math.Abs(end.Y - wanted.Y) > Position || Math.Abs(end.Z - wanted.Z) > Position)
+            findings.Add(CheckCodes.FilePosition, move, () => $"The head is at {end} after this line; the edit has it at {wanted}.");
+        var got = c.E[i];
+        if (Math.Abs(got - e) > Position + Share * Math.Abs(e))
+            findings.Add(CheckCodes.FileExtrusion, move, () => $"E changes by {NumberFormatter.Format(got, 5)} in this line; the edit asks for "
+                + $"{NumberFormatter.Format(e, 5)}.");
+    }
+}

@@ -1,0 +1,79 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>What a whole file must do: home before it prints, know where it is, and mean its E as it says.</summary>
+internal sealed class FileCheck(Toolpath toolpath, Printer printer, CheckScope scope, Findings findings) : IMoveCheck
+{
+    // Moves with E before a file is judged, and the part of them that must look wrong.
+    private const int Enough = 20;
+    private const double MostWipes = 0.25;
+    private const double MostThick = 0.5;
+
+    // Area of a strand in squares of the nozzle that no nozzle prints.
+    private const double ThickArea = 16;
+    private bool _homes;
+    private bool _reported;
+    private bool _hasX, _hasY, _hasZ;
+    private long _moving, _wipes, _prints, _thick;
+    private int _firstWipe = -1;
+    private int _firstThick = -1;
+
+    public void Event(MoveEvent what)
+    {
+        if (what.Event is not HomeEvent home) return;
+        _homes = true;
+        _hasX |= home.X;
+        _hasY |= home.Y;
+        _hasZ |= home.Z;
+    }
+
+    public void Move(in CheckedMove move)
+    {
+        var known = move.Index == 0 && toolpath.Start is null ? Vec3.Zero : move.Start;
+        _hasX |= move.End.X != known.X || toolpath.Start is not null;
+        _hasY |= move.End.Y != known.Y || toolpath.Start is not null;
+        _hasZ |= move.End.Z != known.Z || toolpath.Start is not null;
+        if (!(move.Length > 0)) return;
+        if (move.Kind == MoveKind.Print && move.E > 0) Printed(move);
+        if (move.E == 0) return;
+        _moving++;
+        if (move.Kind == MoveKind.Wipe)
+        {
+            if (_wipes++ == 0) _firstWipe = move.Index;
+        }
+        else if (move.Deposited > 0)
+        {
+            _prints++;
+            var area = move.Deposited / move.Length;
+            if (area > ThickArea * printer.NozzleDiameter * printer.NozzleDiameter && _thick++ == 0) _firstThick = move.Index;
+        }
+    }
+
+    public void End(Toolpath whole)
+    {
+        if (_moving >= Enough && _wipes > _moving * MostWipes)
+            findings.Add(CheckCodes.ExtrusionMode, _firstWipe,
+                () => $"{Percent(_wipes, _moving)} of the moves with E pull it back: E looks relative and is read as "
+                + "absolute.");
+        else if (_prints >= Enough && _thick > _prints * MostThick)
+            findings.Add(CheckCodes.ExtrusionMode, _firstThick, () => $"{Percent(_thick, _prints)} of the strands are thicker than any nozzle prints: E looks "
+                + "absolute and is read as relative, or in another unit.");
+    }
+
+    private void Printed(in CheckedMove move)
+    {
+        if (_reported || !scope.IsWholeFile || scope.HasMacros) return;
+        _reported = true;
+        if (!_homes) findings.Add(CheckCodes.NoHoming, move.Index, () => "The file prints and has not homed the machine before.");
+        if (_hasX && _hasY && _hasZ) return;
+        var axes = (_hasX ? "" : "X") + (_hasY ? "" : "Y") + (_hasZ ? "" : "Z");
+        findings.Add(CheckCodes.UnknownPosition, move.Index, () => $"The file prints before it says where the head is in {axes}.");
+    }
+
+    private static string Percent(long part, long whole) => NumberFormatter.Format(100.0 * part / whole, 0) + " %";
+}

@@ -1,0 +1,155 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>Temperatures beyond hot end and bed, cold extrusion, heat that is missing or left on.</summary>
+internal sealed class HeatCheck : IMoveCheck
+{
+    private readonly Printer _printer;
+    private readonly CheckScope _scope;
+    private readonly Findings _findings;
+    private readonly double _needed;
+    private readonly NozzleTemperatures _nozzles;
+    private MoveEvent? _bed;
+    private bool _heats;
+    private int _firstExtrusion = -1;
+
+    public HeatCheck(PrintSetup setup, CheckScope scope, Findings findings)
+    {
+        _printer = setup.Printer;
+        _scope = scope;
+        _findings = findings;
+        _needed = _printer.ExtrusionUnit == ExtrusionUnit.None ? 0 : _printer.MinExtrusionTemperature;
+        _nozzles = new NozzleTemperatures(scope.NozzleTemperature);
+        var material = setup.Material;
+        Nozzle(Math.Max(material.NozzleTemperature, material.FirstLayerNozzleTemperature), () => null);
+        Bed(material.BedTemperature, () => null);
+    }
+
+    public void Event(MoveEvent what)
+    {
+        switch (what.Event)
+        {
+            case NozzleTemperatureEvent nozzle:
+                _heats = true;
+                Nozzle(nozzle.Celsius, () => PlaceOf(what));
+                break;
+            case BedTemperatureEvent bed:
+                _bed = what;
+                Bed(bed.Celsius, () => PlaceOf(what));
+                break;
+        }
+        _nozzles.Take(what);
+    }
+
+    public void Move(in CheckedMove move)
+    {
+        if (!(move.E > 0)) return;
+        if (_firstExtrusion < 0) _firstExtrusion = move.Index;
+        var celsius = _nozzles.At(move.Tool, out var set);
+        if (!(celsius < _needed)) return;
+        var index = move.Index;
+        _findings.Add(CheckCodes.ColdExtrusion, () => ColdPlace(index, set),
+            () => $"A move extrudes at {NumberFormatter.Format(celsius, 0)} °C; {_printer.Title} needs {NumberFormatter.Format(_needed, 0)} °C.");
+    }
+
+    public void End(Toolpath toolpath)
+    {
+        if (!_scope.IsWholeFile) return;
+        if (_needed > 0 && _firstExtrusion >= 0 && !_heats && !_scope.HasMacros)
+            _findings.Add(CheckCodes.NoHeating, _firstExtrusion, () => "Nothing in the file heats the nozzle before this move extrudes.");
+        if (_nozzles.LeftOn is { } nozzle)
+            _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(nozzle), () => Left("nozzle", ((NozzleTemperatureEvent)nozzle.Event).Celsius));
+        if (_bed is { Event: BedTemperatureEvent { Celsius: > 0 } left } bed)
+            _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(bed), () => Left("bed", left.Celsius));
+    }
+
+    private static string Left(string part, double celsius) => $"The {part} is still heated to {Number(celsius)} °C at the end.";
+
+    private SourceLocation? PlaceOf(MoveEvent what) => _findings.PlaceOfEvent(what);
+
+    // A command of the design that cooled the nozzle is what must change.
+    private SourceLocation? ColdPlace(int move, MoveEvent? set)
+    {
+        var place = _findings.PlaceOf(move);
+        return set is { } what && _findings.PlaceOfEvent(what)?.Origin is { } origin ? (place ?? new SourceLocation()) with { Origin = origin } : place;
+    }
+
+    private void Nozzle(double celsius, Func<SourceLocation?> place)
+    {
+        if (celsius > _printer.MaxNozzleTemperature)
+            _findings.Add(CheckCodes.NozzleTemperature, place, () => Sentence("nozzle", celsius, _printer.MaxNozzleTemperature));
+    }
+
+    private void Bed(double celsius, Func<SourceLocation?> place)
+    {
+        if (celsius > _printer.MaxBedTemperature)
+            _findings.Add(CheckCodes.BedTemperature, place, () => Sentence("bed", celsius, _printer.MaxBedTemperature));
+    }
+
+    private string Sentence(string part, double celsius, double most)
+        => most == 0
+            ? $"The {part} is to be heated to {Number(celsius)} °C; {_printer.Title} cannot heat it."
+            : $"The {part} is to be heated to {Number(celsius)} °C; {_printer.Title} allows {Number(most)} °C at most.";
+
+    private static string Number(double celsius) => NumberFormatter.Format(celsius, 1);
+}
+
+/// <summary>
+/// Temperatures of the nozzles, °C. A command that names no tool is for the current tool; where the file names none at all, its tools share a nozzle or are
+/// heated to the same temperature.
+/// </summary>
+internal sealed class NozzleTemperatures(double initial)
+{
+    private readonly SortedDictionary<int, (double Celsius, MoveEvent Set)> _ofTool = [];
+    private (double Celsius, MoveEvent? Set) _shared = (initial, null);
+    private bool _isNamed;
+    private int _tool;
+
+    /// <summary>The last command of a nozzle that is still heated, or null.</summary>
+    public MoveEvent? LeftOn
+    {
+        get
+        {
+            foreach (var own in _ofTool.Values)
+            {
+                if (own.Celsius > 0) return own.Set;
+            }
+            return _shared is { Celsius: > 0, Set: { } set } && _ofTool.Count == 0 ? set : null;
+        }
+    }
+
+    public void Take(MoveEvent what)
+    {
+        switch (what.Event)
+        {
+            case ToolEvent change:
+                _tool = change.Tool;
+                break;
+            case NozzleTemperatureEvent { Tool: { } named } heat:
+                _isNamed = true;
+                _ofTool[named] = (heat.Celsius, what);
+                break;
+            case NozzleTemperatureEvent heat:
+                if (_isNamed) _ofTool[_tool] = (heat.Celsius, what);
+                else _shared = (heat.Celsius, what);
+                break;
+        }
+    }
+
+    /// <summary>The temperature of a tool, and the command that set it.</summary>
+    public double At(int tool, out MoveEvent? set)
+    {
+        if (_ofTool.TryGetValue(tool, out var own))
+        {
+            set = own.Set;
+            return own.Celsius;
+        }
+        set = _shared.Set;
+        return _shared.Celsius;
+    }
+}

@@ -1,0 +1,90 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>Moves outside the space that the nozzle can reach or below the bed, and strands on excluded areas.</summary>
+internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveCheck
+{
+    // mm; what is written has three decimals.
+    private const double Tolerance = 0.001;
+    private const double ArcTolerance = 0.05;
+
+    public void Event(MoveEvent what)
+    {
+    }
+
+    public void Move(in CheckedMove move)
+    {
+        var (start, end) = (move.Start, move.End);
+        var reachable = printer.CanReach(end, Tolerance);
+        if (reachable && move.Arc is { } arc)
+            reachable = printer.BedShape == BedShape.Round ? ReachesAlong(arc, start, end) : printer.BuildBounds.Contains(arc.Bounds(start, end), Tolerance);
+        if (!reachable) Report(move.Index, end);
+        if (printer.ExcludedAreas.Count == 0 || move.Kind != MoveKind.Print || !(move.Length > 0)) return;
+        foreach (var area in printer.ExcludedAreas)
+        {
+            if (!Crosses(move, area)) continue;
+            findings.Add(CheckCodes.PrintArea, move.Index, () => $"A strand to {end} lies on an excluded area of {printer.Title}: {area}.");
+            return;
+        }
+    }
+
+    public void End(Toolpath toolpath)
+    {
+    }
+
+    private void Report(int move, Vec3 end)
+    {
+        if (end.Z < -Tolerance && printer.CanReach(end.WithZ(0), Tolerance))
+            findings.Add(CheckCodes.Below, move, () => $"A move goes to Z {NumberFormatter.Format(end.Z, 3)} mm, below the bed.");
+        else
+            findings.Add(CheckCodes.Outside, move, () => $"A move goes to {end}, outside the build volume of {printer.Title}: "
+                + $"{printer.BuildBounds}{(printer.BedShape == BedShape.Round ? ", round" : "")}.");
+    }
+
+    private bool ReachesAlong(Arc arc, Vec3 start, Vec3 end)
+    {
+        var chords = arc.ChordCount(start, ArcTolerance);
+        for (var k = 1; k < chords; k++)
+        {
+            if (!printer.CanReach(arc.PointAt(start, end, (double)k / chords), ArcTolerance)) return false;
+        }
+        return true;
+    }
+
+    private static bool Crosses(in CheckedMove move, Bounds area)
+    {
+        if (move.Arc is not { } arc) return Crosses(move.Start, move.End, area);
+        var chords = arc.ChordCount(move.Start, ArcTolerance);
+        var at = move.Start;
+        for (var k = 1; k <= chords; k++)
+        {
+            var next = arc.PointAt(move.Start, move.End, (double)k / chords);
+            if (Crosses(at, next, area)) return true;
+            at = next;
+        }
+        return false;
+    }
+
+    // The edges of an area do not belong to it.
+    private static bool Crosses(Vec3 a, Vec3 b, Bounds area)
+    {
+        double low = 0, high = 1;
+        return Inside(a.X, b.X, area.Min.X, area.Max.X, ref low, ref high) && Inside(a.Y, b.Y, area.Min.Y, area.Max.Y, ref low, ref high);
+    }
+
+    private static bool Inside(double a, double b, double min, double max, ref double low, ref double high)
+    {
+        min += Tolerance;
+        max -= Tolerance;
+        var d = b - a;
+        if (d == 0) return a > min && a < max;
+        low = Math.Max(low, Math.Min((min - a) / d, (max - a) / d));
+        high = Math.Min(high, Math.Max((min - a) / d, (max - a) / d));
+        return low < high;
+    }
+}

@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>
+/// Looks for what a printer cannot or must not do: moves outside its space, collisions with what is printed before, too much material, cold extrusion, and
+/// the rest of <see cref="CheckCodes"/>. Problems of one kind are one diagnostic, with the first move and a count; how serious each is says the printer.
+/// </summary>
+public static class PrintCheck
+{
+    /// <summary>Checks a toolpath against a printer, material and settings.</summary>
+    /// <returns>Findings with the codes of <see cref="CheckCodes"/>; the source of each is the first such move with its step or line.</returns>
+    public static IReadOnlyList<Diagnostic> Run(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        return Run(toolpath, setup, new CheckScope(setup.Material.NozzleTemperature), () => new Findings(setup.Printer, toolpath), progress, cancel);
+    }
+
+    /// <summary>
+    /// Checks a decoded file, which may heat by itself or leave that to a macro of the firmware. Where it does not state the diameter of its filament, that of
+    /// the material holds.
+    /// </summary>
+    /// <inheritdoc cref="Run(Toolpath, PrintSetup, IProgress{double}?, CancellationToken)" path="/returns"/>
+    public static IReadOnlyList<Diagnostic> Run(
+        DecodedGCode file, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (file is null) throw new ArgumentNullException(nameof(file));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        var toolpath = WithVolumes(file.Toolpath, setup);
+        var findings = Run(toolpath, setup, CheckScope.OfFile(file, setup), () => new Findings(setup.Printer, toolpath), progress, cancel);
+        if (file.Report.File is not { Length: > 0 } name) return findings;
+        return findings.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }).ToArray();
+    }
+
+    /// <summary>
+    /// The setup to check the edited toolpath of a file against, which may heat by itself: one that does begins cold; one that leaves the heating to a macro
+    /// of the firmware is taken as hot.
+    /// </summary>
+    public static PrintSetup SetupForFile(PrintSetup setup, Toolpath toolpath)
+    {
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        return CheckScope.HeatsItself(toolpath) ? setup with { Material = setup.Material with { NozzleTemperature = 0 } } : setup;
+    }
+
+    /// <summary>Runs all checks; those of what is printed on a thread of their own.</summary>
+    internal static IReadOnlyList<Diagnostic> Run(
+        Toolpath toolpath, PrintSetup setup, CheckScope scope, Func<Findings> findings, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var (limits, prints) = (findings(), findings());
+        IMoveCheck[] ofLimits =
+        [
+            new PositionCheck(setup.Printer, limits), new RateCheck(setup, limits), new HeatCheck(setup, scope, limits),
+            new StationaryCheck(setup.Printer, limits), new FileCheck(toolpath, setup.Printer, scope, limits), new GapCheck(limits),
+        ];
+        IMoveCheck[] ofPrints = [new DepositCheck(setup, prints)];
+        try
+        {
+            Parallel.Invoke(
+                () => CheckRun.Run(toolpath, ofLimits, null, cancel),
+                () => CheckRun.Run(toolpath, ofPrints, progress, cancel));
+        }
+        catch (AggregateException several)
+        {
+            // The first problem is the one to tell of; a cancel above all.
+            throw several.Flatten().InnerExceptions.FirstOrDefault(e => e is OperationCanceledException) ?? several.GetBaseException();
+        }
+        progress?.Report(1);
+        return [.. limits.ToList(), .. prints.ToList()];
+    }
+
+    /// <summary>The toolpath of a file with the filament of the material for the tools whose filament it does not state.</summary>
+    internal static Toolpath WithVolumes(Toolpath toolpath, PrintSetup setup)
+    {
+        if (toolpath.Tools.All(t => t.VolumePerE is not null) || setup.Printer.ExtrusionUnit == ExtrusionUnit.None) return toolpath;
+        var known = new ToolpathTool(ExtrusionModel.FilamentAreaOf(setup.Material.FilamentDiameter));
+        return toolpath.WithTools(toolpath.Tools.Select(t => t.VolumePerE is null ? known : t));
+    }
+}

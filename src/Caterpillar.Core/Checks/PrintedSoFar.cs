@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>
+/// What is printed, without the fresh end of the strand that the nozzle is just leaving: it touches that always. Strands are numbered by their moves.
+/// </summary>
+internal sealed class PrintedSoFar
+{
+    /// <summary>Widest strand, in nozzles.</summary>
+    public const double Widest = 12;
+
+    // Only what is about as high as the tip is asked for exactly.
+    private const double KeepDepth = 6;
+    private readonly Queue<(Vec3 From, Vec3 To, double Half, int Move, double Distance)> _fresh = new();
+    private readonly BeadShape _shape;
+    private readonly double _widest;
+    private double _distance;
+
+    public PrintedSoFar(PrintSetup setup)
+    {
+        var printer = setup.Printer;
+        Head = new HeadShape(Outline(printer));
+        _shape = setup.Settings.BeadShape;
+        _widest = Widest * printer.NozzleDiameter;
+        Deposit = new Deposit(CellOf(printer), KeepDepth);
+        Lag = Head.FlatRadius + printer.NozzleDiameter + 2 * Deposit.Cell;
+    }
+
+    public Deposit Deposit { get; }
+
+    public HeadShape Head { get; }
+
+    /// <summary>Length of motion after which a strand is no longer fresh, mm.</summary>
+    public double Lag { get; }
+
+    /// <summary>In so many pieces a strand stops to be fresh.</summary>
+    public const int FreshPieces = 2;
+
+    /// <summary>Length of such a piece, mm.</summary>
+    public double FreshPiece => Lag / FreshPieces;
+
+    /// <summary>Side of the cells for a printer, mm.</summary>
+    public static double CellOf(Printer printer) => Math.Max(0.25, printer.NozzleDiameter / 4);
+
+    /// <summary>The motion goes on from here.</summary>
+    /// <param name="ahead">mm beyond the end of the last move.</param>
+    public void Advance(double ahead)
+    {
+        while (_fresh.Count > 0 && _fresh.Peek().Distance + Lag <= _distance + ahead + 1e-9)
+        {
+            var (from, to, half, move, _) = _fresh.Dequeue();
+            Deposit.Add(from, to, half, move);
+        }
+    }
+
+    /// <summary>A straight move has been made.</summary>
+    /// <param name="move">The move.</param>
+    /// <param name="height">Height of its strand, mm; 0 if unknown.</param>
+    public void Add(in CheckedMove move, double height)
+    {
+        _distance += move.Length;
+        if (move.Kind != MoveKind.Print || !(move.Deposited > 0) || !move.End.IsFinite || !move.Start.IsFinite) return;
+        var bead = new Bead(move.Deposited / move.Length, height);
+        // A bead of almost no height would be as wide as the bed.
+        var half = Math.Min(bead.Width(_shape), _widest) / 2;
+        // Its end in pieces, each of which stops to be fresh by itself.
+        var at = move.Start;
+        for (var piece = FreshPieces; piece > 0; piece--)
+        {
+            var rest = piece * FreshPiece;
+            if (rest >= move.Length) continue;
+            var next = Vec3.Lerp(move.Start, move.End, 1 - rest / move.Length);
+            _fresh.Enqueue((at, next, half, move.Index, _distance - rest));
+            at = next;
+        }
+        _fresh.Enqueue((at, move.End, half, move.Index, _distance));
+    }
+
+    private static IEnumerable<(double Radius, double Height)> Outline(Printer printer)
+    {
+        foreach (var point in printer.HeadOutline) yield return (point.Radius, point.Height);
+    }
+}

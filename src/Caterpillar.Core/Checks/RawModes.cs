@@ -1,0 +1,75 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>
+/// Raw lines of a design that leave the machine in another mode: G91, M82 or M83, G20. The writer states the modes again after each, so that what was meant to
+/// follow in that mode would not.
+/// </summary>
+internal static class RawModes
+{
+    public static void Run(Toolpath plan, GCodeFormat format, Findings findings, Func<int, SourceLocation?> placeOfEvent)
+    {
+        var usual = new Modes(format.RelativeXyz, format.WritesRelative, false);
+        var events = plan.Events;
+        for (var i = 0; i < events.Count; i++)
+        {
+            if (events[i].Event is not RawEvent raw || events[i].Move >= plan.Count) continue;
+            var state = usual;
+            foreach (var line in raw.Line.Split('\n', '\r')) state = state.After(line);
+            if (state == usual) continue;
+            var (at, word) = (i, state.Word(usual));
+            findings.Add(CheckCodes.FileModes, () => placeOfEvent(at),
+                () => $"A raw line switches to {word}. Modes end with it: give what needs them, and what ends them, in the same raw text.");
+        }
+    }
+
+    private readonly record struct Modes(bool Relative, bool RelativeE, bool Inches)
+    {
+        public Modes After(string line)
+        {
+            var state = this;
+            var end = line.IndexOf(';');
+            var code = (end < 0 ? line : line.Substring(0, end)).ToUpperInvariant();
+            for (var i = 0; i + 1 < code.Length; i++)
+            {
+                if (code[i] == '(')
+                {
+                    i = code.IndexOf(')', i);
+                    if (i < 0) break;
+                    continue;
+                }
+                if (code[i] is not ('G' or 'M') || (i > 0 && char.IsLetter(code[i - 1]))) continue;
+                state = state.After(code[i], Number(code, i + 1));
+            }
+            return state;
+        }
+
+        public string Word(Modes usual)
+            => Relative != usual.Relative ? (Relative ? "relative positions (G91)" : "absolute positions (G90)") : Inches ? "inches (G20)" : RelativeE
+                ? "relative E (M83)" : "absolute E (M82)";
+
+        private Modes After(char letter, double number) => (letter, number) switch
+        {
+            ('G', 90) => this with { Relative = false },
+            ('G', 91) => this with { Relative = true },
+            ('G', 20) => this with { Inches = true },
+            ('G', 21) => this with { Inches = false },
+            ('M', 82) => this with { RelativeE = false },
+            ('M', 83) => this with { RelativeE = true },
+            _ => this,
+        };
+
+        private static double Number(string code, int at)
+        {
+            while (at < code.Length && code[at] == ' ') at++;
+            var end = at;
+            while (end < code.Length && (char.IsDigit(code[end]) || code[end] == '.')) end++;
+            return NumberReader.TryParse(code.Substring(at, end - at), out var value) ? value : -1;
+        }
+    }
+}

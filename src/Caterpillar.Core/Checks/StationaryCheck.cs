@@ -1,0 +1,38 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>Too much material pushed out, or pulled back, while the head stands still: in one move or in several.</summary>
+internal sealed class StationaryCheck(Printer printer, Findings findings) : IMoveCheck
+{
+    private double _pushed;
+
+    public void Event(MoveEvent what)
+    {
+    }
+
+    public void Move(in CheckedMove move)
+    {
+        if (!move.StartKnown ? move.Kind is not (MoveKind.Retract or MoveKind.Restore or MoveKind.Prime) : move.Start != move.End || move.Arc is not null)
+        {
+            _pushed = 0;
+            return;
+        }
+        if (!(move.Pushed != 0)) return;
+        var before = Math.Abs(_pushed);
+        _pushed += move.Pushed;
+        var most = printer.MaxStationaryVolume * (1 + 1e-9);
+        var volume = Math.Abs(move.Pushed) > Math.Abs(_pushed) ? move.Pushed : _pushed;
+        if (!(Math.Abs(volume) > most) || (before > most && Math.Abs(move.Pushed) <= most)) return;
+        findings.Add(CheckCodes.Stationary, move.Index,
+            () => $"{Figures.Short(Math.Abs(volume))} mm³ are {(volume > 0 ? "pushed out" : "pulled back")} while the head stands still; "
+                + $"{printer.Title} allows {Figures.Short(printer.MaxStationaryVolume)} mm³.");
+    }
+
+    public void End(Toolpath toolpath)
+    {
+    }
+}

@@ -1,0 +1,194 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>Strands in the air, in each other's place, too thick for their gap or for the nozzle, and the area on which a print stands.</summary>
+internal sealed class StrandCheck
+{
+    // Lengths in mm.
+    public const double MostFree = 5;
+    public const double MostBridge = 60;
+    public const double MostOdd = 5;
+    public const double MostDoubled = 20;
+    private const double Touch = 0.1;
+    private const double SampleStep = 0.5;
+    private const int MostSamples = 256;
+
+    // In nozzles.
+    private const double Widest = 3;
+    private const double Thinnest = 0.2;
+    private const double WidestSqueezed = 4;
+    private const double WidestBlob = 10;
+
+    // Height over the root of the area on the bed.
+    private const double Slenderest = 8;
+    private readonly Printer _printer;
+    private readonly PrintedSoFar _printed;
+    private readonly Findings _findings;
+    private readonly BeadShape _shape;
+    private readonly double _usualHeight;
+    private Vec3 _end;
+    private bool _continues;
+    private bool _anchored;
+    private double _air;
+    private int _airMove;
+    private double _wide, _thin, _doubled;
+    private int _wideMove, _thinMove, _doubledMove;
+    private double _standing, _highest;
+
+    public StrandCheck(PrintSetup setup, PrintedSoFar printed, Findings findings)
+    {
+        _printer = setup.Printer;
+        _printed = printed;
+        _findings = findings;
+        _shape = setup.Settings.BeadShape;
+        _usualHeight = Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight);
+    }
+
+    /// <summary>A strand along a straight move; its height in mm.</summary>
+    public double Strand(in CheckedMove move)
+    {
+        if (_continues && move.Start != _end) Break();
+        (_continues, _end) = (true, move.End);
+        var area = move.Deposited / move.Length;
+        // Layers much thicker or thinner than their strands say nothing about them: files without comments about layers, drawings.
+        var known = move.Thickness > 0 && area >= 0.5 * move.Thickness * move.Thickness
+            && area <= PrintedSoFar.Widest * _printer.NozzleDiameter * move.Thickness;
+        var nominal = known ? move.Thickness : _usualHeight;
+        var count = (int)Math.Min(Math.Max(Math.Ceiling(move.Length / SampleStep), 1), MostSamples);
+        var step = move.Length / count;
+        var reach = 2 * Math.Max(nominal, _printer.NozzleDiameter / 2) + Touch;
+        var gap = 0.0;
+        var tight = double.PositiveInfinity;
+        for (var k = 0; k < count; k++)
+        {
+            var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
+            gap = GapBelow(p, nominal);
+            tight = Math.Min(tight, gap);
+            var lies = gap <= reach;
+            if (lies || move.Role == Role.Purge) Land(move.Index);
+            else Fly(move.Index, step);
+            if (gap == p.Z && lies && move.Role is not (Role.Skirt or Role.Purge)) _standing += step * area / Math.Max(gap, nominal / 2);
+        }
+        _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
+        var height = known ? move.Thickness : Math.Max(0, Math.Min(gap, nominal));
+        if (move.Role == Role.Purge) return height;
+        Dimensions(move, area, height, known);
+        if (tight > 0 && area / tight > WidestSqueezed * _printer.NozzleDiameter) Squeezed(move, area, tight);
+        if (move.Role is not (Role.Ironing or Role.GapFill or Role.PrimeTower)) Doubles(move, area, height);
+        return height;
+    }
+
+    /// <summary>Material in place.</summary>
+    public void Blob(in CheckedMove move)
+    {
+        var gap = GapBelow(move.End, Math.Min(_usualHeight, move.End.Z));
+        if (!(gap > 0) || gap > _printer.NozzleDiameter || !(move.Deposited > 0) || _highest == 0) return;
+        var width = 2 * Math.Sqrt(move.Deposited / (Math.PI * gap));
+        if (!(width > WidestBlob * _printer.NozzleDiameter)) return;
+        var volume = move.Deposited;
+        _findings.Add(CheckCodes.Squeezed, move.Index, () => $"{Number(volume)} mm³ in place do not fit into {Number(gap)} mm below the nozzle: the blob would "
+            + $"be {Number(width)} mm wide.");
+    }
+
+    /// <summary>The head moves on without printing.</summary>
+    public void Break()
+    {
+        if (_air > MostFree) ReportAir(false);
+        _air = _doubled = 0;
+        _anchored = false;
+        _continues = false;
+    }
+
+    public void End()
+    {
+        Break();
+        var slender = _highest / Math.Sqrt(_standing);
+        if (_standing > 0 && slender > Slenderest)
+            _findings.Add(CheckCodes.FirstLayer, -1,
+                () => $"A print of {Number(_highest)} mm height stands on {NumberFormatter.Format(_standing, 0)} mm²: give it "
+                + "a brim.");
+    }
+
+    private static string Number(double value) => NumberFormatter.Format(value, 2);
+
+    // mm to the bed or to a strand below; what is about as high as the strand itself lies beside it.
+    private double GapBelow(Vec3 p, double nominal)
+    {
+        var (top, under) = _printed.Deposit.CellAt(p.X, p.Y);
+        var highest = p.Z - 0.5 * nominal;
+        var below = top <= highest ? top : under <= highest ? under : 0;
+        return p.Z - Math.Max(below, 0);
+    }
+
+    private void Fly(int move, double step)
+    {
+        if (_air == 0) _airMove = move;
+        _air += step;
+    }
+
+    private void Land(int move)
+    {
+        if (_air > (_anchored ? MostBridge : MostFree)) ReportAir(_anchored);
+        _air = 0;
+        _anchored = true;
+    }
+
+    private void ReportAir(bool bridge)
+    {
+        var air = _air;
+        _findings.Add(CheckCodes.Unsupported, _airMove, () => $"{NumberFormatter.Format(air, 1)} mm of a strand lie in the air"
+            + (bridge ? " between two supports." : " with a free end."));
+    }
+
+    private void Dimensions(in CheckedMove move, double area, double height, bool known)
+    {
+        if (known && height > _printer.NozzleDiameter * 1.001)
+            _findings.Add(CheckCodes.Height, move.Index,
+                () => $"A layer is {Number(height)} mm high; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.");
+        var width = new Bead(area, height).Width(_shape);
+        if (width > Widest * _printer.NozzleDiameter * 1.001) Odd(ref _wide, ref _wideMove, move, width);
+        else if (width < Thinnest * _printer.NozzleDiameter && move.Role is not (Role.Ironing or Role.GapFill)) Odd(ref _thin, ref _thinMove, move, width);
+    }
+
+    private void Odd(ref double length, ref int first, in CheckedMove move, double width)
+    {
+        if (length == 0) first = move.Index;
+        var before = length;
+        length += move.Length;
+        if (length <= MostOdd) return;
+        _findings.Add(CheckCodes.Width, before > MostOdd ? move.Index : first,
+            () => $"Strands are {Number(width)} mm wide; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.");
+    }
+
+    private void Squeezed(in CheckedMove move, double area, double gap)
+        => _findings.Add(CheckCodes.Squeezed, move.Index,
+            () => $"A strand of {Number(area)} mm² does not fit into {Number(gap)} mm below the nozzle: it would be "
+            + $"{Number(area / gap)} mm wide.");
+
+    private void Doubles(in CheckedMove move, double area, double height)
+    {
+        var half = new Bead(area, height).Width(_shape) / 2;
+        var count = (int)Math.Min(Math.Max(Math.Ceiling(move.Length), 1), 16);
+        for (var k = 0; k < count; k++)
+        {
+            var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
+            if (!_printed.Deposit.HasParallel(p, move.End - move.Start, half, height, out var other))
+            {
+                _doubled = 0;
+                continue;
+            }
+            var before = _doubled;
+            if (before == 0) _doubledMove = move.Index;
+            _doubled += move.Length / count;
+            // Once for each run.
+            if (before > MostDoubled || _doubled <= MostDoubled) continue;
+            _findings.Add(CheckCodes.Doubled, _doubledMove, () => "Strands are printed in the place of others"
+                + (other >= 0 && _findings.PlaceOf(other) is { } place ? $" ({place with { Origin = null, Step = null }})." : "."));
+        }
+    }
+}

@@ -1,0 +1,84 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Which lines of a file belong to each move, each event and each template. Lines count from 1.</summary>
+internal sealed class WrittenLines(int moves)
+{
+    private readonly int[] _before = new int[moves];
+    private readonly int[] _last = new int[moves];
+    private readonly List<(int Before, int Last, int Event)> _events = [];
+    private int _start;
+    private int _end = int.MaxValue;
+
+    public void EndStart(long lines) => _start = Number(lines);
+
+    public void BeginEnd(long lines) => _end = Number(lines);
+
+    public void BeginMove(int move, long lines) => _before[move] = Number(lines);
+
+    public void EndMove(int move, long lines) => _last[move] = Number(lines);
+
+    public void Event(int index, long before, long last)
+    {
+        if (last > before) _events.Add((Number(before), Number(last), index));
+    }
+
+    /// <summary>True for lines of the start code and of the end code.</summary>
+    public bool IsStart(int line) => line <= _start;
+
+    /// <inheritdoc cref="IsStart"/>
+    public bool IsEnd(int line) => line > _end;
+
+    /// <summary>First and last line of the motion of a move; the last one is before the first where nothing was written.</summary>
+    public (int First, int Last) OfMove(int move) => (_before[move] + 1, _last[move]);
+
+    /// <summary>The move that a line is the motion of, or −1.</summary>
+    public int MoveAt(int line)
+    {
+        var move = NextMove(line);
+        return move < moves && line > _before[move] ? move : -1;
+    }
+
+    /// <summary>The first move whose last line is not before a line; the number of moves after them all.</summary>
+    public int NextMove(int line)
+    {
+        int low = 0, high = moves;
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            if (_last[middle] < line) low = middle + 1;
+            else high = middle;
+        }
+        return low;
+    }
+
+    /// <summary>The event that a line comes from, or −1.</summary>
+    public int EventAt(int line)
+    {
+        int low = 0, high = _events.Count;
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            if (_events[middle].Last < line) low = middle + 1;
+            else high = middle;
+        }
+        return low < _events.Count && line > _events[low].Before ? _events[low].Event : -1;
+    }
+
+    /// <summary>The first line of an event; 0 where it has none.</summary>
+    public int LineOf(int what)
+    {
+        int low = 0, high = _events.Count;
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            if (_events[middle].Event < what) low = middle + 1;
+            else high = middle;
+        }
+        return low < _events.Count && _events[low].Event == what ? _events[low].Before + 1 : 0;
+    }
+
+    private static int Number(long lines) => (int)Math.Min(lines, int.MaxValue);
+}

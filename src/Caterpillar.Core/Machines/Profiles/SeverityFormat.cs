@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Caterpillar.Machines;
+
+/// <summary>How serious findings are: a list of texts such as <c>limit.flow=warning</c>.</summary>
+internal sealed class SeverityFormat : KeyFormat<ValueList<CheckSeverity>>
+{
+    private const char Wrong = '!';
+
+    public override KeyKind Kind => KeyKind.Lines;
+
+    public override string Expected => "a list of texts such as \"limit.flow=warning\"";
+
+    public override string Range => "a list of code=off, remark, warning or error";
+
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema =>
+    [
+        new("type", "array"),
+        new("items", new KeyValuePair<string, object>[]
+        {
+            new("type", "string"),
+            new("pattern", "^(" + string.Join("|", CheckCodes.All.Select(c => c.Code.Replace(".", "\\."))) + ")=(off|remark|warning|error)$"),
+        }),
+    ];
+
+    public override object? Parse(string text)
+        => text.Trim().Length == 0 ? Array.Empty<object>() : text.Split(',', '\n').Select(t => (object)t.Trim()).ToArray();
+
+    public override bool TryRead(object raw, out ValueList<CheckSeverity>? value)
+    {
+        value = null;
+        if (raw is not IReadOnlyList<object> list || !list.All(i => i is string)) return false;
+        var items = new List<CheckSeverity>();
+        foreach (string text in list)
+        {
+            // What is wrong is kept for the message of Problem.
+            items.Add(CheckSeverity.Parse(text, out _) ?? new CheckSeverity(Wrong + text, null));
+        }
+        value = new ValueList<CheckSeverity>(items);
+        return true;
+    }
+
+    public override object Write(ValueList<CheckSeverity> value) => value.Select(v => (object)v.ToString()).ToArray();
+
+    public override string? Problem(ValueList<CheckSeverity> value)
+    {
+        foreach (var item in value)
+        {
+            if (CheckCodes.Find(item.Code) is not null) continue;
+            CheckSeverity.Parse(item.Code.TrimStart(Wrong), out var problem);
+            return problem ?? $"has \"{item.Code}\", which is not a code of a check";
+        }
+        return null;
+    }
+}

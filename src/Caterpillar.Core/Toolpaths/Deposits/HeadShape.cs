@@ -1,0 +1,64 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// The underside of nozzle and head around their axis: cones between the points of an outline, from the flat of the tip outward. Distances are seen from
+/// above, heights from the tip, mm.
+/// </summary>
+public sealed class HeadShape
+{
+    private readonly double[] _radii;
+    private readonly double[] _heights;
+
+    /// <param name="outline">Radius and height, from the tip outward; both ascend, and the first height is 0.</param>
+    /// <exception cref="ArgumentException">They do not.</exception>
+    public HeadShape(IEnumerable<(double Radius, double Height)> outline)
+    {
+        var points = (outline ?? throw new ArgumentNullException(nameof(outline))).ToArray();
+        _radii = Array.ConvertAll(points, p => p.Radius);
+        _heights = Array.ConvertAll(points, p => p.Height);
+        if (points.Length == 0 || _heights[0] != 0) throw new ArgumentException("An outline begins at the tip, at height 0.", nameof(outline));
+        for (var i = 1; i < points.Length; i++)
+        {
+            if (!(_radii[i] > _radii[i - 1]) || !(_heights[i] >= _heights[i - 1]))
+                throw new ArgumentException("Radii and heights of an outline ascend.", nameof(outline));
+            if (_heights[i] == 0) FlatRadius = _radii[i];
+        }
+        FlatRadius = Math.Max(FlatRadius, _radii[0]);
+    }
+
+    /// <summary>Radius of the flat of the tip.</summary>
+    public double FlatRadius { get; }
+
+    /// <summary>Largest radius.</summary>
+    public double Radius => _radii[_radii.Length - 1];
+
+    /// <summary>
+    /// How far from the axis something may be whose top is <paramref name="excess"/> above the tip and still be touched; negative where it is not above it.
+    /// </summary>
+    public double Reach(double excess)
+    {
+        if (!(excess > 0)) return -1;
+        var i = _radii.Length - 1;
+        while (i > 0 && _heights[i] >= excess) i--;
+        if (i == _radii.Length - 1) return _radii[i];
+        var rise = _heights[i + 1] - _heights[i];
+        return _radii[i] + (_radii[i + 1] - _radii[i]) * (excess - _heights[i]) / rise;
+    }
+
+    /// <summary>
+    /// The same from the axis of the head to that of a strand of half a width. Leniently, a strand beside the axis that rises from it by less than 45° is
+    /// not counted where only the flat of the tip digs into it.
+    /// </summary>
+    internal double AxisReach(double excess, double half, bool lenient)
+    {
+        var reach = Reach(excess);
+        if (reach < 0) return -1;
+        if (!lenient || reach > 3 * FlatRadius) return reach + half;
+        var inner = Reach(excess - FlatRadius);
+        return Math.Min(reach + half, Math.Max(excess, inner < 0 ? 0 : inner + half));
+    }
+}
