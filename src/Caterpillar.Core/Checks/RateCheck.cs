@@ -8,10 +8,13 @@ namespace Caterpillar.Checks;
 /// <summary>Speeds and accelerations beyond the axes, more material than hot end and material allow, tools that do not exist.</summary>
 internal sealed class RateCheck(PrintSetup setup, Findings findings) : IMoveCheck
 {
-    // Rounding of F and E in files.
-    private const double SpeedRounding = 1e-9;
-    private const double FlowRounding = 1.001;
+    private const double Rounding = 1.001;
     private readonly Printer _printer = setup.Printer;
+
+    // What rounding in a file may change: coordinates in mm, E, speeds in mm/s.
+    private readonly double _roundedXyz = Math.Pow(10, -setup.Printer.DecimalsXyz);
+    private readonly double _roundedE = Math.Pow(10, -setup.Printer.DecimalsE);
+    private readonly double _roundedF = Math.Pow(10, -setup.Printer.DecimalsF) / 60;
 
     public void Event(MoveEvent what)
     {
@@ -37,10 +40,13 @@ internal sealed class RateCheck(PrintSetup setup, Findings findings) : IMoveChec
         if (!move.StartKnown || !(move.Length > 0) || !(move.Speed > 0)) return;
         var most = MaxSpeed(move, _printer.MaxSpeed);
         // Travels are slowed down without harm; a strand printed more slowly is not the one that was asked for.
-        if (move.Speed > most * (1 + SpeedRounding)) ReportSpeed(move, most);
+        if (move.Speed > most * (1 + 1e-9) + _roundedF) ReportSpeed(move, most);
         if (move.Kind != MoveKind.Print) return;
         var flow = move.Deposited / move.Length * Math.Min(move.Speed, most);
-        if (flow > setup.MaxFlow * FlowRounding) ReportFlow(flow, move.Index);
+        if (!(flow > setup.MaxFlow * Rounding)) return;
+        // In short moves the last decimals count for more.
+        var least = (move.Deposited - _roundedE * move.Pushed / move.E) / (move.Length + 2 * _roundedXyz) * Math.Min(move.Speed, most);
+        if (least > setup.MaxFlow * Rounding) ReportFlow(flow, move.Index);
     }
 
     public void End(Toolpath toolpath)
@@ -50,14 +56,18 @@ internal sealed class RateCheck(PrintSetup setup, Findings findings) : IMoveChec
     private static double OfHead(AxisValues axes) => Math.Max(axes.X, axes.Y);
 
     // What the axes allow in a direction; an arc is taken by its chord in Z and by the slower of X and Y.
-    private static double MaxSpeed(in CheckedMove move, AxisValues axes)
+    private double MaxSpeed(in CheckedMove move, AxisValues axes)
     {
         var path = move.End - move.Start;
-        var most = double.MaxValue;
-        if (path.X != 0) most = Math.Min(most, axes.X * move.Length / Math.Abs(path.X));
-        if (path.Y != 0) most = Math.Min(most, axes.Y * move.Length / Math.Abs(path.Y));
-        if (path.Z != 0) most = Math.Min(most, axes.Z * move.Length / Math.Abs(path.Z));
-        return most == double.MaxValue ? Math.Min(axes.X, axes.Y) : most;
+        if (path == Geometry.Vec3.Zero) return Math.Min(axes.X, axes.Y);
+        return Math.Min(MaxSpeed(path.X, move.Length, axes.X), Math.Min(MaxSpeed(path.Y, move.Length, axes.Y), MaxSpeed(path.Z, move.Length, axes.Z)));
+    }
+
+    // Where an axis moves by a few of the last decimals, its share is not known better.
+    private double MaxSpeed(double along, double length, double axis)
+    {
+        var path = Math.Abs(along) < 20 * _roundedXyz ? Math.Abs(along) - _roundedXyz : Math.Abs(along);
+        return path > 0 ? axis * length / path : double.MaxValue;
     }
 
     private void ReportTool(in CheckedMove move)
