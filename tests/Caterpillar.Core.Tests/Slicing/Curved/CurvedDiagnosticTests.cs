@@ -76,7 +76,7 @@ public class CurvedDiagnosticTests
     public void Formulas_must_rise_with_z(string formula, string? code)
     {
         var result = CurvedSolids.Try(LayerField.Formula(formula).OrThrow(), CurvedSolids.Massive, null, Part);
-        Assert.That(result.Diagnostics.Where(d => d.Severity == Severity.Error).Select(d => d.Code), Is.EqualTo(code is null ? new string[0] : new[] { code }));
+        Assert.That(result.Diagnostics.Where(d => d.Severity == Severity.Error).Select(d => d.Code), Is.EqualTo(code is null ? [] : new[] { code }));
     }
 
     [Test]
