@@ -65,15 +65,15 @@ public class CurvedSlicerTests
     [Test]
     public void Layers_at_equal_distances_from_a_tube_have_its_axis_and_the_volume_between_their_cylinders()
     {
-        var tube = CurvedSolids.Arch(20, 23, 40, 140, 15, 400);
-        var field = LayerField.Offset(CurvedSolids.Sheet(20, 30, 150, 17, 800));
+        var tube = CurvedSolids.Arch(20, 23, 60, 120, 6, 160);
+        var field = LayerField.Offset(CurvedSolids.Sheet(20, 50, 130, 8, 500));
         var layers = CurvedSolids.Slice(field, CurvedSolids.Massive, tube);
         Assert.That(layers, Has.Count.EqualTo(6));
         for (var i = 0; i < layers.Count; i++)
         {
             var radius = 20.5 + 0.5 * i;
             foreach (var p in CurvedSolids.Points(layers[i])) Assert.That(Math.Sqrt(p.X * p.X + p.Z * p.Z), Is.EqualTo(radius).Within(1e-3));
-            var volume = Angle.ToRadians(100) * (radius * radius - (radius - 0.5) * (radius - 0.5)) / 2 * 15;
+            var volume = Angle.ToRadians(60) * (radius * radius - (radius - 0.5) * (radius - 0.5)) / 2 * 6;
             Assert.That(CurvedSolids.Volume(layers[i]), Is.EqualTo(volume).Within(2).Percent, $"layer {i}");
         }
     }
