@@ -8,6 +8,7 @@ namespace Caterpillar.Checks;
 internal sealed class DepositCheck : IMoveCheck
 {
     private const double ArcTolerance = 0.02;
+    private const double Farthest = 1e6;
     private readonly PrintedSoFar _printed;
     private readonly StrandCheck _strands;
     private readonly CollisionCheck _collisions;
@@ -25,7 +26,7 @@ internal sealed class DepositCheck : IMoveCheck
 
     public void Move(in CheckedMove move)
     {
-        if (move.Arc is not { } arc)
+        if (move.Arc is not { } arc || IsFar(move.Start) || IsFar(move.End))
         {
             Piece(move);
             return;
@@ -45,9 +46,12 @@ internal sealed class DepositCheck : IMoveCheck
 
     public void End(Toolpath toolpath) => _strands.End();
 
+    // What is a kilometer away is outside every machine; numbers of any size must not stop the checks.
+    private static bool IsFar(Vec3 p) => !(System.Math.Abs(p.X) < Farthest && System.Math.Abs(p.Y) < Farthest && System.Math.Abs(p.Z) < Farthest);
+
     private void Piece(in CheckedMove move)
     {
-        if (!move.StartKnown)
+        if (!move.StartKnown || IsFar(move.Start) || IsFar(move.End))
         {
             _strands.Break();
             return;
