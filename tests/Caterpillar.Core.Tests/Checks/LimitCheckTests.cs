@@ -184,8 +184,8 @@ public class LimitCheckTests
     public void Null_arguments_are_a_misuse()
     {
         var toolpath = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero).Build([new ToolpathTool(1)]);
-        Assert.That(() => LimitCheck.Run((Toolpath)null!, Generic), Throws.ArgumentNullException);
-        Assert.That(() => LimitCheck.Run(toolpath, null!), Throws.ArgumentNullException);
+        Assert.That(() => PrintCheck.Run((Toolpath)null!, Generic), Throws.ArgumentNullException);
+        Assert.That(() => PrintCheck.Run(toolpath, null!), Throws.ArgumentNullException);
         Assert.That(() => SafeWriter.Write(null!, Generic, System.IO.Stream.Null), Throws.ArgumentNullException);
         Assert.That(() => SafeWriter.Write(toolpath, null!, System.IO.Stream.Null), Throws.ArgumentNullException);
         Assert.That(() => SafeWriter.Write(toolpath, Generic, (System.IO.Stream)null!), Throws.ArgumentNullException);
