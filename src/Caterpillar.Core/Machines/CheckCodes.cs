@@ -102,7 +102,7 @@ public readonly record struct CheckSeverity(string Code, Severity? Severity)
     internal static CheckSeverity? Parse(string text, out string? problem)
     {
         problem = null;
-        var cut = text.IndexOf('=');
+        var cut = text.IndexOf('=', 0);
         var code = (cut < 0 ? text : text.Substring(0, cut)).Trim();
         var word = cut < 0 ? "" : text.Substring(cut + 1).Trim();
         if (CheckCodes.Find(code) is null)

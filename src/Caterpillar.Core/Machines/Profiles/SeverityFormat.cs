@@ -21,7 +21,7 @@ internal sealed class SeverityFormat : KeyFormat<ValueList<CheckSeverity>>
         new("items", new KeyValuePair<string, object>[]
         {
             new("type", "string"),
-            new("pattern", "^(" + string.Join("|", CheckCodes.All.Select(c => c.Code.Replace(".", "\\."))) + ")=(off|remark|warning|error)$"),
+            new("pattern", "^(" + string.Join("|", CheckCodes.All.Select(c => string.Join("\\.", c.Code.Split('.')))) + ")=(off|remark|warning|error)$"),
         }),
     ];
 
