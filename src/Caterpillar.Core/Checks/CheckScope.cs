@@ -9,7 +9,8 @@ namespace Caterpillar.Checks;
 /// <param name="NozzleTemperature">Temperature of the nozzles at the beginning, °C.</param>
 /// <param name="IsWholeFile">It is a file with its start and end code: it must home and heat.</param>
 /// <param name="HasMacros">It calls macros of the firmware, which may home and heat.</param>
-internal sealed record CheckScope(double NozzleTemperature, bool IsWholeFile = false, bool HasMacros = false)
+/// <param name="IsPlanned">Its amounts have been compared with a plan.</param>
+internal sealed record CheckScope(double NozzleTemperature, bool IsWholeFile = false, bool HasMacros = false, bool IsPlanned = false)
 {
     /// <summary>A file: one that heats by itself begins cold; one that leaves that to a macro of the firmware is taken as hot.</summary>
     public static CheckScope OfFile(DecodedGCode file, PrintSetup setup)
@@ -17,7 +18,7 @@ internal sealed record CheckScope(double NozzleTemperature, bool IsWholeFile = f
 
     /// <summary>A file that is written with the templates of a printer; without start code that is elsewhere.</summary>
     public static CheckScope OfWritten(DecodedGCode file, PrintSetup setup)
-        => setup.Printer.StartTemplate.Count > 0 ? OfFile(file, setup) : new CheckScope(setup.Material.NozzleTemperature);
+        => (setup.Printer.StartTemplate.Count > 0 ? OfFile(file, setup) : new CheckScope(setup.Material.NozzleTemperature)) with { IsPlanned = true };
 
     /// <summary>True if a toolpath sets the temperature of a nozzle.</summary>
     public static bool HeatsItself(Toolpath toolpath)

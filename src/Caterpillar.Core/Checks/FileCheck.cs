@@ -56,6 +56,7 @@ internal sealed class FileCheck(Toolpath toolpath, Printer printer, CheckScope s
 
     public void End(Toolpath whole)
     {
+        if (scope.IsPlanned) return;
         if (_moving >= Enough && _wipes > _moving * MostWipes)
             findings.Add(CheckCodes.ExtrusionMode, _firstWipe,
                 () => $"{Percent(_wipes, _moving)} of the moves with E pull it back: E looks relative and is read as "

@@ -60,7 +60,7 @@ public class ExampleCurveTests
 
     private static byte[] Write(string name, string printer, bool arcs)
     {
-        var setup = new ProfileLibrary().Setup(printer, values: ["sort_paths=false"]).Value!;
+        var setup = new ProfileLibrary().Setup(printer, values: ["sort_paths=false", "nozzle_diameter_mm=" + (name == "thick_cup.csv" ? "2.4" : "0.4")]).Value!;
         var plain = CurveOptions.From(setup.Settings);
         var options = plain with { Shape = BeadShape.Rectangle, Subdivision = plain.Subdivision with { KeepArcs = arcs } };
         var curves = Read(name, setup);

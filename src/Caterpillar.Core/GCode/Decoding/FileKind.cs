@@ -13,7 +13,7 @@ internal static class FileKind
     /// <summary>The error for a file without commands, or null for G-code.</summary>
     public static Diagnostic? NotGCode(GCodeChunk? head, long bytes, int lines, int commands)
     {
-        if (commands > 0 && (long)commands * LinesPerChance >= lines) return null;
+        if (commands > 0 && (long)commands * LinesPerChance >= lines && (head is null || Mark(head) is null)) return null;
         var kind = head is null || bytes == 0 ? "is empty" : Kind(head, bytes);
         if (commands > 0 && kind is null) return null;
         return new Diagnostic(Severity.Error, "gcode.none", "This is no G-code: the file " + (kind ?? "has no command that a printer understands") + ".");
@@ -21,14 +21,23 @@ internal static class FileKind
 
     private static string? Kind(GCodeChunk head, long bytes)
     {
-        var (text, start) = (head.Text, head.Start + TextEncoding.MarkLength(head));
-        var end = Math.Min(head.End, start + Looked);
+        if (Mark(head) is { } known) return known;
+        var (start, end) = Beginning(head);
+        if (IsBinaryStl(head, bytes)) return "looks like a mesh (binary STL)";
+        if (Array.IndexOf(head.Text, (byte)0, start, end - start) >= 0) return "looks like binary data";
+        return TextKind(TextEncoding.Decode(head.Text, start, end));
+    }
+
+    // Files of these kinds begin with bytes with which no G-code begins.
+    private static string? Mark(GCodeChunk head)
+    {
+        var (start, end) = Beginning(head);
         bool Begins(params byte[] mark)
         {
             if (end - start < mark.Length) return false;
             for (var i = 0; i < mark.Length; i++)
             {
-                if (text[start + i] != mark[i]) return false;
+                if (head.Text[start + i] != mark[i]) return false;
             }
             return true;
         }
@@ -37,10 +46,13 @@ internal static class FileKind
         if (Begins(0x89, (byte)'P', (byte)'N', (byte)'G')) return "looks like a picture (PNG)";
         if (Begins(0xFF, 0xD8, 0xFF)) return "looks like a picture (JPEG)";
         if (Begins((byte)'G', (byte)'I', (byte)'F', (byte)'8')) return "looks like a picture (GIF)";
-        if (Begins((byte)'%', (byte)'P', (byte)'D', (byte)'F')) return "looks like a PDF document";
-        if (IsBinaryStl(head, bytes)) return "looks like a mesh (binary STL)";
-        if (Array.IndexOf(text, (byte)0, start, end - start) >= 0) return "looks like binary data";
-        return TextKind(TextEncoding.Decode(text, start, end));
+        return Begins((byte)'%', (byte)'P', (byte)'D', (byte)'F') ? "looks like a PDF document" : null;
+    }
+
+    private static (int Start, int End) Beginning(GCodeChunk head)
+    {
+        var start = head.Start + TextEncoding.MarkLength(head);
+        return (start, Math.Min(head.End, start + Looked));
     }
 
     private static bool IsBinaryStl(GCodeChunk head, long bytes)
