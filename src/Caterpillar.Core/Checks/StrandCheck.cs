@@ -150,8 +150,7 @@ internal sealed class StrandCheck
         if (known && height > _printer.NozzleDiameter * 1.001)
             _findings.Add(CheckCodes.Height, move.Index,
                 () => $"A layer is {Number(height)} mm high; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.");
-        // Of a strand whose thickness is not known, what lies below tells little: it is at least as wide as a round one.
-        var width = new Bead(area, known ? height : 0).Width(_shape);
+        var width = new Bead(area, height).Width(_shape);
         if (width > Widest * _printer.NozzleDiameter * 1.001) Odd(ref _wide, ref _wideMove, move, width);
         else if (width < Thinnest * _printer.NozzleDiameter && move.Role is not (Role.Ironing or Role.GapFill)) Odd(ref _thin, ref _thinMove, move, width);
     }
