@@ -68,7 +68,8 @@ internal sealed class WriteOptions
             var result = file == "-"
                 ? SafeWriter.Write(toolpath, setup, text, reason, null, session.Cancel)
                 : session.WithProgress("Writing", progress => SafeWriter.Write(toolpath, setup, text, reason, progress, session.Cancel));
-            session.Print(result.Diagnostics);
+            // What the checks merely remark on is for "caterpillar check".
+            session.Print(result.Diagnostics.Where(d => d.Severity != Severity.Remark || CheckCodes.Find(d.Code) is null));
             written = result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
             if (written.Bytes > maxBytes)
                 throw new CliException(ExitCode.Refused,

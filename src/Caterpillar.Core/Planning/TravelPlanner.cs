@@ -98,7 +98,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         {
             if (!IsFree(from, start)) return false;
             counts.Combed++;
-            emitter.Travel(start, rules.TravelSpeed);
+            Rise(start);
             return true;
         }
         if (rules.MaxCombDetour <= 0 || _around.Find(from, start, inside, from.DistanceTo(start) + rules.MaxCombDetour) is not { } path) return false;
@@ -108,8 +108,15 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         }
         counts.Combed++;
         counts.CombedAround++;
-        foreach (var point in path) emitter.Travel(point, rules.TravelSpeed);
+        foreach (var point in path) Rise(point);
         return true;
+    }
+
+    // Along the layer or up to the next one: not faster than the Z axis may go.
+    private void Rise(Vec3 to)
+    {
+        var rise = Math.Abs(to.Z - emitter.Position.Z);
+        emitter.Travel(to, rise > 0 ? Math.Min(rules.TravelSpeed, rules.LiftSpeed * emitter.Position.DistanceTo(to) / rise) : rules.TravelSpeed);
     }
 
     private bool IsFree(Vec3 from, Vec3 to)

@@ -119,4 +119,21 @@ public class CombPathTests
         var plan = PlanRun.Run([first, second], PlanningTests.Rules with { Comb = true }, new PlanOptions { Start = Vec3.Zero }, null, default).Value!;
         Assert.That((plan.Report.Retractions, plan.Report.Combed), Is.EqualTo((retractions, 1 - retractions)));
     }
+
+    [Test]
+    public void A_travel_up_to_the_next_layer_is_not_faster_than_the_Z_axis_may_go()
+    {
+        PathStep Line(double x, double z) => new(new PrintPath([new(x, 2, z), new(x + 2, 2, z)], new Bead(0.08, 0.2)))
+        {
+            Region = Region.Rectangle(0, 0, 20, 6 + z),
+        };
+        var rules = PlanningTests.Rules with { Comb = true, TravelSpeed = 150, LiftSpeed = 10 };
+        Toolpath Plan(double x) => PlanRun.Run([Line(1, 0.2), Line(x, 0.4)], rules, new PlanOptions { Start = Vec3.Zero }, null, default).Value!.Toolpath;
+        // From x = 3 to 4 and 0.2 mm up: √1.04 mm in 0.02 s; over 12 mm the speed of travels is slow enough.
+        Assert.That(Rising(Plan(4)).Speed, Is.EqualTo(Math.Sqrt(1.04) / 0.02).Within(1e-9));
+        Assert.That(Rising(Plan(15)).Speed, Is.EqualTo(150));
+
+        static Move Rising(Toolpath toolpath)
+            => toolpath.Moves().Single(m => m.Kind == MoveKind.Travel && m.Start.Z == 0.2 && m.End.Z > m.Start.Z && m.End.X > m.Start.X);
+    }
 }

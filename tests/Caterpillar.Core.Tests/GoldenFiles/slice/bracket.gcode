@@ -1,6 +1,6 @@
-bytes 525049
+bytes 525121
 lines 20991
-sha256 2f840fb8dce8b43b99bb6bd6129fafd8e3f825bf41f5804400f20f0f78cd327c
+sha256 8f6a6027491536036349218f6cfff0775030234a0d1ab174aeb46928b1f84d37
 
 ; Made with Caterpillar
 ; Dialect marlin2

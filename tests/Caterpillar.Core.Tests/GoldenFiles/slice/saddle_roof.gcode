@@ -1,6 +1,6 @@
 bytes 1352409
 lines 48135
-sha256 7f9a52d2f262063586464f094bd149e8f4db1eaae46d7e712dd8355677d3128e
+sha256 c8abe14f0e077a79962e1b8507d2a6b03b53c8eac045d8fa8f44b6eaca1b229c
 
 ; Made with Caterpillar
 ; Dialect marlin2

@@ -1,6 +1,6 @@
-bytes 8061015
+bytes 8060770
 lines 280342
-sha256 11e3252c8c42c39fccdad34fd3fb94db7bdc671d9bc968832e967372c2ada02b
+sha256 1fdae0365fff99bd0661ec070d8aebf3ce6796925b2c0b620f98bd713c5ebf36
 
 ; Made with Caterpillar
 ; Dialect marlin2
