@@ -12,7 +12,7 @@ namespace Caterpillar.Cli.Tests;
 /// <summary>
 /// Every option of every verb and every key of the profiles with extreme, wrong and empty values: the program answers in a sentence, never with a bug.
 /// </summary>
-public class ExtremeValueTests : CliFixture
+public partial class ExtremeValueTests : CliFixture
 {
     private const int LongestMessage = 400;
 
@@ -91,15 +91,6 @@ public class ExtremeValueTests : CliFixture
                     Judge([.. Verbs[verb.Name], option.Name, value], wrong);
                     count++;
                 }
-            }
-        }
-        foreach (var key in Keys())
-        {
-            foreach (var value in Values)
-            {
-                Judge(["slice", "a.stl", "-o", "out.gcode", "--set", key + "=" + value], wrong);
-                Judge(["turtle", "s.turtle", "-o", "out.gcode", "--set", key + "=" + value], wrong);
-                count += 2;
             }
         }
         TestContext.Out.WriteLine($"{count} cases");

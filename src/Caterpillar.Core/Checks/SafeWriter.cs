@@ -163,6 +163,7 @@ public static class SafeWriter
             foreach (var comment in guard.Comments().Reverse()) edited = edited.Insert(0, new CommentEvent(comment));
             written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0.8, 1), cancel);
         }
+        progress?.Report(1);
         return (new Result<GCodeDocument>(written.Value, guard.Remarks(written.Diagnostics)), guard.Overridden);
     }
 }

@@ -6,6 +6,10 @@ namespace Caterpillar.Turtles;
 // The printer: pen, bead, speed, events and tags.
 public sealed partial class Turtle
 {
+    // Far above all machines, and far below what G-code can write.
+    private const double MaxSpeed = 1e6;
+    private const double MaxTemperature = 10_000;
+
     /// <summary>True while moves deposit a strand.</summary>
     public bool IsPenDown => _state.PenDown;
 
@@ -77,6 +81,7 @@ public sealed partial class Turtle
     /// <summary>Speed in mm/s (Kanada).</summary>
     public Turtle SetSpeed(double mmPerSecond)
     {
+        if (mmPerSecond > MaxSpeed) throw new ArgumentOutOfRangeException(nameof(mmPerSecond), "A speed must be up to 1000000 mm/s.");
         _state.Bead = _state.Bead.WithSpeed(Positive(mmPerSecond, "A speed must be above 0."));
         return this;
     }
@@ -84,8 +89,8 @@ public sealed partial class Turtle
     /// <summary>Speed in mm/s of moves that deposit nothing; 0 makes them as fast as printing.</summary>
     public Turtle SetTravelSpeed(double mmPerSecond)
     {
-        if (!(mmPerSecond >= 0) || double.IsInfinity(mmPerSecond)) throw new ArgumentOutOfRangeException(nameof(mmPerSecond),
-            "A travel speed must be 0 or more.");
+        if (!(mmPerSecond is >= 0 and <= MaxSpeed))
+            throw new ArgumentOutOfRangeException(nameof(mmPerSecond), "A travel speed must be 0 to 1000000 mm/s.");
         _state.TravelSpeed = mmPerSecond;
         return this;
     }
@@ -188,8 +193,8 @@ public sealed partial class Turtle
         => value is >= 0 and <= 255 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A color component must be 0 to 255.");
 
     private static double Temperature(double celsius)
-        => celsius >= 0 && !double.IsInfinity(celsius) ? celsius
-            : throw new ArgumentOutOfRangeException(nameof(celsius), "A temperature must be 0 °C or more.");
+        => celsius is >= 0 and <= MaxTemperature ? celsius
+            : throw new ArgumentOutOfRangeException(nameof(celsius), "A temperature must be 0 to 10000 °C.");
 
     private static double Positive(double value, string message)
         => value > 0 && !double.IsInfinity(value) ? value : throw new ArgumentOutOfRangeException(nameof(value), message);

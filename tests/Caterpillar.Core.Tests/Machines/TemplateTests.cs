@@ -132,6 +132,30 @@ public class TemplateTests
         Assert.That(values.Number("layer_count"), Is.EqualTo(1));
     }
 
+    [TestCase(ExtrusionUnit.None, 0)]
+    [TestCase(ExtrusionUnit.Mm3, 1)]
+    public void Volume_per_E_is_zero_where_there_is_no_E(ExtrusionUnit unit, double expected)
+    {
+        var setup = Pla with { Printer = Pla.Printer with { ExtrusionUnit = unit } };
+        Assert.That(Render(setup, "{if volume_per_e_mm3 > 0}E{20 / volume_per_e_mm3}{else}pen {volume_per_e_mm3}{endif}"),
+            Is.EqualTo(new[] { expected > 0 ? "E20" : "pen 0" }));
+        Assert.That(TemplateValues.Of(setup).Number("volume_per_e_mm3"), Is.EqualTo(expected));
+        // A start code that divides by it is refused rather than written with an infinite E.
+        var divided = Template.Parse(["G1 X9 E{20 / volume_per_e_mm3}"]).Value!.Render(TemplateValues.Of(setup));
+        Assert.That(divided.Diagnostics.Select(d => d.Code), Is.EqualTo(expected > 0 ? new string[0] : ["template.not_finite"]));
+    }
+
+    [Test]
+    public void Moves_of_a_tool_of_unknown_volume_per_E_count_as_filament_only()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(0, 0, 5));
+        var layer = builder.AddLayer(new Layer(0, 0.2, 0.2));
+        builder.Add(new Vec3(100, 0, 0.2), 4, 4, 50, MoveKind.Print, Role.OuterWall, layer, 0, 0);
+        builder.Add(new Vec3(200, 0, 0.2), 3, 3, 50, MoveKind.Print, Role.OuterWall, layer, 1, 1);
+        var values = TemplateValues.Of(Pla, builder.Build([new ToolpathTool(2), new ToolpathTool((double?)null)]));
+        Assert.That((values.Number("material_used_mm3"), values.Number("filament_used_mm")), Is.EqualTo((8.0, 7.0)));
+    }
+
     [Test]
     public void Every_name_has_a_value_or_belongs_to_a_hook()
     {

@@ -67,6 +67,20 @@ public class ReturnTests
         Assert.That(path.BackTo(new Vec3(9, 9)), Is.EqualTo(new[] { new Vec3(9, 9) }));
     }
 
+    // From x = 10 back to 0: the strand across covers the start, the middle, the goal, or lies beyond either end.
+    [TestCase(10, false)]
+    [TestCase(5, false)]
+    [TestCase(0, false)]
+    [TestCase(-0.06, false)]
+    [TestCase(-0.5, true)]
+    [TestCase(10.5, true)]
+    public void A_strand_over_any_point_of_the_path_back_blocks_it(double x, bool open)
+    {
+        var deposit = new Deposit();
+        deposit.Add(new Vec3(x, -1, 0.5), new Vec3(x, 1, 0.5), 0.1);
+        Assert.That(ReturnPath.IsOpen(deposit, new Vec3(10, 0), [new Vec3(7, 0), new Vec3(0, 0)]), Is.EqualTo(open));
+    }
+
     [Test]
     public void A_tree_is_drawn_without_a_travel_through_its_branches()
     {

@@ -46,6 +46,30 @@ public class CoolingTests
         Assert.That(result.Diagnostics.Single().Code, Is.EqualTo("shape.layer_time"));
     }
 
+    [TestCase(1)]
+    [TestCase(0.5)]
+    public void Paths_of_a_very_low_speed_of_their_own_keep_it_as_the_start(double speed)
+    {
+        // 10 mm at their own speed, not at the 60 mm/s of the settings.
+        var line = Line(0, 10, 0.2, speed);
+        double Cooled(Cooling cooling) => cooling.Apply([line]).Value!.Single().BeadOf(0).Speed;
+        Assert.That(Cooled(new Cooling { MinLayerTime = 10 / speed, MinSpeed = 0.1 }), Is.EqualTo(speed));
+        Assert.That(Cooled(new Cooling { MinLayerTime = 20 / speed, MinSpeed = 0.1 }), Is.EqualTo(speed / 2).Within(1e-9));
+        Assert.That(Cooled(new Cooling { MinLayerTime = 20 / speed, MinSpeed = 5 }), Is.EqualTo(speed), "never faster");
+    }
+
+    [Test]
+    public void The_minimum_speed_holds_where_the_time_asks_for_less()
+    {
+        // 40 mm in 40 s would be 1 mm/s.
+        foreach (var least in new[] { 1, 1.5, 5 })
+        {
+            var result = new Cooling { MinLayerTime = 40, MinSpeed = least }.Apply([Line(0, 40, 0.2, 40)]);
+            Assert.That(result.Value!.Single().BeadOf(0).Speed, Is.EqualTo(least).Within(1e-9));
+            Assert.That(result.Diagnostics.Select(d => d.Code), Is.EqualTo(least > 1 ? new[] { "shape.layer_time" } : []));
+        }
+    }
+
     [Test]
     public void Too_many_short_segments_per_second_are_a_warning()
     {

@@ -194,6 +194,19 @@ public class PlanarFeatureTests
         Assert.That(note.Count, Is.EqualTo(5));
     }
 
+    [TestCase(1, true)]
+    [TestCase(1.5, false)]
+    public void The_least_speed_holds_where_the_layer_time_asks_for_1_mm_per_s(double least, bool reached)
+    {
+        // 10 mm at an own speed of 1 mm/s and 20 mm at 40 mm/s: 30 s are 1 mm/s for all.
+        var layer = new Layer(1, 0.4, 0.2);
+        Step Line(double length, double speed) => new PathStep(
+            new PrintPath([Vec3.Zero, new Vec3(length, 0)], new Bead(0.08, 0.2, speed)).With(Role.InnerWall, layer), new StepGroup(1));
+        SlicedLayer[] layers = [new(layer, Region.Empty, [(PathStep)Line(10, 1), (PathStep)Line(20, 40)])];
+        Assert.That(LayerTime.Apply(layers, 0, 1, Bare with { MinLayerTime = 30, MinSpeed = least }), Is.EqualTo(reached));
+        Assert.That(Solids.Paths(layers[0]).Select(p => p.BeadOf(0).Speed), Is.EqualTo(new[] { 1, least }).Within(1e-9), "never faster than before");
+    }
+
     [Test]
     public void Outlines_and_holes_are_compensated_apart()
     {

@@ -21,6 +21,18 @@ internal sealed class TurtleDetailTests
         return (script.Value is null ? script.Diagnostics : script.Value.Run().Diagnostics).Single(d => d.Severity == Severity.Error);
     }
 
+    [TestCase("speed 1000001", "A speed must be up to 1000000 mm/s.")]
+    [TestCase("rate 1e300", "A speed must be up to 1000000 mm/s.")]
+    [TestCase("travel_speed 1e300", "A travel speed must be 0 to 1000000 mm/s.")]
+    [TestCase("hotend 10001", "A temperature must be 0 to 10000 °C.")]
+    [TestCase("bed_nowait 1e300", "A temperature must be 0 to 10000 °C.")]
+    public void Speeds_and_temperatures_that_no_machine_knows_are_refused(string text, string message)
+        => Assert.That(Error(text).Message, Does.Contain(message));
+
+    [Test]
+    public void The_greatest_speed_and_temperature_are_taken()
+        => Assert.That(Run("speed 1000000; travel_rate 60000000; hotend 10000").TravelSpeed, Is.EqualTo(1e6));
+
     // Chords deviate by 0.01 mm: at 10 mm a chord turns by 2 acos(1 - 0.001) = 5.125 degrees, at 40 mm by 2.5621, at 1 mm by 16.22.
     [TestCase("circle 10", 71)]
     [TestCase("circle 40", 141)]

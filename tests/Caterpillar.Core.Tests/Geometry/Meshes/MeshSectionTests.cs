@@ -258,6 +258,19 @@ public class MeshSectionTests
         }
     }
 
+    [TestCase(0.0, "mesh.open_edges", 2, 0, 1)]
+    [TestCase(0.1, "mesh.open_edges", 2, 0, 1)]
+    [TestCase(1.5, "mesh.gap_closed", 1, 1, 0)]
+    public void One_open_contour_is_reported_once_as_what_became_of_it(double gap, string code, int count, int loops, int open)
+    {
+        // Three walls of a box, whose fourth, 1 mm wide, is missing.
+        Vec3[] corners = [new(1, 0), new(1, 2), new(0, 2), new(0, 0)];
+        var walls = TriMesh.Create([.. corners, .. corners.Select(c => c.WithZ(3))], [0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6]);
+        var cut = MeshSections.At(walls, [1.5], new SectionOptions { GapMm = gap });
+        Assert.That(cut.Diagnostics.Select(d => (d.Code, d.Severity, d.Count)), Is.EqualTo(new[] { (code, Severity.Warning, count) }));
+        Assert.That((cut.Value!.Single().Loops.Count, cut.Value!.Single().OpenLines.Count), Is.EqualTo((loops, open)));
+    }
+
     private static Vec3[] RandomPolygon(Random random)
     {
         var n = 3 + random.Next(40);

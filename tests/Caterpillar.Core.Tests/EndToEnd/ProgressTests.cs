@@ -1,0 +1,83 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Slicing;
+using Caterpillar.Tests.Slicing;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.EndToEnd;
+
+/// <summary>Long calls report numbers that ascend from 0 to 1 and end at 1.</summary>
+public class ProgressTests
+{
+    private static readonly PrintSetup Setup = new();
+
+    private static readonly Lazy<Toolpath> Planned = new(() =>
+    {
+        var block = new NamedMesh("block", Solids.Block(100, 100, 0, 120, 120, 12));
+        return Planner.Plan(PlanarSlicer.Slice([block], Setup.Settings).OrThrow().ToSteps(), Setup).OrThrow();
+    });
+
+    [TestCase(1)]
+    [TestCase(3)]
+    public void Of_the_slicer(int models)
+    {
+        var meshes = Enumerable.Range(0, models).Select(i => new NamedMesh("block", Solids.Block(30 * i, 0, 0, 30 * i + 20, 20, 12))).ToArray();
+        var reported = new Reported();
+        PlanarSlicer.Slice(meshes, Setup.Settings, 2, reported).OrThrow();
+        AssertAscending(reported, 8);
+        // Sections are the first two fifths.
+        Assert.That(reported.Values, Has.Some.InRange(0.399999, 0.400001));
+    }
+
+    [TestCase(null)]
+    [TestCase("tested by hand")]
+    public void Of_the_writer(string? reason)
+    {
+        var (drafted, written) = (new Reported(), new Reported());
+        using var memory = new MemoryStream();
+        SafeWriter.WriteDraft(Planned.Value, Setup, memory, reason, drafted).OrThrow();
+        AssertAscending(drafted, 3);
+        SafeWriter.Write(Planned.Value, Setup, memory, reason, written).OrThrow();
+        AssertAscending(written, 3);
+    }
+
+    [Test]
+    public void Of_the_editor()
+    {
+        var decoding = GCodeDecoder.Decode(SafeWriter.ToDocument(Planned.Value, Setup).OrThrow()).OrThrow();
+        var edited = decoding.Toolpath.ScaleSpeed(new MoveFilter { FirstLayer = 3 }, 0.5);
+        var (editor, guarded, replaced) = (new Reported(), new Reported(), new Reported());
+        GCodeEditor.ToDocument(decoding, edited, editor).OrThrow();
+        AssertAscending(editor, 1);
+        SafeWriter.ToDocument(decoding, edited, Setup, progress: guarded).OrThrow();
+        AssertAscending(guarded, 3);
+        SafeWriter.ToDocument(decoding, edited, Setup, code: new EditOptions { End = ["M84"] }, reason: "tested by hand", progress: replaced).OrThrow();
+        AssertAscending(replaced, 3);
+    }
+
+    private static void AssertAscending(Reported reported, int least)
+    {
+        Assert.That(reported.Values, Has.Count.AtLeast(least));
+        Assert.That(reported.Values, Is.Ordered.And.All.InRange(0.0, 1.0));
+        Assert.That(reported.Values.Last(), Is.EqualTo(1));
+    }
+
+    private sealed class Reported : IProgress<double>
+    {
+        public List<double> Values { get; } = [];
+
+        public void Report(double value)
+        {
+            lock (Values) Values.Add(value);
+        }
+    }
+}
