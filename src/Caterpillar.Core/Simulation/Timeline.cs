@@ -83,7 +83,7 @@ public sealed class Timeline
         return _motion.StartTime(first) - from;
     }
 
-    /// <summary>Highest speed that a move reaches, mm/s; 0 for one without displacement.</summary>
+    /// <summary>Highest speed that a move reaches, mm/s, of the filament for moves in place; 0 where nothing moves.</summary>
     public double PeakOf(int move)
     {
         var peak = 0.0;

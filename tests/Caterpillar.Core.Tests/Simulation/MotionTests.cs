@@ -284,6 +284,16 @@ public class MotionTests
         Assert.That(() => Timeline.Of(toolpath, new PrintSetup(), null, cancelled), Throws.InstanceOf<OperationCanceledException>());
     }
 
+    [Test]
+    public void With_a_short_queue_the_last_pieces_brake_to_the_speed_that_the_jerk_allows()
+    {
+        // Eight pieces of 1 mm at 2000 mm/s²: v² grows and falls by 4000 in each, from and to 10 mm/s.
+        var lines = string.Join("\n", Enumerable.Range(1, 8).Select(x => $"G1 X{x} F6000"));
+        var last = Trapezoids(Plain with { PlannerQueue = 4 }, lines).Last();
+        Assert.That(last.Start, Is.EqualTo(Math.Sqrt(100 + 4000)).Within(Exact));
+        Assert.That(last.End, Is.EqualTo(10).Within(Exact));
+    }
+
     private static Trapezoid[] Trapezoids(Printer printer, string lines, string dialect = "marlin2") => Of(printer, lines, dialect).Trapezoids().ToArray();
 
     private static Timeline Of(Printer printer, string lines, string dialect = "marlin2")

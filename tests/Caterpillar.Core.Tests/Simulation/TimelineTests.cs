@@ -79,6 +79,15 @@ public class TimelineTests
     }
 
     [Test]
+    public void A_deposit_in_one_place_flows_at_the_speed_of_its_E()
+    {
+        var timeline = Of("M83\nG1 E100 F300");
+        var s = timeline.AtFraction(0.5);
+        Assert.That((s.Speed, s.Length), Is.EqualTo((5.0, 0.0)));
+        Assert.That(s.Flow, Is.EqualTo(5 * Math.PI * 1.75 * 1.75 / 4).Within(1e-9));
+    }
+
+    [Test]
     public void Moves_lines_layers_and_heights_are_found_at_their_start()
     {
         var timeline = Of(Print);
@@ -88,12 +97,23 @@ public class TimelineTests
         Assert.That(timeline.AtSource(8)!.Value.Move, Is.EqualTo(2));
         Assert.That(timeline.AtSource(9)!.Value.Move, Is.EqualTo(3), "a line without a move is that of the next move");
         Assert.That(timeline.AtSource(99), Is.Null);
+        Assert.That(timeline.AtLayer(0)!.Value.Move, Is.EqualTo(1));
         Assert.That(timeline.AtLayer(1)!.Value.Position.Z, Is.EqualTo(0.3));
         Assert.That(timeline.AtHeight(0.5)!.Value.Position, Is.EqualTo(new Vec3(200, 0, 0.6)));
         Assert.That(timeline.AtHeight(0.3)!.Value.Move, Is.EqualTo(2));
         Assert.That(timeline.AtHeight(7), Is.Null);
+        Assert.That(() => timeline.AtLayer(-1), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => timeline.AtLayer(2), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => timeline.StartOf(-1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+    }
+
+    [Test]
+    public void The_highest_speed_of_a_move_is_that_of_the_head_or_in_one_place_of_the_filament()
+    {
+        var timeline = Of("G1 X100 F6000\nG1 X101 F30\nM83\nG1 E-1 F1200");
+        Assert.That(timeline.PeakOf(0), Is.EqualTo(100).Within(1e-9));
+        Assert.That(timeline.PeakOf(1), Is.EqualTo(0.5).Within(1e-9));
+        Assert.That(timeline.PeakOf(2), Is.EqualTo(20).Within(1e-9));
     }
 
     [Test]
