@@ -142,7 +142,7 @@ public class TemplateTests
         Assert.That(TemplateValues.Of(setup).Number("volume_per_e_mm3"), Is.EqualTo(expected));
         // A start code that divides by it is refused rather than written with an infinite E.
         var divided = Template.Parse(["G1 X9 E{20 / volume_per_e_mm3}"]).Value!.Render(TemplateValues.Of(setup));
-        Assert.That(divided.Diagnostics.Select(d => d.Code), Is.EqualTo(expected > 0 ? new string[0] : ["template.not_finite"]));
+        Assert.That(divided.Diagnostics.Select(d => d.Code), Is.EqualTo(expected > 0 ? Array.Empty<string>() : ["template.not_finite"]));
     }
 
     [Test]
