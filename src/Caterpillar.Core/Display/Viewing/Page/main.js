@@ -357,6 +357,7 @@ async function start() {
   started = true;
   byId("message").hidden = true;
   document.documentElement.dataset.state = "ready";
+  console.info("ready");
   document.documentElement.dataset.beads = String(scene.lists.beads?.count ?? 0);
 }
 
