@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Expressions;
 
@@ -10,11 +9,12 @@ internal sealed class FormulaSet
 {
     private readonly string[] _variables;
     private readonly SourceLocation _source;
-    private FormulaContext? _free;
+    private readonly SpareContext _contexts;
 
     public FormulaSet(string[] variables, SourceLocation? source)
     {
         _variables = variables;
+        _contexts = new SpareContext(variables.Length);
         _source = source ?? new SourceLocation();
     }
 
@@ -43,13 +43,13 @@ internal sealed class FormulaSet
     }
 
     /// <summary>A context with values to set; no other thread uses it until it is returned.</summary>
-    public FormulaContext Rent() => Interlocked.Exchange(ref _free, null) ?? new FormulaContext(new double[_variables.Length]);
+    public FormulaContext Rent() => _contexts.Rent();
 
     /// <summary>The value of a formula; the context is returned.</summary>
     public double Evaluate(Formula formula, FormulaContext context)
     {
         var value = formula.Evaluate(context);
-        Volatile.Write(ref _free, context);
+        _contexts.Return(context);
         return value;
     }
 }

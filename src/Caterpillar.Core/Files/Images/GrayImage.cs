@@ -33,13 +33,16 @@ public sealed class GrayImage
     }
 
     /// <summary>As <see cref="Nearest"/>, linear between the centers of pixels.</summary>
-    internal double Between(double u, double v)
+    internal double Between(double u, double v) =>
+        IsPlace(u, v) ? Bilinear((u - Math.Floor(u)) * Width - 0.5, (1 - v) * Height - 0.5, repeats: true) : double.NaN;
+
+    /// <summary>As <see cref="Between"/>, but clamped in u, too.</summary>
+    internal double BetweenClamped(double u, double v) => IsPlace(u, v) ? Bilinear(u * Width - 0.5, (1 - v) * Height - 0.5, repeats: false) : double.NaN;
+
+    private double Bilinear(double x, double y, bool repeats)
     {
-        if (!IsPlace(u, v)) return double.NaN;
-        var x = (u - Math.Floor(u)) * Width - 0.5;
-        var y = (1 - v) * Height - 0.5;
         double fx = Math.Floor(x), fy = Math.Floor(y);
-        int left = Wrap((int)fx), right = Wrap((int)fx + 1), top = Row(fy), bottom = Row(fy + 1);
+        int left = Column(fx, repeats), right = Column(fx + 1, repeats), top = Row(fy), bottom = Row(fy + 1);
         var upper = this[left, top] + (this[right, top] - this[left, top]) * (x - fx);
         var lower = this[left, bottom] + (this[right, bottom] - this[left, bottom]) * (x - fx);
         return upper + (lower - upper) * (y - fy);
@@ -49,5 +52,9 @@ public sealed class GrayImage
 
     private int Row(double y) => (int)Math.Max(0, Math.Min(Height - 1, y));
 
-    private int Wrap(int x) => x < 0 ? x + Width : x >= Width ? x - Width : x;
+    private int Column(double x, bool repeats)
+    {
+        if (!repeats) return (int)Math.Max(0, Math.Min(Width - 1, x));
+        return x < 0 ? (int)x + Width : x >= Width ? (int)x - Width : (int)x;
+    }
 }

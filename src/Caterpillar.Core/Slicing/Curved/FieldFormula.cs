@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Concurrent;
 using Caterpillar.Basics;
 using Caterpillar.Expressions;
 using Caterpillar.Geometry;
@@ -11,7 +10,7 @@ internal sealed class FieldFormula
 {
     private static readonly string[] Variables = ["x", "y", "z", "r", "theta"];
     private readonly Formula _formula;
-    private readonly ConcurrentBag<FormulaContext> _contexts = [];
+    private readonly SpareContext _contexts = new(Variables.Length);
 
     private FieldFormula(Formula formula) => _formula = formula;
 
@@ -29,7 +28,7 @@ internal sealed class FieldFormula
 
     public double At(double x, double y, double z)
     {
-        var context = _contexts.TryTake(out var used) ? used : new FormulaContext(new double[5]);
+        var context = _contexts.Rent();
         var values = context.Values;
         values[0] = x;
         values[1] = y;
@@ -37,7 +36,7 @@ internal sealed class FieldFormula
         values[3] = Math.Sqrt(x * x + y * y);
         values[4] = Angle.Atan2(y, x);
         var value = _formula.Evaluate(context);
-        _contexts.Add(context);
+        _contexts.Return(context);
         return value;
     }
 }

@@ -27,15 +27,7 @@ internal sealed class PicturePlan : PlanSurface
 
     public override double Height(double x, double y)
     {
-        // From the middle of the first dot to that of the last; rows run from the top.
-        var u = Clamp((x - _box.Min.X) / _box.Size.X * _picture.Width - 0.5, _picture.Width - 1);
-        var v = Clamp((_box.Max.Y - y) / _box.Size.Y * _picture.Height - 0.5, _picture.Height - 1);
-        int left = (int)u, top = (int)v;
-        int right = Math.Min(left + 1, _picture.Width - 1), bottom = Math.Min(top + 1, _picture.Height - 1);
-        var upper = _picture[left, top] + (_picture[right, top] - _picture[left, top]) * (u - left);
-        var lower = _picture[left, bottom] + (_picture[right, bottom] - _picture[left, bottom]) * (u - left);
-        return _box.Min.Z + (upper + (lower - upper) * (v - top)) * _box.Size.Z;
+        var brightness = _picture.BetweenClamped((x - _box.Min.X) / _box.Size.X, (y - _box.Min.Y) / _box.Size.Y);
+        return _box.Min.Z + brightness * _box.Size.Z;
     }
-
-    private static double Clamp(double value, double most) => Math.Max(0, Math.Min(most, value));
 }

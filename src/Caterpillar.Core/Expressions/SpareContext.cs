@@ -1,0 +1,17 @@
+using System.Threading;
+
+namespace Caterpillar.Expressions;
+
+/// <summary>Lends contexts of one formula or of several over the same variables to any thread, and keeps one for the next caller.</summary>
+internal sealed class SpareContext
+{
+    private readonly int _variables;
+    private FormulaContext? _spare;
+
+    public SpareContext(int variables) => _variables = variables;
+
+    /// <summary>A context with values to set; no other thread uses it until it is returned.</summary>
+    public FormulaContext Rent() => Interlocked.Exchange(ref _spare, null) ?? new FormulaContext(new double[_variables]);
+
+    public void Return(FormulaContext context) => Volatile.Write(ref _spare, context);
+}
