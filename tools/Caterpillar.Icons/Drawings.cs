@@ -61,6 +61,21 @@ internal static class Drawings
             .Line(4, 20.3, 20, 20.3, 2, Ink.Dark),
         ["PlanarSlicer"] = c => c.Polygon(Ink.Light, 12, 3, 21, 19, 3, 19).Line(10.2, 7.5, 13.8, 7.5, 1.6, Ink.Green).Line(8, 11.5, 16, 11.5, 1.6, Ink.Green)
             .Line(5.8, 15.5, 18.2, 15.5, 1.6, Ink.Green).Line(3.6, 19.5, 20.4, 19.5, 1.6, Ink.Green),
+        ["CurvedSlicer"] = c => c.Polygon(Ink.Light, 3, 20, 3, 11, 8, 6.5, 12, 5, 16, 6.5, 21, 11, 21, 20)
+            .Polyline(1.6, Ink.Green, 4.5, 13.5, 8, 10.5, 12, 9, 16, 10.5, 19.5, 13.5).Polyline(1.6, Ink.Green, 4.5, 18, 8, 15, 12, 13.5, 16, 15, 19.5, 18),
+        ["LayerField"] = c => c.Polyline(1.6, Ink.Green, 3.5, 8, 8, 5, 12, 6, 16, 9, 20.5, 6)
+            .Polyline(1.6, Ink.Orange, 3.5, 13.5, 8, 11, 12, 12, 16, 14, 20.5, 12)
+            .Polyline(1.6, Ink.Dark, 3.5, 19, 8, 18, 12, 18.5, 16, 19.2, 20.5, 18.5),
+        ["ProjectPaths"] = c => c.Line(4, 5, 20, 5, 2, Ink.Green).Line(12, 7, 12, 12, 1.4, Ink.Gray).Polygon(Ink.Gray, 9.5, 10.5, 14.5, 10.5, 12, 13.5)
+            .Polygon(Ink.Light, 3, 21, 3, 18, 8, 15, 12, 16, 16, 18, 21, 15.5, 21, 21).Polyline(2, Ink.Green, 3.5, 17, 8, 14.2, 12, 15.2, 16, 17.2, 20.5, 15),
+        ["ArrangeModels"] = c => c.Polygon(Ink.Light, 3, 20, 7, 9, 21, 9, 17, 20).Rect(8, 10.5, 11.5, 14, Ink.Green).Rect(13.5, 10.5, 17, 14, Ink.Green)
+            .Rect(6.5, 15, 10, 18.5, Ink.Orange).Rect(12, 15, 15.5, 18.5, Ink.Blue),
+        ["LayFlat"] = c => c.Polygon(Ink.Gray, 5, 9, 10, 3.5, 16, 9, 11, 14).Line(3, 20.5, 21, 20.5, 1.8, Ink.Dark).Rect(7, 15, 19, 19.5, Ink.Green)
+            .Polygon(Ink.Orange, 17, 8.5, 21, 8.5, 19, 12.5),
+        ["LayerFieldParam"] = c => c.Hexagon().Polyline(1.6, Ink.Green, 7, 9.5, 10, 8, 14, 10, 17, 8.5)
+            .Polyline(1.6, Ink.Light, 7, 12.5, 10, 11, 14, 13, 17, 11.5)
+            .Polyline(1.6, Ink.Orange, 7, 15.5, 10, 14, 14, 16, 17, 14.5),
+        ["ReadCurves"] = c => { Page(c); c.Polyline(2, Ink.Green, 7.5, 17, 9, 10, 13, 9, 14, 14, 17, 8); },
         ["PlanToolpath"] = c => c.Polyline(2, Ink.Green, 4, 19, 10, 19, 10, 13).Polyline(1.2, Ink.Gray, 10, 13, 12, 6, 16, 6, 17, 12)
             .Polyline(2, Ink.Green, 17, 12, 17, 19, 20.5, 19)
             .Disc(4.5, 19, 2, Ink.Dark).Disc(19.5, 19, 2, Ink.Orange),

@@ -37,7 +37,7 @@ internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult argu
             shift = shift.WithZ(0);
         }
         var field = options.Field(arguments, models.Select(m => m.Mesh).ToArray(), shift, setup, session);
-        var curved = new CurvedOptions { Onto = onto is null ? null : Floor(onto), Partial = options.IsPartial(arguments) };
+        var curved = new CurvedOptions { Onto = onto is null ? null : PlanSurface.OnBed(onto), Partial = options.IsPartial(arguments) };
         var result = session.ValueOrFail(session.WithProgress("Slicing",
             progress => CurvedSlicer.SliceEach(models, field, setup, curved, threads, progress, session.Cancel)));
         return (result.ToSteps(), result.Layers.Count);
@@ -55,13 +55,6 @@ internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult argu
     }
 
     private static PrintSettings Plain(PrintSettings settings) => settings with { SkirtLoops = 0, BrimWidth = 0, RaftLayers = 0 };
-
-    // Beside the object there is the bed.
-    private static PlanSurface Floor(TriMesh onto)
-    {
-        var surface = PlanSurface.Of(onto);
-        return PlanSurface.Of((x, y) => surface.Covers(x, y) ? Math.Max(0, surface.Height(x, y)) : 0, surface.Detail);
-    }
 
     // Surfaces move with the model, but are not scaled, turned or copied.
     private static Vec3 Shift(IReadOnlyList<NamedMesh> read, IReadOnlyList<SliceModel> models)

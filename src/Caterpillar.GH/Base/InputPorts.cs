@@ -24,6 +24,10 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet
     /// <summary>An optional number; without it the component falls back to something that is not a number.</summary>
     public void OptionalNumber(string name, string nick, string description) => Add(new Param_Number { Optional = true }, name, nick, description, Item);
 
+    /// <summary>An angle that may be absent: degrees, or radians if the user switches the port.</summary>
+    public void OptionalAngle(string name, string nick, string description)
+        => Add(new Param_Number { AngleParameter = true, UseDegrees = true, Optional = true }, name, nick, description, Item);
+
     public void Integer(string name, string nick, string description, int? fallback = null, GH_ParamAccess access = Item)
         => Add(Default(new Param_Integer(), fallback), name, nick, description, access);
 

@@ -27,7 +27,7 @@ internal sealed record ModelMesh(Rg.Mesh Mesh, TriMesh Triangles)
     }
 
     /// <summary>Parts of a key that change with the geometry. Rhino's checksum of a mesh is taken from single-precision points, which is too coarse.</summary>
-    private static object?[] Content(object geometry) => geometry switch
+    public static object?[] Content(object geometry) => geometry switch
     {
         Rg.Mesh mesh => [typeof(Rg.Mesh), mesh.Vertices.Count, mesh.Faces.Count, Digest(mesh)],
         Rg.GeometryBase other => [other.GetType(), other.DataCRC(0), other.GetBoundingBox(true)],

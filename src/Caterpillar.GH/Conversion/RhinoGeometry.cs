@@ -39,6 +39,18 @@ internal static class RhinoGeometry
             new Vec3(t.M03, t.M13, t.M23) * (s * units.ToMillimeters));
     }
 
+    /// <summary>A map of mm as a map of document units.</summary>
+    public static Rg.Transform ToTransform(Affine map, DocumentUnits units)
+    {
+        var s = units.FromMillimeters;
+        return new Rg.Transform(1)
+        {
+            M00 = map.XAxis.X, M01 = map.YAxis.X, M02 = map.ZAxis.X, M03 = map.Shift.X * s,
+            M10 = map.XAxis.Y, M11 = map.YAxis.Y, M12 = map.ZAxis.Y, M13 = map.Shift.Y * s,
+            M20 = map.XAxis.Z, M21 = map.YAxis.Z, M22 = map.ZAxis.Z, M23 = map.Shift.Z * s,
+        };
+    }
+
     /// <summary>A path as a polyline; a closed one ends at its start. Null if it has no length.</summary>
     public static Rg.PolylineCurve? ToCurve(PrintPath path, DocumentUnits units)
     {

@@ -15,3 +15,10 @@ public sealed class StepParam() : VolatileParam<StepGoo>("Step", "Step", "Contai
 {
     public override Guid ComponentGuid => new("9338155d-65ee-4cc2-939c-d876fc935887");
 }
+
+/// <summary>Fields of layers; surfaces and formulas are fields, too.</summary>
+public sealed class LayerFieldParam() : VolatileParam<LayerFieldGoo>(
+    "Layer Field", "Field", "Contains fields whose level sets are layers; a surface is one that layers copy upward, text the formula of one.", Panel.Slice)
+{
+    public override Guid ComponentGuid => new("0b9f3f5e-6d0c-4a35-8f3e-2c7d9c1b6a57");
+}

@@ -30,6 +30,13 @@ internal static class Recipes
         return file;
     });
 
+    private static readonly Lazy<string> CurveFile = new(() =>
+    {
+        var file = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-curves.csv");
+        System.IO.File.WriteAllText(file, "x,y,z\n10,10,0.2\n30,10,0.2\n30,30,0.2\n");
+        return file;
+    });
+
     /// <summary>Values by the name of the port, the type of the component first where names are ambiguous.</summary>
     private static readonly Dictionary<string, Func<object?[]>> Values = new(StringComparer.Ordinal)
     {
@@ -57,6 +64,10 @@ internal static class Recipes
         ["Print Path"] = () => [Path],
         ["Print Paths"] = () => [Path],
         ["Geometry"] = () => [Shapes.Box()],
+        ["ProjectPathsComponent.Geometry"] = () => [Shapes.Box(40, 40, 60)],
+        ["Field"] = () => ["z"],
+        ["LayerFieldComponent.Expressions"] = () => ["1 + x / 20"],
+        ["ReadCurvesComponent.File"] = () => [CurveFile.Value],
         ["ModulateComponent.Expression"] = () => ["0.5"],
     };
 

@@ -47,6 +47,13 @@ public abstract class PlanSurface
     /// <summary>The highest faces of a mesh: a surface with edges, or the top of a solid such as a scanned object.</summary>
     public static PlanSurface Of(TriMesh mesh) => new MeshPlan(mesh ?? throw new ArgumentNullException(nameof(mesh)));
 
+    /// <summary>The top of an object that lies on the bed, and beside it the bed.</summary>
+    public static PlanSurface OnBed(TriMesh mesh)
+    {
+        var surface = Of(mesh);
+        return Of((x, y) => surface.Covers(x, y) ? Math.Max(0, surface.Height(x, y)) : 0, surface.Detail);
+    }
+
     /// <summary>A formula in x and y (mm), and in r and theta, the polar coordinates about the origin: <c>10 + 2 * sin(9 * x)</c>.</summary>
     /// <returns>None with an error that gives the column.</returns>
     public static Result<PlanSurface> Formula(string text, SourceLocation? source = null)

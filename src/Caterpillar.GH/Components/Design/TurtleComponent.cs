@@ -26,10 +26,10 @@ public sealed class TurtleComponent()
         ports.Add(new TurtleProgramParam(), "Program", "P", "Program to run; text is read as a script.");
         ports.Add(new Param_Plane(), "Start Plane", "Pl",
             "Initial pose of the turtle, in document units: X is forward, Y left. World XY by default.", optional: true);
-        ports.Number("Filament Diameter", "D", "Diameter of the filament, in mm, which turns mm of filament into strands.", 1.75);
-        ports.Boolean("Every Pose", "E", "True gives the pose and triangle after every command, false only the last.", false);
         ports.Add(new BeadParam(), "Bead", "B", "Initial strand, instead of 0.05 mm of filament per mm; commands of the program change it.",
             optional: true);
+        ports.Number("Filament Diameter", "D", "Diameter of the filament, in mm, which turns mm of filament into strands.", 1.75);
+        ports.Boolean("Every Pose", "E", "True gives the pose and triangle after every command, false only the last.", false);
         ports.Add(new PrinterParam(), "Printer", "Pr",
             "Printer, or the name of its profile, whose Z axis limits drawn lifts; by default the one that the script names (use), or generic.",
                 optional: true);
@@ -70,8 +70,8 @@ public sealed class TurtleComponent()
             Extrusion = setup.Extrusion,
             Shape = setup.Settings.BeadShape,
             MaxLiftSpeed = setup.Printer.MaxSpeed.Z > 0 ? setup.Printer.MaxSpeed.Z : double.PositiveInfinity,
-            KeepPoses = run.Get<bool>(3),
-            Bead = run.Maybe<BeadGoo>(4) is { IsValid: true } bead ? bead.Value : null,
+            KeepPoses = run.Get<bool>(4),
+            Bead = run.Maybe<BeadGoo>(2) is { IsValid: true } bead ? bead.Value : null,
         };
         var result = run.Cached([program, setup, options.Start, options.KeepPoses, options.Bead],
             () => run.Work("Turtle", (progress, cancel) =>
@@ -102,7 +102,7 @@ public sealed class TurtleComponent()
         var settings = run.Maybe<PrintSettings>(7) ?? run.Accept(library.Settings(named.ElementAtOrDefault(2) ?? printer.DefaultSettings), texts);
         if (material is null || settings is null) return null;
         // Definitions without a material state the diameter of the filament alone.
-        var diameter = run.Positive(2);
+        var diameter = run.Positive(3);
         if (given is null && named.Count == 0) material = material with { FilamentDiameter = diameter };
         return new PrintSetup(printer, material, settings);
     }

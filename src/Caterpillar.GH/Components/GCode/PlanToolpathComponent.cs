@@ -2,13 +2,17 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.GH.Plugin;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.GCode;
 
@@ -16,6 +20,9 @@ namespace Caterpillar.GH.Components.GCode;
 public sealed class PlanToolpathComponent() : CaterpillarComponent(
     "Plan Toolpath", "Plan", "Turns print paths and other steps into a toolpath: adds travels, lifts, retractions and amounts of material.", Panel.GCode)
 {
+    // Deviation of the facets of a curved obstacle, mm.
+    private const double ObstacleTolerance = 0.1;
+
     public override Guid ComponentGuid => new("3f0184a5-8769-4bde-bc26-3f46d7e01ed3");
 
     private protected override void Inputs(InputPorts ports)
@@ -28,6 +35,9 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
         ports.Choice("Policy", "Po", "What planning may add: everything in the settings (Printer), or nothing (As Drawn).",
             PlanPolicy.Printer);
         ports.Choice("Sort", "So", "How paths are sorted inside the groups of a slicer; other paths keep their order.", SortRule.Tour);
+        ports.Geometry("Obstacles", "O",
+            "Objects on the bed that are printed on, in document units: travels stay above them, and the first one rises before it goes there.",
+            GH_ParamAccess.list, optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -51,8 +61,9 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
         }
         var setup = new PrintSetup(printer, material, settings);
         var options = new PlanOptions { Policy = run.Choice<PlanPolicy>(4), Sort = new SortOptions(run.Choice<SortRule>(5)) };
-        var result = run.Cached([.. steps.Select(Identity), setup, options],
-            () => run.Work("Planning", (progress, cancel) => Planner.Plan(steps, setup, options, progress, cancel)));
+        object[] obstacles = run.List<IGH_GeometricGoo>(6).Select(g => (object)ModelMesh.Of(run, g, ObstacleTolerance, run.Units).Triangles).ToArray();
+        var result = run.Cached([steps.Select(Identity).ToArray(), setup, options, obstacles], () => run.Work("Planning", (progress, cancel) => Planner.Plan(
+            steps, setup, options with { Obstacle = RhinoMesh.Joined(Array.ConvertAll(obstacles, o => (TriMesh)o)) }, progress, cancel)));
         var toolpath = run.Accept(result, texts);
         run.Set(0, toolpath is null ? null : new ToolpathGoo(toolpath, setup));
         run.SetList(1, texts);

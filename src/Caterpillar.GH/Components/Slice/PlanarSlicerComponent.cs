@@ -1,102 +1,32 @@
 using System;
-using System.Linq;
-using Caterpillar.Basics;
-using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Data;
-using Grasshopper.Kernel.Parameters;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Cuts solids into planar layers and fills them.</summary>
-public sealed class PlanarSlicerComponent() : CaterpillarComponent(
-    "Planar Slicer", "Slice", "Cuts solids that stand on the bed (Z = 0) into planar layers and fills them with walls and infill.", Panel.Slice)
+public sealed class PlanarSlicerComponent() : SlicerComponent(
+    "Planar Slicer", "Slice", "Cuts solids that stand on the bed (Z = 0) into planar layers and fills them with walls and infill.")
 {
     public override Guid ComponentGuid => new("378f4dfe-ec2e-4716-a6dd-c0709743ec9b");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Geometry("Geometry", "G",
-            "Solids to slice, in document units, at the position where they are printed: meshes, boxes, Breps, SubDs, extrusions or surfaces.",
-            GH_ParamAccess.list);
+        GeometryPort(ports);
         ports.Add(new SettingsParam(), "Settings", "S", "Print settings; the standard ones by default.", optional: true);
-        ports.Number("Tolerance", "T", "Maximum deviation of facets from a curved solid, in mm.", 0.05);
-    }
-
-    private protected override void Outputs(OutputPorts ports)
-    {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "All paths, one branch per layer, in mm on the wire.", GH_ParamAccess.tree);
-        ports.Add(new PrintPathParam { Hidden = true }, "Walls", "W", "The walls alone, one branch per layer.", GH_ParamAccess.tree);
-        ports.Add(new PrintPathParam { Hidden = true }, "Infill", "I", "The infill alone, one branch per layer.", GH_ParamAccess.tree);
-        ports.Add(new Param_Curve { Hidden = true }, "Regions", "R", "Outlines of what each layer covers, one branch per layer, in document units.",
-            GH_ParamAccess.tree);
-        ports.Curve("Open Edges", "E", "Edges where the surface of a solid is open, in document units.", GH_ParamAccess.list);
-        ports.Diagnostics();
+        TolerancePort(ports);
     }
 
     private protected override void Solve(Run run)
     {
         var tolerance = run.Positive(2);
         var settings = run.Maybe<PrintSettings>(1) ?? new PrintSettings();
-        var units = run.Units;
-        var geometry = run.List<IGH_GeometricGoo>(0);
-        if (geometry.Count == 0) throw new InputProblem("Geometry is missing.") { IsMissing = true };
-        var models = geometry.Select(g => ModelMesh.Of(run, g, tolerance, units)).ToList();
-        var solids = models.Select((m, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", m.Triangles)).ToList();
+        var models = Models(run, 0, tolerance);
+        var solids = Named(models);
         var result = run.Cached([settings, .. models],
             () => run.Work("Slicing", (progress, cancel) => PlanarSlicer.Slice(solids, settings, 0, progress, cancel)));
-        run.SetList(4, models.Where(m => m.Triangles.OpenEdgeCount > 0).SelectMany(m => m.Mesh.GetNakedEdges() ?? []).Select(p => p.ToPolylineCurve()));
-        run.SetList(5, run.Report(solids.Where(m => m.Mesh.OpenEdgeCount > 0).Select(Open).Concat(result.Diagnostics)));
-        if (result.Value is { } slices) SetLayers(run, slices, units);
+        SetResult(run, models, solids, result);
     }
-
-    private static Diagnostic Open(NamedMesh model) => new(Severity.Warning, "mesh.open_edges",
-        $"The surface has {NumberFormatter.Format(model.Mesh.OpenEdgeCount)} open edges, which the output Open Edges shows.", new SourceLocation(model.Name));
-
-    private static void SetLayers(Run run, SliceResult slices, DocumentUnits units)
-    {
-        var root = run.PathOf(0);
-        var trees = run.Cached([slices, root.ToString(), units.ToMillimeters], () => new LayerTrees(slices, root, units));
-        run.SetTree(0, trees.All);
-        run.SetTree(1, trees.Walls);
-        run.SetTree(2, trees.Infill);
-        run.SetTree(3, trees.Regions);
-        run.Summarize($"{NumberFormatter.Format(slices.Layers.Count)} layers");
-    }
-
-    /// <summary>The layers as trees for the wires, one branch per layer.</summary>
-    private sealed class LayerTrees
-    {
-        public LayerTrees(SliceResult slices, GH_Path root, DocumentUnits units)
-        {
-            for (var i = 0; i < slices.Layers.Count; i++)
-            {
-                var layer = slices.Layers[i];
-                var path = root.AppendElement(i);
-                var goos = layer.Steps.Select(s => new PrintPathGoo(s)).ToArray();
-                All.AppendRange(goos, path);
-                Walls.AppendRange(goos.Where(g => IsWall(g.Value.Role)), path);
-                Infill.AppendRange(goos.Where(g => !IsWall(g.Value.Role)), path);
-                Regions.AppendRange(layer.Region.Contours.Select(c => new GH_Curve(RhinoGeometry.ToCurve(c, layer.Layer.Z, units))), path);
-            }
-        }
-
-        public GH_Structure<PrintPathGoo> All { get; } = new();
-
-        public GH_Structure<PrintPathGoo> Walls { get; } = new();
-
-        public GH_Structure<PrintPathGoo> Infill { get; } = new();
-
-        public GH_Structure<GH_Curve> Regions { get; } = new();
-    }
-
-    private static bool IsWall(Role role) => role is Role.OuterWall or Role.InnerWall or Role.OverhangWall;
 }

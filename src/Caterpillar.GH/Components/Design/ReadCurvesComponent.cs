@@ -1,0 +1,64 @@
+using System;
+using System.IO;
+using System.Linq;
+using Caterpillar.Drawings;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Components.Design;
+
+/// <summary>Reads curves to print from a file.</summary>
+public sealed class ReadCurvesComponent() : CaterpillarComponent(
+    "Read Curves", "Curves", "Reads curves to print, exactly as drawn and in their order, from a file of points, lines or SVG paths.", Panel.Design,
+        GH_Exposure.tertiary)
+{
+    public override Guid ComponentGuid => new("6f20d4c9-b318-4e7a-8c45-d3a7f9e01b68");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.File("File", "F", "File to read: points as CSV or JSON, lines of OBJ, or paths of SVG; also packed with gzip.",
+            "Curves (*.csv;*.json;*.obj;*.svg;*.gz)|*.csv;*.json;*.obj;*.svg;*.gz|All files|*.*");
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings for curves without their own width, height and speed; the standard ones by default.",
+            optional: true);
+        ports.Number("Unit", "U", "Length of one unit in files that state none, in mm.", 1);
+        ports.Number("Subdivision", "Su", "Maximum length of the segments of curved parts, in mm.", 1);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths in their order.", GH_ParamAccess.list);
+        ports.Add(new StepParam(), "Steps", "St", "The paths, and the dots of material between them, for planning.", GH_ParamAccess.list);
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var file = new FileInfo(run.PathTo(run.Get<string>(0)));
+        if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
+        var settings = run.Maybe<PrintSettings>(1) ?? new PrintSettings();
+        var (unit, step) = (run.Positive(2), run.Positive(3));
+        var read = run.Cached([file.FullName, file.LastWriteTimeUtc, file.Length, unit, settings], () => run.Work("Reading", (progress, cancel) =>
+            CurveReader.Read(file.FullName, new CurveReadOptions
+            {
+                UnitLength = unit, WidthReference = new Printer().NozzleDiameter, HeightReference = settings.LayerHeight, SpeedReference = settings.PrintSpeed,
+            }, progress, cancel)));
+        var texts = run.Report(read.Diagnostics).ToList();
+        if (read.Value is not { } curves)
+        {
+            run.SetList(2, texts);
+            return;
+        }
+        var options = CurveOptions.From(settings) with { Subdivision = SubdivisionOptions.ByDistance(step) };
+        var steps = run.Cached([read, step, settings], () => run.Work("Dividing", (progress, cancel) => CurvePaths.ToSteps(curves, options, progress, cancel)));
+        texts.AddRange(run.Report(steps.Diagnostics));
+        run.SetList(2, texts);
+        if (steps.Value is null) return;
+        run.SetList(0, steps.Value.OfType<PathStep>().Select(s => new PrintPathGoo(s)));
+        run.SetList(1, steps.Value.Select(s => new StepGoo(s)));
+    }
+}

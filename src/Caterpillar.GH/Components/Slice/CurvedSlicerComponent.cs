@@ -1,0 +1,57 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.LayerFields;
+using Caterpillar.GH.Params;
+using Caterpillar.Machines;
+using Caterpillar.Slicing;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Components.Slice;
+
+/// <summary>Cuts solids along the level sets of a field and fills the layers.</summary>
+public sealed class CurvedSlicerComponent() : SlicerComponent(
+    "Curved Slicer", "CSlice", "Cuts solids into curved layers, the level sets of a field, and fills them: every bead has the volume between its layer and "
+        + "what is below.")
+{
+    public override Guid ComponentGuid => new("5be0b3c2-1d3a-4cf2-9b57-0f2a7c6d41e8");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        GeometryPort(ports);
+        ports.Add(new LayerFieldParam(), "Field", "F",
+            "Layers to follow: from Layer Field; a mesh, surface or Brep, which layers copy upward; or a formula in x, y, z (mm), r and theta.");
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings; the standard ones by default.", optional: true);
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer, or the name of its profile, whose head limits the slope of layers; the generic one by default.",
+            optional: true);
+        ports.Geometry("Objects", "O",
+            "Objects on the bed that are printed on, in document units: nothing is printed below their surface, and the first strands fill the gap to it.",
+            GH_ParamAccess.list, optional: true);
+        ports.Boolean("Partial", "Pa", "True prints what lies within the surfaces of the field and is not too steep, instead of refusing the solids.", false);
+        TolerancePort(ports);
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var tolerance = run.Positive(6);
+        var recipe = run.Get<FieldRecipe>(1);
+        var setup = new PrintSetup(run.Maybe<Printer>(3) ?? new Printer(), new Material(), run.Maybe<PrintSettings>(2) ?? new PrintSettings());
+        var models = Models(run, 0, tolerance);
+        var solids = Named(models);
+        var onto = run.List<IGH_GeometricGoo>(4).Select(g => ModelMesh.Of(run, g, tolerance, run.Units)).ToArray();
+        var partial = run.Get<bool>(5);
+        var result = run.Cached([recipe, setup, partial, models.ToArray(), onto], () => run.Work("Slicing", (progress, cancel) =>
+        {
+            var field = recipe.For(solids, setup);
+            if (field.Value is null || field.HasErrors) return new Result<SliceResult>(null, field.Diagnostics);
+            var floor = RhinoMesh.Joined(onto.Select(m => m.Triangles).ToArray());
+            var options = new CurvedOptions { Onto = floor is null ? null : PlanSurface.OnBed(floor), Partial = partial };
+            var sliced = CurvedSlicer.Slice(solids, field.Value, setup, options, 0, progress, cancel);
+            return new Result<SliceResult>(sliced.Value, field.Diagnostics.Concat(sliced.Diagnostics).ToArray());
+        }));
+        SetResult(run, models, solids, result);
+    }
+}

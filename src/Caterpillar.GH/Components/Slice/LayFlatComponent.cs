@@ -1,0 +1,27 @@
+using System;
+using Caterpillar.GH.Base;
+using Caterpillar.Slicing;
+
+namespace Caterpillar.GH.Components.Slice;
+
+/// <summary>Turns solids onto their largest flat face.</summary>
+public sealed class LayFlatComponent() : ModelMovingComponent(
+    "Lay Flat", "Flat", "Turns each solid so that its largest flat face is below, and puts it onto the bed (Z = 0) where it is.")
+{
+    public override Guid ComponentGuid => new("b24f8d6a-7e19-4c53-a0d8-5e3b1c6f9720");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        GeometryPort(ports);
+        ports.Number("Tolerance", "T", "Maximum deviation of facets from a curved solid, in mm.", 0.05);
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var geometry = GeometryOf(run);
+        var models = Models(run, geometry, run.Positive(1));
+        object[] meshes = Array.ConvertAll(models, m => (object)m.Mesh);
+        run.SetList(2, Array.Empty<string>());
+        SetMoved(run, geometry, models, run.Cached(meshes, () => run.Work("Laying flat", (_, _) => models.LaidFlat())));
+    }
+}

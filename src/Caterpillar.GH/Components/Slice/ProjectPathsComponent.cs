@@ -1,0 +1,61 @@
+using System;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Machines;
+using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Components.Slice;
+
+/// <summary>Puts paths that were made for a level bed onto an object.</summary>
+public sealed class ProjectPathsComponent() : CaterpillarComponent(
+    "Project Paths", "Project", "Puts paths that were made for a level bed onto an object: heights above the bed become heights above its surface.",
+        Panel.Slice, GH_Exposure.secondary)
+{
+    public override Guid ComponentGuid => new("a9d6b1f0-84c7-4e2b-bd35-7f1e0c9a5d64");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in printing order, as for a level bed at Z = 0.", GH_ParamAccess.list);
+        ports.Geometry("Geometry", "G", "Objects that are printed on, in document units: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list);
+        ports.Number("Offset", "O", "How much the paths are raised above the surface, in mm; negative values press them onto it.", 0);
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings with tolerance and steepest slope; the standard ones by default.", optional: true);
+        ports.Add(new PrinterParam(), "Printer", "Pr", "Printer, or the name of its profile, whose head limits the slope; the generic one by default.",
+            optional: true);
+        ports.Boolean("Partial", "Pa", "True leaves out what lies beyond the surface or is too steep, instead of an error.", false);
+        ports.Number("Tolerance", "T", "Maximum deviation of facets from a curved surface, in mm.", 0.05);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths on the surface; paths that leave it become several.", GH_ParamAccess.list);
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var goos = run.List<PrintPathGoo>(0);
+        var geometry = run.List<IGH_GeometricGoo>(1);
+        if (goos.Count == 0 || geometry.Count == 0)
+            throw new InputProblem(goos.Count == 0 ? "Print Paths are missing." : "Geometry is missing.") { IsMissing = true };
+        var offset = run.Finite(2);
+        var setup = new PrintSetup(run.Maybe<Printer>(4) ?? new Printer(), new Material(), run.Maybe<PrintSettings>(3) ?? new PrintSettings());
+        var (partial, tolerance, units) = (run.Get<bool>(5), run.Positive(6), run.Units);
+        var onto = geometry.Select(g => ModelMesh.Of(run, g, tolerance, units)).ToArray();
+        object[] paths = goos.Select(g => (object)g.Value).ToArray();
+        var result = run.Cached([paths, onto, offset, setup, partial], () => run.Work("Projecting", (progress, cancel) =>
+        {
+            var surface = PlanSurface.Of(RhinoMesh.Joined(onto.Select(m => m.Triangles).ToArray())!).Moved(new Vec3(0, 0, Math.Max(0, offset)));
+            var steps = goos.Select(g => (Step)g.ToStep()).ToArray();
+            return SurfaceProjection.Project(steps, surface, setup, Math.Max(0, -offset), partial, progress, cancel);
+        }));
+        run.SetList(1, run.Report(result.Diagnostics));
+        if (result.Value is { } projected) run.SetList(0, projected.OfType<PathStep>().Select(s => new PrintPathGoo(s)));
+    }
+}

@@ -1,0 +1,96 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Data;
+using Grasshopper.Kernel.Parameters;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Components.Slice;
+
+/// <summary>Base of the slicers: geometry in, layers as trees out.</summary>
+public abstract class SlicerComponent(string name, string nickname, string description) : CaterpillarComponent(name, nickname, description, Panel.Slice)
+{
+    private protected static void GeometryPort(InputPorts ports) => ports.Geometry("Geometry", "G",
+        "Solids to slice, in document units, at the position where they are printed: meshes, boxes, Breps, SubDs, extrusions or surfaces.",
+        GH_ParamAccess.list);
+
+    private protected static void TolerancePort(InputPorts ports)
+        => ports.Number("Tolerance", "T", "Maximum deviation of facets from a curved solid, in mm.", 0.05);
+
+    private protected sealed override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "All paths, one branch per layer, in mm on the wire.", GH_ParamAccess.tree);
+        ports.Add(new PrintPathParam { Hidden = true }, "Walls", "W", "The walls alone, one branch per layer.", GH_ParamAccess.tree);
+        ports.Add(new PrintPathParam { Hidden = true }, "Infill", "I", "The infill alone, one branch per layer.", GH_ParamAccess.tree);
+        ports.Add(new Param_Curve { Hidden = true }, "Regions", "R",
+            "Outlines of what each layer covers, one branch per layer, in document units; of curved layers as seen from above.", GH_ParamAccess.tree);
+        ports.Curve("Open Edges", "E", "Edges where the surface of a solid is open, in document units.", GH_ParamAccess.list);
+        ports.Diagnostics();
+    }
+
+    private protected static IReadOnlyList<ModelMesh> Models(Run run, int input, double tolerance)
+    {
+        var geometry = run.List<IGH_GeometricGoo>(input);
+        if (geometry.Count == 0) throw new InputProblem("Geometry is missing.") { IsMissing = true };
+        return geometry.Select(g => ModelMesh.Of(run, g, tolerance, run.Units)).ToArray();
+    }
+
+    private protected static NamedMesh[] Named(IReadOnlyList<ModelMesh> models)
+        => models.Select((m, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", m.Triangles)).ToArray();
+
+    /// <summary>Hands out the layers and what was noticed.</summary>
+    private protected static void SetResult(Run run, IReadOnlyList<ModelMesh> models, IReadOnlyList<NamedMesh> solids, Result<SliceResult> result)
+    {
+        var units = run.Units;
+        run.SetList(4, models.Where(m => m.Triangles.OpenEdgeCount > 0).SelectMany(m => m.Mesh.GetNakedEdges() ?? []).Select(p => p.ToPolylineCurve()));
+        run.SetList(5, run.Report(solids.Where(m => m.Mesh.OpenEdgeCount > 0).Select(Open).Concat(result.Diagnostics)));
+        if (result.Value is not { } slices) return;
+        var root = run.PathOf(0);
+        var trees = run.Cached([slices, root.ToString(), units.ToMillimeters], () => new LayerTrees(slices, root, units));
+        run.SetTree(0, trees.All);
+        run.SetTree(1, trees.Walls);
+        run.SetTree(2, trees.Infill);
+        run.SetTree(3, trees.Regions);
+        run.Summarize($"{NumberFormatter.Format(slices.Layers.Count)} layers");
+    }
+
+    private static Diagnostic Open(NamedMesh model) => new(Severity.Warning, "mesh.open_edges",
+        $"The surface has {NumberFormatter.Format(model.Mesh.OpenEdgeCount)} open edges, which the output Open Edges shows.", new SourceLocation(model.Name));
+
+    private static bool IsWall(Role role) => role is Role.OuterWall or Role.InnerWall or Role.OverhangWall;
+
+    /// <summary>The layers as trees for the wires, one branch per layer.</summary>
+    private sealed class LayerTrees
+    {
+        public LayerTrees(SliceResult slices, GH_Path root, DocumentUnits units)
+        {
+            for (var i = 0; i < slices.Layers.Count; i++)
+            {
+                var layer = slices.Layers[i];
+                var path = root.AppendElement(i);
+                var goos = layer.Steps.Select(s => new PrintPathGoo(s)).ToArray();
+                All.AppendRange(goos, path);
+                Walls.AppendRange(goos.Where(g => IsWall(g.Value.Role)), path);
+                Infill.AppendRange(goos.Where(g => !IsWall(g.Value.Role)), path);
+                Regions.AppendRange(layer.Region.Contours.Select(c => new GH_Curve(RhinoGeometry.ToCurve(c, layer.Layer.Z, units))), path);
+            }
+        }
+
+        public GH_Structure<PrintPathGoo> All { get; } = new();
+
+        public GH_Structure<PrintPathGoo> Walls { get; } = new();
+
+        public GH_Structure<PrintPathGoo> Infill { get; } = new();
+
+        public GH_Structure<GH_Curve> Regions { get; } = new();
+    }
+}

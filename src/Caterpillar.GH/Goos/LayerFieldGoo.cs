@@ -1,0 +1,66 @@
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.LayerFields;
+using Caterpillar.Slicing;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Goos;
+
+/// <summary>A field of layers on a wire. A mesh, surface or Brep is one whose layers are its copies; text is the formula of one.</summary>
+public sealed class LayerFieldGoo : ValueGoo<FieldRecipe>
+{
+    // Deviation of the facets of a curved surface, mm.
+    private const double Tolerance = 0.05;
+
+    public LayerFieldGoo()
+    {
+    }
+
+    public LayerFieldGoo(FieldRecipe? recipe)
+        : base(recipe)
+    {
+    }
+
+    public override string TypeName => "Layer Field";
+
+    public override string TypeDescription => "A field whose level sets are the layers of a print, in mm.";
+
+    public override IGH_Goo Duplicate() => new LayerFieldGoo(Value);
+
+    public override bool CastFrom(object source)
+    {
+        if (base.CastFrom(source)) return true;
+        if (Wrapped.Text(source) is { } text) return FromFormula(text);
+        return Wrapped.Bare(source) switch
+        {
+            IGH_GeometricGoo goo => FromGeometry(Wrapped.Bare(goo.ScriptVariable())),
+            Rg.GeometryBase geometry => FromGeometry(geometry),
+            _ => false,
+        };
+    }
+
+    protected override string Describe(FieldRecipe value) => $"Layer Field ({value})";
+
+    private bool FromFormula(string text)
+    {
+        if (LayerField.Formula(text).Value is not { } field) return false;
+        Value = new FieldRecipe("Formula " + text.Trim(), [], field);
+        return true;
+    }
+
+    private bool FromGeometry(object? geometry)
+    {
+        if (geometry is null) return false;
+        try
+        {
+            var units = DocumentUnits.Current;
+            var mesh = RhinoMesh.ToTriangles(RhinoMesh.ToMesh(geometry, Tolerance, units), units);
+            Value = new FieldRecipe("Vertical", [.. ModelMesh.Content(geometry), units.ToMillimeters], LayerField.Vertical(PlanSurface.Of(mesh)));
+            return true;
+        }
+        catch (InputProblem)
+        {
+            return false;
+        }
+    }
+}

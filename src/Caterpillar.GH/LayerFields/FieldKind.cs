@@ -1,0 +1,13 @@
+namespace Caterpillar.GH.LayerFields;
+
+/// <summary>How the layers of a curved print are given.</summary>
+public enum FieldKind
+{
+    Vertical,
+    Normal,
+    Between,
+    Formula,
+    Cone,
+    Overhangs,
+    Deformed,
+}

@@ -1,0 +1,156 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.Slicing;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.LayerFields;
+
+/// <summary>Makes the recipe of a field from the ports of Layer Field.</summary>
+internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
+{
+    private static readonly SourceLocation Expressions = new(Key: "expressions");
+
+    /// <summary>The recipe; null after problems.</summary>
+    /// <exception cref="InputProblem">Ports do not go together.</exception>
+    public FieldRecipe? Read()
+    {
+        var kind = run.Choice<FieldKind>(0);
+        var texts = run.List<GH_String>(2).Select(t => t.Value.Trim()).ToArray();
+        Vec3? origin = run.MaybeValue<Rg.Point3d>(9) is { } point ? RhinoGeometry.ToVec(point, run.Units) : null;
+        switch (kind)
+        {
+            case FieldKind.Vertical: return Vertical(Only(Plans(texts, origin)));
+            case FieldKind.Normal: return Normal();
+            case FieldKind.Between: return Between(Plans(texts, origin));
+            case FieldKind.Formula:
+                if (texts.Length != 1) throw new InputProblem("Formula needs one expression.");
+                var level = LayerField.Formula(texts[0], origin ?? Vec3.Zero, Expressions);
+                return Accept(level) is { } formula ? new FieldRecipe("Formula " + texts[0], [origin], formula) : null;
+            case FieldKind.Cone: return Cone(origin);
+            case FieldKind.Overhangs: return Overhangs();
+            case FieldKind.Deformed:
+                if (texts.Length != 3) throw new InputProblem("Deformed needs three expressions: the bent x, y and z.");
+                var bent = LayerField.Deformed(texts[0], texts[1], texts[2], origin ?? Vec3.Zero, Expressions);
+                return Accept(bent) is { } deformed ? new FieldRecipe("Deformed " + string.Join("; ", texts), [origin], deformed) : null;
+            default: throw new InputProblem("There is no such kind of field.");
+        }
+    }
+
+    private FieldRecipe? Vertical(Plan? plan)
+    {
+        if (plan is null) return null;
+        var (from, to) = (run.MaybeValue<double>(6) is null ? 0 : run.Finite(6), run.MaybeValue<double>(7) is null ? (double?)null : run.Positive(7));
+        if (to is null && from != 0) throw new InputProblem("Blend From goes with Blend To.");
+        if (to is { } end && !(from >= 0 && end > from)) throw new InputProblem("Blend To must be above Blend From, which is not negative.");
+        LayerBlend? blend = to is { } top ? new LayerBlend(from, top) : null;
+        return new FieldRecipe("Vertical", [plan.Key, from, to], (models, _) => new Result<LayerField>(LayerField.Vertical(plan.Make(models), blend), []));
+    }
+
+    private FieldRecipe Normal()
+    {
+        var meshes = Meshes();
+        if (meshes.Length == 0) throw new InputProblem("Normal needs a surface.") { IsMissing = true };
+        return new FieldRecipe("Normal", [.. meshes], LayerField.Offset(RhinoMesh.Joined(meshes.Select(m => m.Triangles).ToArray())!));
+    }
+
+    private FieldRecipe? Between(IReadOnlyList<Plan>? plans)
+    {
+        if (plans is null) return null;
+        if (plans.Count == 0) throw new InputProblem("Between needs a surface at least.") { IsMissing = true };
+        return new FieldRecipe("Between", [.. plans.Select(p => p.Key)], (models, _) =>
+        {
+            var surfaces = plans.Select(p => p.Make(models)).ToList();
+            // One surface: from the bottom of the solids up to it.
+            if (surfaces.Count == 1) surfaces.Insert(0, PlanSurface.Level(ModelPlacement.BoxOf(models).Min.Z));
+            return new Result<LayerField>(LayerField.Between(surfaces.ToArray()), []);
+        });
+    }
+
+    private FieldRecipe Cone(Vec3? axis)
+    {
+        if (run.MaybeValue<double>(8) is null) throw new InputProblem("Cone needs an angle.") { IsMissing = true };
+        var angle = Angle();
+        return new FieldRecipe($"Cone {NumberFormatter.Format(angle, 3)}°", [axis, angle], (models, _) => new Result<LayerField>(
+            LayerField.Vertical(PlanSurface.Cone(axis ?? ModelPlacement.BoxOf(models).Center, angle)), []));
+    }
+
+    private FieldRecipe Overhangs()
+    {
+        var angle = run.MaybeValue<double>(8) is null ? (double?)null : Angle();
+        return new FieldRecipe("Overhangs", [angle], (models, setup) =>
+        {
+            var plan = PlanSurface.AgainstOverhangs(models, setup, angle);
+            return new Result<LayerField>(plan.Value is { } found ? LayerField.Vertical(found) : null, plan.Diagnostics);
+        });
+    }
+
+    private double Angle() => run.Finite(8) is >= -80 and <= 80 and var angle ? angle : throw new InputProblem("Angle must be -80 to 80 degrees.");
+
+    private static Plan? Only(IReadOnlyList<Plan>? plans) => plans switch
+    {
+        null => null,
+        { Count: 1 } => plans[0],
+        { Count: 0 } => throw new InputProblem("Vertical needs a surface, an expression for its height, or an image.") { IsMissing = true },
+        _ => throw new InputProblem("Vertical needs one surface: several go with Between."),
+    };
+
+    /// <summary>The surfaces from geometry, formulas and the image, in this order; null after problems.</summary>
+    private List<Plan>? Plans(string[] texts, Vec3? origin)
+    {
+        var plans = new List<Plan>();
+        foreach (var mesh in Meshes())
+        {
+            var surface = PlanSurface.Of(mesh.Triangles);
+            plans.Add(new Plan(mesh, _ => surface));
+        }
+        foreach (var text in texts)
+        {
+            if (Accept(PlanSurface.Formula(text, Expressions)) is not { } height) return null;
+            var surface = height.Moved(origin ?? Vec3.Zero);
+            plans.Add(new Plan((text, origin), _ => surface));
+        }
+        if (run.Maybe<string>(3) is { Length: > 0 } name)
+        {
+            if (HeightMap(run.PathTo(name)) is not { } map) return null;
+            plans.Add(map);
+        }
+        return plans;
+    }
+
+    private ModelMesh[] Meshes()
+    {
+        var tolerance = run.Positive(10);
+        return run.List<IGH_GeometricGoo>(1).Select(g => ModelMesh.Of(run, g, tolerance, run.Units)).ToArray();
+    }
+
+    private Plan? HeightMap(string file)
+    {
+        if (!File.Exists(file)) throw new InputProblem($"There is no file {file}.");
+        var (low, high) = (run.Finite(4), run.Finite(5));
+        if (!(high >= low)) throw new InputProblem("High must not be below Low.");
+        var written = File.GetLastWriteTimeUtc(file);
+        if (Accept(run.Cached([file, written], () => ImageReader.Read(file))) is not { } image) return null;
+        return new Plan((file, written, low, high), models =>
+        {
+            var box = ModelPlacement.BoxOf(models);
+            return PlanSurface.HeightMap(image, new Bounds(box.Min.WithZ(low), box.Max.WithZ(high)));
+        });
+    }
+
+    private T? Accept<T>(Result<T> result)
+        where T : class
+    {
+        problems.AddRange(result.Diagnostics);
+        return result.HasErrors ? null : result.Value;
+    }
+
+    /// <summary>A surface that may depend on the models, and what tells it from others.</summary>
+    private sealed record Plan(object Key, Func<IReadOnlyList<NamedMesh>, PlanSurface> Make);
+}

@@ -1,0 +1,42 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Slicing;
+
+namespace Caterpillar.GH.LayerFields;
+
+/// <summary>A field of layers that is made when the models are known. Recipes from the same parts are equal, so that nothing is sliced twice.</summary>
+public sealed class FieldRecipe : IEquatable<FieldRecipe>
+{
+    private readonly string _text;
+    private readonly object?[] _parts;
+    private readonly Func<IReadOnlyList<NamedMesh>, PrintSetup, Result<LayerField>> _make;
+
+    internal FieldRecipe(string text, object?[] parts, Func<IReadOnlyList<NamedMesh>, PrintSetup, Result<LayerField>> make)
+    {
+        _text = text;
+        _parts = [text, .. parts];
+        _make = make;
+    }
+
+    internal FieldRecipe(string text, object?[] parts, LayerField field)
+        : this(text, parts, (_, _) => new Result<LayerField>(field, []))
+    {
+    }
+
+    /// <summary>The field for models at the positions where they are printed, mm.</summary>
+    /// <param name="models">The models.</param>
+    /// <param name="setup">Its head limits overhangs.</param>
+    public Result<LayerField> For(IReadOnlyList<NamedMesh> models, PrintSetup setup) => _make(models, setup);
+
+    public bool Equals(FieldRecipe? other) => other is not null && StructuralComparisons.StructuralEqualityComparer.Equals(_parts, other._parts);
+
+    public override bool Equals(object? obj) => Equals(obj as FieldRecipe);
+
+    public override int GetHashCode() => _text.GetHashCode();
+
+    public override string ToString() => _text;
+}

@@ -1,0 +1,205 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Caterpillar.GH.Components.Slice;
+using Caterpillar.GH.LayerFields;
+using Caterpillar.GH.Tests.Host;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+using Rhino;
+
+namespace Caterpillar.GH.Tests.Components;
+
+public sealed class CurvedSlicerTests
+{
+    private static readonly PrintSettings Quick = new() { LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.6, WallCount = 1, SkirtLoops = 0 };
+
+    private static Canvas<CurvedSlicerComponent> Slice(object? field, params object?[] geometry)
+        => new Canvas<CurvedSlicerComponent>().Feed("Settings", Quick).Feed("Field", field).Feed("Geometry", geometry).Solve();
+
+    private static FieldRecipe? Field(FieldKind kind, params (string Port, object?[] Values)[] ports) => Make(kind, ports).One<FieldRecipe?>("Field");
+
+    private static Canvas<LayerFieldComponent> Make(FieldKind kind, params (string Port, object?[] Values)[] ports)
+    {
+        var canvas = new Canvas<LayerFieldComponent>().Feed("Kind", kind.ToString());
+        foreach (var (port, values) in ports) canvas.Feed(port, values);
+        return canvas.Solve();
+    }
+
+    // A slanted rectangle over the box: 0.1 mm rise per mm of x, 0 at x = 100.
+    private static Rg.Mesh Slope(double from = 90, double to = 120)
+    {
+        var mesh = new Rg.Mesh();
+        mesh.Vertices.UseDoublePrecisionVertices = true;
+        foreach (var (x, y) in new[] { (from, 90.0), (to, 90.0), (to, 120.0), (from, 120.0) }) mesh.Vertices.Add(x, y, 0.1 * (x - 100));
+        mesh.Faces.AddFace(0, 1, 2, 3);
+        return mesh;
+    }
+
+    // How far points of one path are from a copy of the slope, mm.
+    private static double Spread(PrintPath path)
+    {
+        var heights = path.Points.Select(p => p.Z - 0.1 * (p.X - 100)).ToArray();
+        return heights.Max() - heights.Min();
+    }
+
+    private static PrintPath[] Walls(Canvas<CurvedSlicerComponent> canvas) => canvas.All("Walls").Cast<PrintPath>().ToArray();
+
+    [Test]
+    public void The_field_z_gives_planar_layers()
+    {
+        var planar = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick).Feed("Geometry", Shapes.Box()).Solve();
+        var curved = Slice("z", Shapes.Box());
+        Assert.That(curved.Errors, Is.Empty);
+        Assert.That(curved.Paths("Print Paths"), Is.EqualTo(planar.Paths("Print Paths")));
+        Assert.That(Walls(curved).Select(p => Math.Round(p.Length, 3)), Is.EqualTo(planar.All("Walls").Cast<PrintPath>().Select(p => Math.Round(p.Length, 3))));
+        Assert.That(curved.Component.Message, Is.EqualTo("4 layers"));
+    }
+
+    [Test]
+    public void Layers_are_copies_of_a_surface_at_the_port_itself()
+    {
+        var canvas = Slice(Slope(), Shapes.Box(height: 3));
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That(Walls(canvas), Is.Not.Empty.And.All.Matches<PrintPath>(p => Spread(p) < 0.03));
+        Assert.That(Walls(canvas).Any(p => p.Bounds.Size.Z > 0.5), Is.True, "They are not level.");
+    }
+
+    [Test]
+    public void A_surface_a_formula_and_an_image_make_the_same_layers()
+    {
+        var box = Shapes.Box(height: 3);
+        var image = Path.Combine(Path.GetTempPath(), "caterpillar-slope.pgm");
+        // Two dots: their middles are at a quarter and three quarters of the box, between them the heights rise evenly.
+        File.WriteAllText(image, "P2\n2 1\n255\n0 255\n");
+        var mesh = Walls(Slice(Field(FieldKind.Vertical, ("Surfaces", [Slope()])), box));
+        var formula = Walls(Slice(Field(FieldKind.Vertical, ("Expressions", ["0.1 * (x - 100)"])), box));
+        var shifted = Walls(Slice(Field(FieldKind.Vertical, ("Expressions", ["0.1 * x"]), ("Origin", [new Rg.Point3d(100, 0, 0)])), box));
+        var map = Walls(Slice(Field(FieldKind.Vertical, ("Image", [image]), ("Low", [0.25]), ("High", [0.75])), box));
+        Assert.That(formula.Sum(p => p.Length), Is.EqualTo(mesh.Sum(p => p.Length)).Within(0.5));
+        Assert.That(shifted.Select(p => p.Length), Is.EqualTo(formula.Select(p => p.Length)).Within(1e-6));
+        Assert.That(map.Where(p => p.Bounds.Size.Z > 0), Is.Not.Empty);
+        Assert.That(map.SelectMany(p => p.Points).Where(p => p.X is > 103 and < 107).All(p => p.IsFinite), Is.True);
+    }
+
+    [Test]
+    public void Between_the_bed_and_a_surface_every_place_has_as_many_layers()
+    {
+        var roof = Slope().DuplicateMesh();
+        roof.Translate(new Rg.Vector3d(0, 0, 3));
+        var solid = Shapes.Box(height: 5);
+        var canvas = Slice(Field(FieldKind.Between, ("Surfaces", [roof])), solid);
+        Assert.That(canvas.Errors, Is.Empty);
+        var layers = Walls(canvas).Where(p => p.Role == Role.OuterWall).ToArray();
+        double At(PrintPath path, double x) => path.Points.OrderBy(p => Math.Abs(p.X - x)).First().Z;
+        // The roof is 3 mm high on the left and 4 mm on the right.
+        Assert.That(layers[0].Bounds.Size.Z, Is.GreaterThan(0));
+        Assert.That(At(layers[1], 110) / At(layers[1], 100), Is.EqualTo(4.0 / 3).Within(0.05));
+    }
+
+    [Test]
+    public void Cones_offsets_overhangs_and_bent_solids_are_sliced()
+    {
+        var cone = Walls(Slice(Field(FieldKind.Cone, ("Angle", [20.0])), Shapes.Box(height: 4)));
+        var ring = cone.First(p => p.Bounds.Size.Z > 0.1);
+        var corner = ring.Points.OrderByDescending(p => Math.Abs(p.X - 105) + Math.Abs(p.Y - 105)).First();
+        var middle = ring.Points.OrderBy(p => Math.Abs(p.Y - 105)).First();
+        Assert.That(corner.Z, Is.LessThan(middle.Z), "Outward is down.");
+        Assert.That(Slice(Field(FieldKind.Normal, ("Surfaces", [Slope()])), Shapes.Box(height: 3)).Errors, Is.Empty);
+        Assert.That(Slice(Field(FieldKind.Overhangs), Shapes.Box()).Errors, Is.Empty);
+        var bent = Slice(Field(FieldKind.Deformed, ("Expressions", ["x", "y", "z - 0.1 * (x - 100)"])), Shapes.Box(height: 3));
+        Assert.That(bent.Errors, Is.Empty);
+        Assert.That(Walls(bent), Is.Not.Empty.And.All.Matches<PrintPath>(p => Spread(p) < 0.03));
+        var formula = Slice(Field(FieldKind.Formula, ("Expressions", ["z - 0.1 * (x - 100)"])), Shapes.Box(height: 3));
+        Assert.That(Walls(formula), Is.Not.Empty.And.All.Matches<PrintPath>(p => Spread(p) < 0.03));
+    }
+
+    [Test]
+    public void A_blend_begins_level_and_ends_parallel_to_the_surface()
+    {
+        var canvas = Slice(Field(FieldKind.Vertical, ("Expressions", ["3 + 0.1 * (x - 105)"]), ("Blend From", [0.5]), ("Blend To", [3.0])),
+            Shapes.Box(height: 3));
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That(Walls(canvas)[0].Bounds.Size.Z, Is.EqualTo(0).Within(1e-6));
+        Assert.That(Walls(canvas).Max(w => w.Bounds.Size.Z), Is.GreaterThan(0.3));
+    }
+
+    [Test]
+    public void A_surface_that_is_too_small_is_refused_unless_a_part_will_do()
+    {
+        var small = Slope(90, 105);
+        Assert.That(Slice(small, Shapes.Box()).Errors, Has.Some.Contains("curved.outside_plan"));
+        var partial = Slice(small, Shapes.Box()).Feed("Partial", true).Solve();
+        Assert.That(partial.Errors, Is.Empty);
+        Assert.That(Walls(partial).SelectMany(p => p.Points).Max(p => p.X), Is.LessThanOrEqualTo(105.05));
+    }
+
+    [Test]
+    public void An_object_on_the_bed_is_printed_on()
+    {
+        var canvas = Slice("z", Shapes.Box(height: 4)).Feed("Objects", Shapes.Box(90, 90, 40, 1)).Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        Assert.That(Walls(canvas).SelectMany(p => p.Points).Min(p => p.Z), Is.GreaterThan(1));
+    }
+
+    [Test]
+    public void A_surface_that_has_not_changed_is_not_sliced_again()
+    {
+        var canvas = Slice(Slope(), Shapes.Box(height: 3));
+        var first = canvas.All("Walls")[0];
+        canvas.Feed("Field", Slope()).Solve();
+        Assert.That(canvas.All("Walls")[0], Is.SameAs(first));
+        canvas.Feed("Field", Slope(80)).Solve();
+        Assert.That(canvas.All("Walls")[0], Is.Not.SameAs(first));
+    }
+
+    [Test]
+    public void Other_units_are_scaled()
+    {
+        using var _ = new InDocument(UnitSystem.Centimeters);
+        var slope = Slope();
+        slope.Scale(0.1);
+        var canvas = Slice(slope, Shapes.Box(10, 10, 1, 0.3));
+        Assert.That(Walls(canvas), Is.Not.Empty.And.All.Matches<PrintPath>(p => Spread(p) < 0.03));
+    }
+
+    [TestCase(FieldKind.Vertical, "needs a surface")]
+    [TestCase(FieldKind.Normal, "needs a surface")]
+    [TestCase(FieldKind.Between, "needs a surface")]
+    [TestCase(FieldKind.Formula, "needs one expression")]
+    [TestCase(FieldKind.Cone, "needs an angle")]
+    [TestCase(FieldKind.Deformed, "needs three expressions")]
+    public void A_field_names_what_it_lacks(FieldKind kind, string text)
+    {
+        var canvas = Make(kind);
+        Assert.That(canvas.Errors.Concat(canvas.Warnings), Has.One.Contains(text));
+        Assert.That(canvas.One<FieldRecipe?>("Field"), Is.Null);
+    }
+
+    [Test]
+    public void Wrong_formulas_angles_blends_and_files_are_errors()
+    {
+        Assert.That(Make(FieldKind.Formula, ("Expressions", ["z +"])).Errors, Is.Not.Empty);
+        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x *"])).Errors, Is.Not.Empty);
+        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x", "y"])).Errors, Has.One.Contains("needs one surface"));
+        Assert.That(Make(FieldKind.Cone, ("Angle", [89.0])).Errors, Has.One.Contains("-80 to 80"));
+        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x"]), ("Blend From", [2.0])).Errors, Has.One.Contains("goes with Blend To"));
+        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x"]), ("Blend From", [2.0]), ("Blend To", [1.0])).Errors, Has.One.Contains("above Blend From"));
+        Assert.That(Make(FieldKind.Vertical, ("Image", ["/nowhere.png"])).Errors, Has.One.Contains("There is no file"));
+        Assert.That(Make(FieldKind.Vertical, ("Image", ["/nowhere.png"]), ("Low", [3.0])).Errors, Is.Not.Empty);
+        Assert.That(Slice("z + ", Shapes.Box()).Errors, Has.Some.Contains("Data conversion failed from Text to Layer Field"));
+        Assert.That(Slice("sin(x)", Shapes.Box()).Errors, Has.Some.Contains("curved."));
+    }
+
+    [Test]
+    public void Recipes_from_the_same_parts_are_equal()
+    {
+        FieldRecipe? Of(double height) => Field(FieldKind.Vertical, ("Expressions", [$"{height} + x"]));
+        Assert.That(Of(1), Is.EqualTo(Of(1)).And.Not.SameAs(Of(1)));
+        Assert.That(Of(1)!.GetHashCode(), Is.EqualTo(Of(1)!.GetHashCode()));
+        Assert.That(Of(1), Is.Not.EqualTo(Of(2)));
+        Assert.That(Of(1)!.ToString(), Is.EqualTo("Vertical"));
+    }
+}
