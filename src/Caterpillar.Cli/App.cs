@@ -1,10 +1,12 @@
 using System;
 using System.CommandLine;
 using System.CommandLine.Help;
+using System.CommandLine.Invocation;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
 using Caterpillar.Basics;
+using Caterpillar.Cli.Batches;
 
 namespace Caterpillar.Cli;
 
@@ -20,16 +22,30 @@ internal static partial class App
         var general = new GeneralOptions();
         general.AddTo(root);
         foreach (var verb in Verbs.All()) root.Subcommands.Add(verb);
-        try
+        return Guarded(session, () =>
         {
             var parsed = root.Parse(args);
-            if (parsed.CommandResult.Command is Verb verb && parsed.Action is null && parsed.Errors.Count == 0 && UsageMessages.UnknownOption(parsed) is null)
-            {
-                general.Apply(parsed, session);
-                OutputGuard.Check(verb, parsed);
-                return verb.Run(parsed, session);
-            }
-            return Answer(parsed, root, session);
+            if (parsed.CommandResult.Command is not Verb verb || parsed.Action is not (null or ParseErrorAction)) return Answer(parsed, root, session);
+            var isBatch = verb.Batch?.IsGiven(parsed) == true;
+            if (!(isBatch ? verb.Batch!.IsComplete(parsed) : parsed.Errors.Count == 0) || UsageMessages.UnknownOption(parsed) is not null)
+                return Answer(parsed, root, session);
+            general.Apply(parsed, session);
+            if (isBatch) return Batch.Run(verb, parsed, session);
+            verb.Batch?.RefuseAlone(parsed);
+            OutputGuard.Check(verb, parsed);
+            return verb.Run(parsed, session);
+        });
+    }
+
+    /// <summary>Runs a verb by itself.</summary>
+    public static int RunVerb(Verb verb, string[] words, Session session) => verb.Run(verb.Parse(words), session);
+
+    /// <summary>Does work, and turns all that it may throw into a message and an exit code.</summary>
+    public static int Guarded(Session session, Func<int> work)
+    {
+        try
+        {
+            return work();
         }
         catch (CliException end)
         {
@@ -53,6 +69,7 @@ internal static partial class App
         }
         catch (Exception full) when (IsOutOfMemory(full))
         {
+            session.LacksMemory = true;
             session.Messages.WriteLine($"This takes more memory than the limit of {MemoryLimit.Text(session.Memory.Bytes)}; nothing was written. "
                 + Session.MoreMemory);
             return ExitCode.BadInput;

@@ -42,12 +42,9 @@ internal static class DecodeSummary
         foreach (var total in totals)
         {
             var strand = total is { Width: { } width, Area: { } area } ? $", {Number(width)} mm wide, {Number(area)} mm² on average" : "";
-            yield return ["  " + Spaced(total.Role.ToString()), Mm(total.Length) + strand];
+            yield return ["  " + Words.Spaced(total.Role.ToString()), Mm(total.Length) + strand];
         }
     }
-
-    /// <summary>A name of the code in words.</summary>
-    public static string Spaced(string name) => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? " " + char.ToLowerInvariant(c) : c.ToString()));
 
     private static string Box(Bounds box) => box.IsEmpty ? "none" : $"{Point(box.Min)} to {Point(box.Max)} mm";
 

@@ -45,6 +45,18 @@ internal sealed class Session
     /// <summary>Only what is wrong is said.</summary>
     public bool Quiet { get; set; }
 
+    /// <summary>The work is one of many; what it makes is wanted for a table.</summary>
+    public bool Collects { get; init; }
+
+    /// <summary>What was written, where it was asked for.</summary>
+    public WrittenFigures? Written { get; private set; }
+
+    /// <summary>The work ended because memory ran out.</summary>
+    public bool LacksMemory { get; set; }
+
+    /// <summary>The first error that was found.</summary>
+    public Diagnostic? FirstError { get; private set; }
+
     /// <summary>How much memory the work may take.</summary>
     public MemoryLimit Memory { get; set; } = MemoryLimit.Default;
 
@@ -109,17 +121,30 @@ internal sealed class Session
         if (!Quiet) Messages.WriteLine(line());
     }
 
+    /// <summary>Says what was written, and keeps its figures for a table.</summary>
+    public void Made(Func<PrintFigures> print, long lines, long bytes, Func<PrintFigures, string> line)
+    {
+        if (Quiet && !Collects) return;
+        var figures = print();
+        Written = new WrittenFigures(figures, lines, bytes);
+        if (!Quiet) Messages.WriteLine(line(figures));
+    }
+
     /// <summary>Remarks that a verb keeps for its end.</summary>
     public void Say(IEnumerable<Diagnostic> remarks)
     {
         foreach (var remark in remarks) Say(remark.ToString);
     }
 
+    /// <summary>Keeps the first error of findings that are not printed as messages.</summary>
+    public void Found(IEnumerable<Diagnostic> findings) => FirstError ??= findings.FirstOrDefault(d => d.Severity == Severity.Error);
+
     /// <summary>Prints diagnostics, one line each. Words without effect belong to reports about a file, and are left out.</summary>
     public void Print(IEnumerable<Diagnostic> diagnostics)
     {
         foreach (var diagnostic in diagnostics)
         {
+            Found([diagnostic]);
             if (diagnostic.Severity == Severity.Remark && (Quiet || diagnostic.Code == Harmless)) continue;
             Messages.WriteLine(diagnostic.ToString());
             if (diagnostic.Code == MemoryLimit.Code) Messages.WriteLine(MoreMemory);
@@ -161,3 +186,6 @@ internal sealed class Session
         public void Report(double value) => task.Value = Math.Clamp(value, 0, 1) * task.MaxValue;
     }
 }
+
+/// <summary>A G-code file that was written: its print, its lines and bytes.</summary>
+internal sealed record WrittenFigures(PrintFigures Print, long Lines, long Bytes);

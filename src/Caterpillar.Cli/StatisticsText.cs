@@ -63,7 +63,7 @@ internal static class StatisticsText
         text.WriteLine();
         string[][] rows = s.Roles.Select(r => new[]
         {
-            "  " + DecodeSummary.Spaced(r.Role.ToString()), Duration(r.Time), Percent(r.Time, s.Duration), Number(r.Length / 1000, 2) + " m",
+            "  " + Words.Spaced(r.Role.ToString()), Duration(r.Time), Percent(r.Time, s.Duration), Number(r.Length / 1000, 2) + " m",
             r.Volume is { } v ? Number(v / 1000, 2) + " cm³" : "–",
         }).ToArray();
         TextTable.Write(text, [["  Role", "time", "share", "length", "material"], .. rows]);

@@ -23,7 +23,8 @@ internal static partial class UsageMessages
     public static string? UnknownOption(ParseResult parsed)
     {
         if (parsed.Tokens.Any(t => t.Type == TokenType.DoubleDash)) return null;
-        var arguments = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value);
+        var many = parsed.CommandResult.Command is Verb { Batch: { } batch } ? parsed.GetResult(batch.Each)?.Tokens ?? [] : [];
+        var arguments = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Concat(many).Select(t => t.Value);
         if (arguments.Concat(parsed.UnmatchedTokens).FirstOrDefault(v => v.Length > 1 && v[0] == '-' && !IsNumber(v)) is not { } word) return null;
         var known = parsed.CommandResult.Command.Options.Concat(parsed.RootCommandResult.Command.Options).Select(o => o.Name);
         var name = word.Split('=', ':')[0];
@@ -52,6 +53,9 @@ internal static partial class UsageMessages
             return $"{wrong.Groups["option"].Value} needs {what}, not \"{wrong.Groups["value"].Value}\".";
         }
         if (WrongWord().Match(message) is { Success: true } word) return NoneOf(word.Groups["value"].Value, word.Groups["choices"].Value);
+        if (MissingValue().Match(message) is { Success: true } missing) return $"{missing.Groups["name"].Value} needs "
+            + $"{(missing.Groups["kind"].Value == "command"
+            ? "a file." : "a value.")}";
         return message == "Required command was not provided." ? "Say what to do: a verb is missing." : message;
     }
 
@@ -66,6 +70,9 @@ internal static partial class UsageMessages
 
     [GeneratedRegex("argument '(?<value>.*)' for option '(?<option>[^']*)' as expected type '(?<type>[^']*)'", RegexOptions.Singleline)]
     private static partial Regex WrongType();
+
+    [GeneratedRegex("^Required argument missing for (?<kind>command|option): '(?<name>[^']*)'")]
+    private static partial Regex MissingValue();
 
     [GeneratedRegex("^Argument '(?<value>.*)' not recognized. Must be one of:(?<choices>.*)$", RegexOptions.Singleline)]
     private static partial Regex WrongWord();

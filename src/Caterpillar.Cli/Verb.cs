@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Caterpillar.Cli.Batches;
 
 namespace Caterpillar.Cli;
 
@@ -8,9 +9,22 @@ internal abstract class Verb(string name, string description) : Command(name, de
     /// <summary>What kinds of files it writes, in the words of <see cref="OutputGuard"/>.</summary>
     public virtual string[] Writes => [];
 
+    /// <summary>The usual ending of what it writes for each input, such as <c>.gcode</c>; null where it writes no file.</summary>
+    public virtual string? Ending => null;
+
+    /// <summary>The options of batches, where many calls make sense.</summary>
+    public BatchOptions? Batch { get; private set; }
+
     /// <summary>True where it was told that its output may replace its input.</summary>
     public virtual bool ReplacesInput(ParseResult arguments) => false;
 
     /// <summary>Does the work and returns the exit code. Problems may also end in a <see cref="CliException"/>; I/O exceptions may pass through.</summary>
     public abstract int Run(ParseResult arguments, Session session);
+
+    /// <summary>Adds the options of batches.</summary>
+    protected void AllowBatches()
+    {
+        Batch = new BatchOptions();
+        Batch.AddTo(this);
+    }
 }

@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using System.Linq;
 using Caterpillar.Cli.Commands;
 
 namespace Caterpillar.Cli;
@@ -20,4 +22,7 @@ internal static class Verbs
         new CheckVerb(),
         new PrintersVerb(),
     ];
+
+    /// <summary>A new verb of a name that is one.</summary>
+    public static Verb Named(string name) => All().First(v => v.Name == name);
 }

@@ -75,8 +75,8 @@ internal sealed class WriteOptions
                 throw new CliException(ExitCode.Refused,
                     $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than --max-size allows; nothing was written.");
         }, session.Cancel));
-        session.Say(() => $"{(file == "-" ? "standard output" : file)}: {PrintSummary.Of(toolpath, setup, Time(written!, toolpath, setup, session))}; "
-            + $"{Count(written!.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
+        session.Made(() => PrintFigures.Of(toolpath, setup, Time(written!, toolpath, setup, session)), written!.Lines, written.Bytes,
+            print => $"{(file == "-" ? "standard output" : file)}: {PrintSummary.Of(print)}; {Count(written.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
         return written!;
     }
 

@@ -1,6 +1,8 @@
 using System;
 using System.Diagnostics;
+using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Runtime.InteropServices;
 using NUnit.Framework;
 
@@ -30,10 +32,33 @@ public class ProcessTests : CliFixture
         // It waits for standard input, which stays open.
         System.Threading.Thread.Sleep(1500);
         Assert.That(process.HasExited, Is.False);
-        Process.Start("kill", ["-" + signal, process.Id.ToString(System.Globalization.CultureInfo.InvariantCulture)]).WaitForExit();
+        Process.Start("kill", ["-" + signal, process.Id.ToString(CultureInfo.InvariantCulture)]).WaitForExit();
         Assert.That(process.WaitForExit(20_000), Is.True);
         Assert.That(process.ExitCode, Is.EqualTo(130));
         Assert.That(Files(), Is.Empty);
+    }
+
+    [Test]
+    public void A_batch_that_is_interrupted_says_what_is_done_and_goes_on_later()
+    {
+        if (!RuntimeInformation.IsOSPlatform(OSPlatform.Linux)) Assert.Ignore("Signals are sent with kill.");
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        File.WriteAllText("t.csv", "infill_percent\n" + string.Join("\n", Enumerable.Range(1, 90)) + "\n");
+        const string Command = "slice part.stl --table t.csv -o out/{row}.gcode --summary s.csv --resume --jobs 2";
+        using var process = Process.Start(Info(Command))!;
+        var first = process.StandardError.ReadLine();
+        Process.Start("kill", ["-INT", process.Id.ToString(CultureInfo.InvariantCulture)]).WaitForExit();
+        var messages = process.StandardError.ReadToEnd();
+        process.WaitForExit();
+        Assert.That(process.ExitCode, Is.EqualTo(130), messages);
+        Assert.That(first, Does.StartWith("[1/90] out/01.gcode"));
+        Assert.That(messages, Does.Contain("of 90 done").And.Contain("Interrupted. The same command with --resume goes on"));
+        var written = Directory.GetFileSystemEntries("out").Length;
+        Assert.That(written, Is.InRange(1, 89));
+        Assert.That(File.ReadLines("s.csv").Count(l => l.Contains(",done,", StringComparison.Ordinal)), Is.EqualTo(written), "whole files only");
+        Assert.That(Start(Command, out _, out messages), Is.Zero);
+        Assert.That(messages, Does.Contain($"{90 - written} of 90 done, {written} skipped"));
+        Assert.That(Directory.GetFileSystemEntries("out"), Has.Length.EqualTo(90));
     }
 
     private static int Start(string arguments, out string output, out string messages)

@@ -28,6 +28,7 @@ internal sealed class CheckVerb : Verb
         _setup.AddTo(this);
         Options.Add(_dialect);
         Options.Add(_threads);
+        AllowBatches();
     }
 
     public override int Run(ParseResult arguments, Session session)
@@ -52,6 +53,7 @@ internal sealed class CheckVerb : Verb
         {
             foreach (var finding in all) text.WriteLine(finding.ToString());
         });
+        session.Found(all);
         session.Say(harmless);
         return all.Any(d => d.Severity == Severity.Error) ? ExitCode.Refused : ExitCode.Done;
     }

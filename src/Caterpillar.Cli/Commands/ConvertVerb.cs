@@ -58,9 +58,12 @@ internal sealed class ConvertVerb : Verb
         _e.AcceptOnlyFromAmong("relative", "absolute");
         _unit.AcceptOnlyFromAmong("mm", "mm3");
         _arcs.AcceptOnlyFromAmong("fit", "expand");
+        AllowBatches();
     }
 
     public override string[] Writes => ["G-code"];
+
+    public override string? Ending => ".gcode";
 
     public override int Run(ParseResult arguments, Session session)
     {
@@ -79,7 +82,8 @@ internal sealed class ConvertVerb : Verb
         if (arguments.GetValue(_arcs) == "fit") edited = edited.FitArcs(new ArcFitOptions { Tolerance = Tolerance(arguments) });
         var code = _edits.Code(arguments);
         // Summed up while the file is written.
-        var summary = session.Quiet ? null : Task.Run(() => (EditSummary.Of(original.Toolpath, edited), PrintSummary.Of(original, edited)));
+        var summary = session.Quiet && !session.Collects ? null
+            : Task.Run(() => (Edits: EditSummary.Of(original.Toolpath, edited), Print: PrintFigures.Of(original, edited)));
         var written = document;
         var dialect = decoding.Dialect;
         if (!ReferenceEquals(edited, decoding.Toolpath) || code.Start is not null || code.End is not null)
@@ -94,8 +98,9 @@ internal sealed class ConvertVerb : Verb
         }
         written = Checked(written, dialect, arguments, session);
         session.WriteGCode(output, written);
-        session.Say(() => $"{(output == "-" ? "standard output" : output)}: {Changes(summary!.Result.Item1, original, dialect, target is not null, code)}; "
-            + $"{summary.Result.Item2}; {NumberFormatter.Format(written.LineCount)} lines, {PrintSummary.Size(written.Length)}");
+        session.Made(() => summary!.Result.Print, written.LineCount, written.Length,
+            print => $"{(output == "-" ? "standard output" : output)}: {Changes(summary!.Result.Edits, original, dialect, target is not null, code)}; "
+                + $"{PrintSummary.Of(print)}; {NumberFormatter.Format(written.LineCount)} lines, {PrintSummary.Size(written.Length)}");
         return ExitCode.Done;
     }
 

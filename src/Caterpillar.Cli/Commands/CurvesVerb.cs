@@ -57,9 +57,12 @@ internal sealed class CurvesVerb : Verb
         _division.AddTo(this);
         foreach (Option option in new Option[] { _sort, _move, _map, _plan, _json, _maxSize }) Options.Add(option);
         _setup.AddTo(this);
+        AllowBatches();
     }
 
     public override string[] Writes => ["G-code"];
+
+    public override string? Ending => ".gcode";
 
     public override int Run(ParseResult arguments, Session session)
     {

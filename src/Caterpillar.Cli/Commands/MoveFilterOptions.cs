@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Expressions;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -74,5 +75,5 @@ internal sealed class MoveFilterOptions
                 + SpellingSuggestion.Hint(name, Shown));
 
     // As tables and pictures show them; identifiers work as well.
-    private static IEnumerable<string> Shown => Enum.GetNames<Role>().Select(DecodeSummary.Spaced);
+    private static IEnumerable<string> Shown => Enum.GetNames<Role>().Select(Words.Spaced);
 }

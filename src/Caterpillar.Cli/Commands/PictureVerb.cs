@@ -45,9 +45,12 @@ internal sealed class PictureVerb : Verb
         Options.Add(_color);
         Options.Add(_travel);
         Options.Add(_width);
+        AllowBatches();
     }
 
     public override string[] Writes => ["a picture"];
+
+    public override string? Ending => ".png";
 
     public override int Run(ParseResult arguments, Session session)
     {
@@ -78,7 +81,7 @@ internal sealed class PictureVerb : Verb
         var target = arguments.GetValue(_out) ?? Path.GetFileNameWithoutExtension(file == "-" ? "picture" : file) + ".png";
         session.Write(target, stream => stream.Write(png, 0, png.Length));
         session.Say(() => $"{(target == "-" ? "standard output" : target)}: {width} × {options.Height} pixels; "
-            + $"{Session.NameOf(file)}: {PrintSummary.Of(decoding, toolpath)}");
+            + $"{Session.NameOf(file)}: {PrintSummary.Of(PrintFigures.Of(decoding, toolpath))}");
         return ExitCode.Done;
     }
 

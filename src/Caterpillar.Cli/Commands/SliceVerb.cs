@@ -42,9 +42,12 @@ internal sealed class SliceVerb : Verb
         _curved.AddTo(this);
         Options.Add(_threads);
         Options.Add(_json);
+        AllowBatches();
     }
 
     public override string[] Writes => ["G-code"];
+
+    public override string? Ending => ".gcode";
 
     public override int Run(ParseResult arguments, Session session)
     {

@@ -47,9 +47,12 @@ internal sealed class TurtleVerb : Verb
         Options.Add(_folders);
         Options.Add(_commands);
         _setup.AddTo(this);
+        AllowBatches();
     }
 
     public override string[] Writes => ["G-code"];
+
+    public override string? Ending => ".gcode";
 
     public override int Run(ParseResult arguments, Session session)
     {

@@ -47,9 +47,12 @@ internal sealed class ViewVerb : Verb
             if (result.GetResult(_serve) is not null && result.GetResult(_out) is not null) result.AddError("Use --serve or --output, not both.");
             if (result.GetResult(_serve) is not null && result.GetValue(_file) == "-") result.AddError("--serve needs a file, not standard input.");
         });
+        AllowBatches();
     }
 
     public override string[] Writes => ["a page"];
+
+    public override string? Ending => ".html";
 
     public override int Run(ParseResult arguments, Session session)
     {

@@ -51,7 +51,10 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
     private ViewerContent Design(string file, Verb verb)
     {
         using var memory = new MemoryStream();
-        var inner = new Session(() => Stream.Null, () => memory, session.Messages) { Cancel = session.Cancel, Profiles = session.Profiles };
+        var inner = new Session(() => Stream.Null, () => memory, session.Messages) 
+        {
+            Cancel = session.Cancel, Profiles = session.Profiles, Quiet = session.Quiet, Memory = session.Memory,
+        };
         string[] given = [file, "--output", "-", "--override", Reason, .. setup.Given(arguments)];
         var code = verb.Run(verb.Parse(given), inner);
         if (code != ExitCode.Done) throw new CliException(code);
@@ -62,7 +65,7 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
     {
         var name = Session.NameOf(file);
         var resolved = setup.Resolve(arguments, session);
-        var options = new DecodeOptions { FilamentDiameter = resolved.Material.FilamentDiameter };
+        var options = new DecodeOptions { FilamentDiameter = resolved.Material.FilamentDiameter, Memory = session.Memory };
         using var stream = GzipReader.Open(new MemoryStream(bytes, false));
         var decoded = session.ValueOrFail(session.WithProgress("Reading " + name,
             progress => GCodeDecoder.DecodeStream(stream, options, name, progress, session.Cancel)));

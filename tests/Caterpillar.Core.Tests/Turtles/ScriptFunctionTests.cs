@@ -19,7 +19,7 @@ internal sealed class ScriptFunctionTests
     public void MakeFolder()
     {
         _folder = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N"));
-        Directory.CreateDirectory(Path.Combine(_folder, "work", "lib"));
+        Directory.CreateDirectory(Path.Combine(_folder, "design", "lib"));
     }
 
     [TearDown]
@@ -115,35 +115,35 @@ internal sealed class ScriptFunctionTests
     [Test]
     public void An_included_file_brings_its_procedures_and_runs_once()
     {
-        Write("work/lib/parts.turtle", "include \"more.turtle\"\ndef square side [ repeat 4 [ forward side; left 90 ] ]\nforward 1\n");
-        Write("work/lib/more.turtle", "param width = 5\ndef half x [ return x / 2 ]\n");
+        Write("design/lib/parts.turtle", "include \"more.turtle\"\ndef square side [ repeat 4 [ forward side; left 90 ] ]\nforward 1\n");
+        Write("design/lib/more.turtle", "param width = 5\ndef half x [ return x / 2 ]\n");
         var run = Compile("include \"lib/parts.turtle\"\ninclude \"lib/parts.turtle\"\nforward half(width)\nsquare 10").OrThrow();
         Assert.That(run.Parameters, Is.EqualTo(new[] { "width" }));
         Assert.That(run.Run().OrThrow().X, Is.EqualTo(3.5).Within(1e-12));
     }
 
-    [TestCase("include \"missing.turtle\"", "work/main.turtle", 1, 9, "turtle.file", "There is no file 'missing.turtle'.")]
-    [TestCase("include \"../secret.turtle\"", "work/main.turtle", 1, 9, "turtle.file", "outside of the folders")]
-    [TestCase("include \"/etc/hosts\"", "work/main.turtle", 1, 9, "turtle.file", "outside of the folders")]
-    [TestCase("\ninclude \"lib/circle.turtle\"", "work/lib/circle.turtle", 2, 9, "turtle.include", "'circle.turtle' includes itself.")]
-    [TestCase("include \"lib/wrong.turtle\"", "work/lib/wrong.turtle", 3, 9, "formula.unknown", "no variable 'nothing'")]
-    [TestCase("include \"lib/late.turtle\"\nlate", "work/lib/late.turtle", 2, 10, "turtle.not_finite", "infinite")]
-    [TestCase("include \"lib/late.turtle\"\nforward value()", "work/lib/late.turtle", 4, 27, "turtle.not_finite", "infinite")]
-    [TestCase("include \"lib\"", "work/main.turtle", 1, 9, "turtle.file", "is a folder")]
-    [TestCase("include \"\"", "work/main.turtle", 1, 9, "turtle.file", "no file")]
-    [TestCase("repeat 2 [ include \"lib/late.turtle\" ]", "work/main.turtle", 1, 12, "turtle.syntax", "inside a block")]
-    [TestCase("include", "work/main.turtle", 1, 1, "turtle.values", "name of a file")]
-    [TestCase("image map \"lib/late.turtle\"", "work/main.turtle", 1, 11, "image.unreadable", "neither a PNG nor a PGM")]
-    [TestCase("image map \"lib/map.pgm\"\nforward map(1)", "work/main.turtle", 2, 9, "formula.arguments", "takes 2 values, not 1")]
-    [TestCase("image map \"lib/map.pgm\"\nimage map \"lib/map.pgm\"", "work/main.turtle", 2, 7, "turtle.name", "declared twice")]
-    [TestCase("image map", "work/main.turtle", 1, 1, "turtle.values", "image name \"file\"")]
+    [TestCase("include \"missing.turtle\"", "design/main.turtle", 1, 9, "turtle.file", "There is no file 'missing.turtle'.")]
+    [TestCase("include \"../secret.turtle\"", "design/main.turtle", 1, 9, "turtle.file", "outside of the folders")]
+    [TestCase("include \"/etc/hosts\"", "design/main.turtle", 1, 9, "turtle.file", "outside of the folders")]
+    [TestCase("\ninclude \"lib/circle.turtle\"", "design/lib/circle.turtle", 2, 9, "turtle.include", "'circle.turtle' includes itself.")]
+    [TestCase("include \"lib/wrong.turtle\"", "design/lib/wrong.turtle", 3, 9, "formula.unknown", "no variable 'nothing'")]
+    [TestCase("include \"lib/late.turtle\"\nlate", "design/lib/late.turtle", 2, 10, "turtle.not_finite", "infinite")]
+    [TestCase("include \"lib/late.turtle\"\nforward value()", "design/lib/late.turtle", 4, 27, "turtle.not_finite", "infinite")]
+    [TestCase("include \"lib\"", "design/main.turtle", 1, 9, "turtle.file", "is a folder")]
+    [TestCase("include \"\"", "design/main.turtle", 1, 9, "turtle.file", "no file")]
+    [TestCase("repeat 2 [ include \"lib/late.turtle\" ]", "design/main.turtle", 1, 12, "turtle.syntax", "inside a block")]
+    [TestCase("include", "design/main.turtle", 1, 1, "turtle.values", "name of a file")]
+    [TestCase("image map \"lib/late.turtle\"", "design/main.turtle", 1, 11, "image.unreadable", "neither a PNG nor a PGM")]
+    [TestCase("image map \"lib/map.pgm\"\nforward map(1)", "design/main.turtle", 2, 9, "formula.arguments", "takes 2 values, not 1")]
+    [TestCase("image map \"lib/map.pgm\"\nimage map \"lib/map.pgm\"", "design/main.turtle", 2, 7, "turtle.name", "declared twice")]
+    [TestCase("image map", "design/main.turtle", 1, 1, "turtle.values", "image name \"file\"")]
     public void Errors_of_files_name_the_file_and_the_line(string text, string file, int line, int column, string code, string message)
     {
         Write("secret.turtle", "forward 1");
-        Write("work/lib/circle.turtle", "forward 1\ninclude \"circle.turtle\"");
-        Write("work/lib/wrong.turtle", "\n\nforward nothing");
-        Write("work/lib/late.turtle", "def late [\n forward 1 / 0 ]\n\ndef value [ let q = 1 + 5 / (1 - 1); return q ]");
-        Write("work/lib/map.pgm", "P2 2 2 255 0 255 51 102");
+        Write("design/lib/circle.turtle", "forward 1\ninclude \"circle.turtle\"");
+        Write("design/lib/wrong.turtle", "\n\nforward nothing");
+        Write("design/lib/late.turtle", "def late [\n forward 1 / 0 ]\n\ndef value [ let q = 1 + 5 / (1 - 1); return q ]");
+        Write("design/lib/map.pgm", "P2 2 2 255 0 255 51 102");
         var script = Compile(text);
         var error = (script.Value is null ? script.Diagnostics : script.Value.Run().Diagnostics).Single(d => d.Severity == Severity.Error);
         Assert.That((error.Source!.File, error.Source.Line, error.Code), Is.EqualTo((file, (int?)line, code)), error.ToString());
@@ -155,7 +155,7 @@ internal sealed class ScriptFunctionTests
     public void Another_folder_may_be_allowed()
     {
         Write("secret.turtle", "forward 7");
-        var script = TurtleScript.Compile("include \"secret.turtle\"", "x", new ScriptFiles(Path.Combine(_folder, "work"), _folder)).OrThrow();
+        var script = TurtleScript.Compile("include \"secret.turtle\"", "x", new ScriptFiles(Path.Combine(_folder, "design"), _folder)).OrThrow();
         Assert.That(script.Run().OrThrow().X, Is.EqualTo(7));
     }
 
@@ -164,7 +164,7 @@ internal sealed class ScriptFunctionTests
     {
         if (Path.DirectorySeparatorChar != '/') Assert.Ignore("Links need rights on this system.");
         Write("secret.turtle", "forward 7");
-        var link = System.Diagnostics.Process.Start(new System.Diagnostics.ProcessStartInfo("ln", $"-s ../secret.turtle {_folder}/work/link.turtle")
+        var link = System.Diagnostics.Process.Start(new System.Diagnostics.ProcessStartInfo("ln", $"-s ../secret.turtle {_folder}/design/link.turtle")
             { UseShellExecute = false })!;
         link.WaitForExit();
         Assert.That(Compile("include \"link.turtle\"").Diagnostics.Single().Message, Does.Contain("is a link out of the folders"));
@@ -174,7 +174,7 @@ internal sealed class ScriptFunctionTests
     public void An_image_is_a_function_of_two_numbers()
     {
         // Rows from the top: black and white, then a fifth and two fifths.
-        Write("work/lib/map.pgm", "P2 2 2 255 0 255 51 102");
+        Write("design/lib/map.pgm", "P2 2 2 255 0 255 51 102");
         double At(string u, string v, string smooth = "")
             => Compile($"image map \"lib/map.pgm\" {smooth}\nforward map({u}, {v})").OrThrow().Run().OrThrow().X;
         Assert.That(At("0.1", "0.9"), Is.Zero);
@@ -187,11 +187,11 @@ internal sealed class ScriptFunctionTests
     [Test]
     public void A_file_that_includes_too_many_others_is_refused()
     {
-        for (var i = 0; i < 102; i++) Write($"work/f{i}.turtle", $"include \"f{i + 1}.turtle\"");
+        for (var i = 0; i < 102; i++) Write($"design/f{i}.turtle", $"include \"f{i + 1}.turtle\"");
         Assert.That(Compile("include \"f0.turtle\"").Diagnostics.Single().Message, Is.EqualTo("A script can include up to 100 files."));
     }
 
-    private Result<TurtleScript> Compile(string text) => TurtleScript.Compile(text, "work/main.turtle", new ScriptFiles(Path.Combine(_folder, "work")));
+    private Result<TurtleScript> Compile(string text) => TurtleScript.Compile(text, "design/main.turtle", new ScriptFiles(Path.Combine(_folder, "design")));
 
     private void Write(string name, string text) => File.WriteAllText(Path.Combine(_folder, name), text);
 }

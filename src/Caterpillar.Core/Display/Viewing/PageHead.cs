@@ -119,22 +119,18 @@ internal static class PageHead
         foreach (Role role in Enum.GetValues(typeof(Role)))
         {
             json.WriteStartArray();
-            json.WriteValue(Spaced(role.ToString()));
+            json.WriteValue(Words.Spaced(role.ToString()));
             json.WriteValue(Hex(Palette.Of(role)));
             json.WriteEndArray();
         }
         json.WriteEndArray();
-        Array(json, "kinds", Enum.GetNames(typeof(MoveKind)).Select(Spaced));
+        Array(json, "kinds", Enum.GetNames(typeof(MoveKind)).Select(Words.Spaced));
         Text(json, "travelColor", Hex(Palette.Travel));
         Array(json, "scale", Enumerable.Range(0, 5).Select(i => Hex(Palette.At(i / 4.0))));
     }
 
     private static string Hex(Rgb color) => "#" + color.R.ToString("x2", CultureInfo.InvariantCulture)
         + color.G.ToString("x2", CultureInfo.InvariantCulture) + color.B.ToString("x2", CultureInfo.InvariantCulture);
-
-    // "OuterWall" is shown as "Outer wall".
-    private static string Spaced(string name)
-        => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? " " + char.ToLowerInvariant(c) : c.ToString()));
 
     private static string[] Numbers(Vec3 point) => [NumberText(point.X), NumberText(point.Y), NumberText(point.Z)];
 

@@ -321,9 +321,9 @@ class Scene {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const ink = state.dark ? 1 : 0;
     if (state.bed) {
-      const grey = (light, dark) => [state.dark ? dark : light, state.dark ? dark : light, state.dark ? dark : light, 1];
-      this.drawLines("bedThin", camera, grey(0.83, 0.24));
-      this.drawLines("bedBold", camera, grey(0.5, 0.5));
+      const gray = (light, dark) => [state.dark ? dark : light, state.dark ? dark : light, state.dark ? dark : light, 1];
+      this.drawLines("bedThin", camera, gray(0.83, 0.24));
+      this.drawLines("bedBold", camera, gray(0.5, 0.5));
     }
     this.drawBeads(camera, state, false, skip);
     if (state.travel) this.drawRows(this.lines, "travels", camera, [0.35, 0.5, 0.85, 1], gl.LINES, 2);

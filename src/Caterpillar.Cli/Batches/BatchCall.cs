@@ -1,0 +1,83 @@
+using System;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Cli.Batches;
+
+/// <summary>Runs one call of a batch as the program runs a single call, with messages and output kept for their turn.</summary>
+internal sealed class BatchCall(Verb verb, Session session, BatchSummary? earlier, bool hashes)
+{
+    /// <param name="job">The call.</param>
+    /// <param name="memory">Its share of the memory.</param>
+    /// <param name="threads">Its share of the cores.</param>
+    public BatchOutcome Run(BatchJob job, MemoryLimit memory, int threads)
+    {
+        var watch = Stopwatch.StartNew();
+        var fingerprint = "";
+        using var messages = new StringWriter();
+        using var output = new MemoryStream();
+        var inner = new Session(() => Stream.Null, () => new KeptOpen(output), messages)
+        {
+            Cancel = session.Cancel, Profiles = session.Profiles, Quiet = session.Quiet, Memory = memory, Collects = true,
+        };
+        var code = App.Guarded(inner, () =>
+        {
+            if (hashes) fingerprint = Fingerprint.Of(verb, job);
+            if (earlier?.Earlier(fingerprint) is not null) return ExitCode.Done;
+            return App.RunVerb(Verbs.Named(verb.Name), Words(verb, job, threads), inner);
+        });
+        if (code == ExitCode.Done && earlier?.Earlier(fingerprint) is { } figures)
+            return new BatchOutcome(job, BatchStatus.Skipped) { Figures = figures, Fingerprint = fingerprint, Seconds = watch.Elapsed.TotalSeconds };
+        if (code == ExitCode.Interrupted) return new BatchOutcome(job, BatchStatus.Interrupted);
+        var done = code == ExitCode.Done;
+        var error = inner.FirstError;
+        return new BatchOutcome(job, done ? BatchStatus.Done : BatchStatus.Failed, code, messages.ToString(), output.ToArray())
+        {
+            ErrorCode = done ? "" : error?.Code ?? "",
+            Error = done ? "" : error?.Message ?? messages.ToString().Split('\n').Select(l => l.Trim()).FirstOrDefault(l => l.Length > 0) ?? "",
+            Figures = done ? BatchOutcome.FiguresOf(inner.Written, job.Output) : [],
+            Seconds = watch.Elapsed.TotalSeconds,
+            Fingerprint = done ? fingerprint : "",
+            NeedsMemory = inner.LacksMemory || error?.Code == MemoryLimit.Code,
+        };
+    }
+
+    /// <summary>The command line of a call after the verb.</summary>
+    public static string[] Words(Verb verb, BatchJob job, int threads)
+    {
+        var takesThreads = verb.Options.Any(o => o.Name == "--threads") && !job.Words.Contains("--threads");
+        return
+        [
+            .. job.Words, .. job.Output is { } output ? (string[])["--output", output] : [],
+            .. takesThreads ? (string[])["--threads", NumberFormatter.Format(threads)] : [],
+        ];
+    }
+
+    private sealed class KeptOpen(MemoryStream inner) : Stream
+    {
+        public override bool CanRead => false;
+
+        public override bool CanSeek => false;
+
+        public override bool CanWrite => true;
+
+        public override long Length => inner.Length;
+
+        public override long Position { get => inner.Position; set => throw new NotSupportedException(); }
+
+        public override void Flush()
+        {
+        }
+
+        public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+
+        public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+
+        public override void SetLength(long value) => throw new NotSupportedException();
+
+        public override void Write(byte[] buffer, int offset, int count) => inner.Write(buffer, offset, count);
+    }
+}

@@ -1,0 +1,111 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.IO;
+using System.Linq;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Cli.Batches;
+
+/// <summary>Makes the list of calls of a command line, and finds what is wrong with it before any work begins.</summary>
+internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
+{
+    private readonly BatchOptions _options = verb.Batch!;
+
+    /// <summary>The columns of the table; none without one.</summary>
+    public IReadOnlyList<string> Columns { get; private set; } = [];
+
+    /// <exception cref="CliException">Options do not go together or a file is missing.</exception>
+    public IReadOnlyList<BatchJob> Jobs()
+    {
+        var table = parsed.GetValue(_options.Table) is { } file ? Table(file) : null;
+        Columns = table?.Columns ?? [];
+        var inputs = Inputs();
+        var output = verb.Options.FirstOrDefault(o => o.Name == "--output") is Option<string?> option ? parsed.GetValue(option) : null;
+        if (output == "-") throw new CliException(ExitCode.Usage, "Many results cannot go to standard output: give a pattern, such as -o 'out/{name}"
+            + verb.Ending + "'.");
+        var pattern = verb.Ending is { } ending && !verb.ReplacesInput(parsed) ? new OutputPattern(output, ending, table) : null;
+        var shared = _options.Shared(parsed, verb).ToArray();
+        var jobs = new List<BatchJob>();
+        foreach (var files in inputs)
+        {
+            for (var row = 1; row <= (table?.Rows.Count ?? 1); row++)
+            {
+                var cells = table?.Rows[row - 1] ?? [];
+                string[] words = [.. files.Select(Safe), .. shared, .. table is null ? [] : RowWords(table.Columns, cells)];
+                jobs.Add(new BatchJob(jobs.Count + 1, files, cells, pattern?.For(files[0], row, table), words));
+            }
+        }
+        if (jobs.Count == 0) throw new CliException(ExitCode.BadInput, "There is nothing to do: the table has no rows.");
+        CheckOutputs(jobs, pattern);
+        return _options.PartOf(jobs, parsed);
+    }
+
+    private IReadOnlyList<IReadOnlyList<string>> Inputs()
+    {
+        var named = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value).ToArray();
+        if (parsed.GetResult(_options.Each) is not { Implicit: false }) return [named];
+        if (named.Length > 0) throw new CliException(ExitCode.Usage, $"{named[0]} is named besides --each: put it after --each.");
+        return FilePattern.Files(parsed.GetValue(_options.Each) ?? []).Select(f => new[] { f }).ToArray();
+    }
+
+    private CsvTable Table(string file)
+    {
+        var text = System.Text.Encoding.UTF8.GetString(session.ReadBytes(file));
+        var table = CsvTable.Parse(text, Session.NameOf(file));
+        foreach (var column in table.Columns.Where(c => c != "name"))
+        {
+            if (column.StartsWith("--", StringComparison.Ordinal) && verb.Options.All(o => o.Name != column.Split(' ')[0]))
+                throw new CliException(ExitCode.Usage, $"{file}: {verb.Name} has no option {column}.");
+            if (!column.StartsWith('-') && Option(column) is null)
+                throw new CliException(ExitCode.Usage,
+                    $"{file}: {verb.Name} has no settings; a column \"{column}\" can only be an option, such as --{column}.");
+        }
+        return table;
+    }
+
+    // An empty cell keeps the default.
+    private IEnumerable<string> RowWords(IReadOnlyList<string> columns, IReadOnlyList<string> cells)
+    {
+        for (var i = 0; i < columns.Count; i++)
+        {
+            if (columns[i] == "name" || cells[i].Length == 0) continue;
+            var parts = columns[i].Split(' ', 2, StringSplitOptions.TrimEntries);
+            var isOption = columns[i].StartsWith("--", StringComparison.Ordinal);
+            yield return isOption ? parts[0] : Option(columns[i])!;
+            yield return !isOption ? $"{columns[i]}={cells[i]}" : parts.Length > 1 ? $"{parts[1]}={cells[i]}" : cells[i];
+        }
+    }
+
+    // A parameter of a turtle program, or a key of the profiles.
+    private string? Option(string column)
+    {
+        var isKey = ProfileKeys.Printer.Concat(ProfileKeys.Material).Concat(ProfileKeys.Settings).Any(k => k.Name == column);
+        string[] order = isKey ? ["--set", "--var"] : ["--var", "--set"];
+        return order.FirstOrDefault(name => verb.Options.Any(o => o.Name == name));
+    }
+
+    // Names that would be taken for options.
+    private static string Safe(string file) => file.StartsWith('-') && file.Length > 1 ? "./" + file : file;
+
+    private static void CheckOutputs(List<BatchJob> jobs, OutputPattern? pattern)
+    {
+        if (pattern is null) return;
+        // Names that differ only in case are one file on many systems.
+        var writers = new Dictionary<string, BatchJob>(StringComparer.OrdinalIgnoreCase);
+        foreach (var job in jobs)
+        {
+            if (!writers.TryAdd(Path.GetFullPath(job.Output!), job))
+            {
+                throw new CliException(ExitCode.Usage, $"--output {pattern}: two results would be called {job.Output}; "
+                    + (job.Cells.Count > 0 ? "{row} or the name of a column tells them apart." : "{name} or {folder} tells them apart."));
+            }
+        }
+        foreach (var input in jobs.SelectMany(j => j.Inputs))
+        {
+            if (writers.ContainsKey(Path.GetFullPath(input)))
+                throw new CliException(ExitCode.Usage, $"--output {pattern}: this would replace the input {input}. Choose another name.");
+        }
+    }
+}

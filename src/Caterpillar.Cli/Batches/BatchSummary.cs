@@ -1,0 +1,72 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Cli.Batches;
+
+/// <summary>The table of what the calls of a batch made, as CSV, and what an earlier one says is done.</summary>
+internal sealed class BatchSummary
+{
+    private const string DoneWord = "done";
+    private readonly string[] _header;
+    private readonly Dictionary<string, string[]> _earlier = new(StringComparer.Ordinal);
+
+    /// <param name="columns">Columns of the table of values.</param>
+    public BatchSummary(IReadOnlyList<string> columns)
+    {
+        string[] before = ["job", "input"];
+        string[] after = ["output", "status", "exit_code", "error", "message", .. FigureNames, "work_s", "fingerprint"];
+        // A column of the values may be called like one of the results.
+        _header = [.. before, .. columns.Select(c => before.Contains(c) || after.Contains(c) ? "given_" + c : c), .. after];
+    }
+
+    /// <summary>Names of the columns for what was written.</summary>
+    public static IReadOnlyList<string> FigureNames { get; } = [.. PrintFigures.Names, "lines", "bytes"];
+
+    /// <summary>Reads the summary of an earlier run.</summary>
+    /// <exception cref="CliException">It is another table.</exception>
+    public void ReadEarlier(string text, string file)
+    {
+        var table = CsvTable.Parse(text, file);
+        var places = new[] { "fingerprint", "status", "output", "bytes" }.Select(n => table.Columns.ToList().IndexOf(n)).ToArray();
+        var figures = FigureNames.Select(n => table.Columns.ToList().IndexOf(n)).ToArray();
+        if (places.Concat(figures).Contains(-1)) throw new CliException(ExitCode.BadInput, $"{file} is no summary of an earlier run; --resume needs one.");
+        foreach (var row in table.Rows.Where(r => r[places[1]] is DoneWord or "skipped" && r[places[0]].Length > 0))
+        {
+            var (output, bytes) = (row[places[2]], row[places[3]]);
+            if (output.Length > 0 && (!File.Exists(output) || NumberFormatter.Format(new FileInfo(output).Length) != bytes)) continue;
+            _earlier[row[places[0]]] = figures.Select(i => row[i]).ToArray();
+        }
+    }
+
+    /// <summary>The figures of a call that an earlier run has done; null where it has to be done.</summary>
+    public IReadOnlyList<string>? Earlier(string fingerprint) => _earlier.GetValueOrDefault(fingerprint);
+
+    /// <summary>Writes the table.</summary>
+    public void Write(Session session, string file, IEnumerable<BatchOutcome> outcomes) => session.WriteText(file, text =>
+    {
+        text.WriteLine(CsvTable.Line(_header));
+        foreach (var outcome in outcomes) text.WriteLine(CsvTable.Line(Cells(outcome)));
+    });
+
+    private static IEnumerable<string> Cells(BatchOutcome outcome)
+        =>
+        [
+            NumberFormatter.Format(outcome.Job.Number), string.Join(" ", outcome.Job.Inputs), .. outcome.Job.Cells, outcome.Job.Output ?? "",
+            Word(outcome.Status), outcome.Status is BatchStatus.NotStarted or BatchStatus.Interrupted ? "" : NumberFormatter.Format(outcome.Code),
+            outcome.ErrorCode, outcome.Error, .. outcome.Figures.Count > 0 ? outcome.Figures : FigureNames.Select(_ => ""),
+            outcome.Status == BatchStatus.NotStarted ? "" : NumberFormatter.Format(outcome.Seconds, 3), outcome.Fingerprint,
+        ];
+
+    private static string Word(BatchStatus status) => status switch
+    {
+        BatchStatus.Done => DoneWord,
+        BatchStatus.Skipped => "skipped",
+        BatchStatus.Failed => "failed",
+        BatchStatus.Interrupted => "interrupted",
+        _ => "not started",
+    };
+}
