@@ -36,7 +36,7 @@ public sealed class FieldRecipe : IEquatable<FieldRecipe>
 
     public override bool Equals(object? obj) => Equals(obj as FieldRecipe);
 
-    public override int GetHashCode() => _text.GetHashCode();
+    public override int GetHashCode() => StringComparer.Ordinal.GetHashCode(_text);
 
     public override string ToString() => _text;
 }
