@@ -26,4 +26,14 @@ public class FigureTests
     [TestCase("0.1234567890123456789012345678", "0.1234567890123456789012345678")]
     [TestCase("1234567890 and 123456789012345678901234", "1234567890 and 123456789012345678901234")]
     public void Long_digits_in_messages_are_powers_of_ten(string text, string shorter) => Assert.That(LongWords.Shorten(text), Is.EqualTo(shorter));
+
+    [TestCase(120, false)]
+    [TestCase(121, true)]
+    public void A_word_of_more_than_120_characters_loses_its_middle_wherever_it_is(int length, bool isLong)
+    {
+        var word = new string('a', length - 1) + "b";
+        var shorter = isLong ? new string('a', 40) + "…" + new string('a', 19) + "b" : word;
+        Assert.That(LongWords.Shorten("see " + word), Is.EqualTo("see " + shorter));
+        Assert.That(LongWords.Shorten(word + " there"), Is.EqualTo(shorter + " there"));
+    }
 }

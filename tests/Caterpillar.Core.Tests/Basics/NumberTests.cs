@@ -125,4 +125,22 @@ public class NumberTests
         Assert.That(y, Is.EqualTo(300000));
         Assert.That(NumberReader.Scan(text, 6, text.Length, true, out _), Is.EqualTo(6));
     }
+
+    [TestCase("-7", true, -7)]
+    [TestCase("+7", true, 7)]
+    [TestCase("2147483647", true, int.MaxValue)]
+    [TestCase("2147483648", false, 0)]
+    [TestCase("-", false, 0)]
+    [TestCase("", false, 0)]
+    [TestCase("4.", false, 0)]
+    [TestCase("1x", false, 0)]
+    public void An_integer_is_a_sign_and_digits_only(string text, bool isInteger, int value)
+    {
+        Assert.That(NumberReader.TryParseInt(text, out var read), Is.EqualTo(isInteger));
+        Assert.That(read, Is.EqualTo(value));
+    }
+
+    [TestCase("2e308")]
+    [TestCase("-2e308")]
+    public void Just_beyond_the_range_of_double_is_no_number(string text) => Assert.That(NumberReader.TryParse(text, out _), Is.False);
 }
