@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
+using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Conversion;
 
@@ -11,6 +12,18 @@ internal static class RhinoCurves
     // Points closer than this, in mm, are one.
     private const double LeastSegment = 1e-9;
 
+    /// <summary>The curve in anything that is one: curves, lines, polylines, arcs and circles, bare or on a wire; null for anything else.</summary>
+    public static Rg.Curve? In(object? source) => Goos.Wrapped.Bare(source) switch
+    {
+        Rg.Curve curve => curve,
+        Rg.Line line => new Rg.LineCurve(line),
+        Rg.Polyline polyline => polyline.ToPolylineCurve(),
+        Rg.Arc arc => new Rg.ArcCurve(arc),
+        Rg.Circle circle => new Rg.ArcCurve(circle),
+        IGH_GeometricGoo goo when goo.ScriptVariable() is not IGH_Goo and var bare => In(bare),
+        _ => null,
+    };
+
     /// <exception cref="InputProblem">The curve is not valid.</exception>
     public static Curve ToCurve(Rg.Curve curve, DocumentUnits units)
     {
@@ -18,6 +31,7 @@ internal static class RhinoCurves
         if (curve.TryGetPolyline(out var polyline)) return ToPolyline(polyline, units);
         if (!curve.IsValid) throw new InputProblem("The curve is not valid.");
         if (curve.TryGetArc(out var arc)) return ToArc(arc, units);
+        if (curve is Rg.PolyCurve { SegmentCount: 1 } single) return ToCurve(single.SegmentCurve(0), units);
         if (curve is Rg.PolyCurve joined && joined.SegmentCount > 1)
         {
             // Rhino keeps small gaps between segments; the path goes over them.

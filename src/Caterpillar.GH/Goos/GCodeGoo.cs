@@ -1,3 +1,4 @@
+using System.IO;
 using Caterpillar.GCode;
 using Grasshopper.Kernel.Types;
 
@@ -21,13 +22,20 @@ public sealed class GCodeGoo : ValueGoo<GCodeDocument>
 
     public override IGH_Goo Duplicate() => new GCodeGoo(Value);
 
-    /// <summary>Text is G-code at a port for G-code.</summary>
+    /// <summary>Text is G-code at a port for G-code; the full path of a file is what the file holds.</summary>
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;
         if (Wrapped.Text(source) is not { } text) return false;
-        Value = GCodeDocument.FromText(text);
-        return true;
+        Value = IsFile(text) ? GCodeDocument.ReadFile(text.Trim()).Value! : GCodeDocument.FromText(text);
+        return Value is not null;
+    }
+
+    private static bool IsFile(string text)
+    {
+        var name = text.Trim();
+        if (name.Length is 0 or > 1000 || name.IndexOfAny(Path.GetInvalidPathChars()) >= 0 || name.IndexOf('\n') >= 0) return false;
+        return Path.IsPathRooted(name) && File.Exists(name);
     }
 
     protected override string Describe(GCodeDocument value) => value.ToString();

@@ -1,7 +1,10 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Drawings;
 using Caterpillar.GH.Bake;
+using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -76,13 +79,14 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData, IBake
         return With(straight.WithGeometry(points, beads, straight.IsClosed));
     }
 
+    /// <summary>A curve, line, polyline, arc or circle is printed with the strand and the division that Construct Print Path has by default.</summary>
     public override bool CastFrom(object source)
     {
         switch (Wrapped.Bare(source))
         {
             case PrintPathGoo goo: Value = goo.Value; break;
             case PrintPath path: Value = path; break;
-            default: return false;
+            case var other: return RhinoCurves.In(other) is { } curve && Along(curve);
         }
         return Value is not null;
     }
@@ -91,10 +95,7 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData, IBake
     public override bool CastTo<Q>(ref Q target)
     {
         if (Value is null) return false;
-        object? made = typeof(Q).IsAssignableFrom(typeof(PrintPath)) ? Value
-            : typeof(Q).IsAssignableFrom(typeof(GH_Curve)) && typeof(Q) != typeof(IGH_Goo) ? new GH_Curve(RhinoGeometry.ToCurve(Value, DocumentUnits.Current))
-            : typeof(Q).IsAssignableFrom(typeof(Rg.PolylineCurve)) ? RhinoGeometry.ToCurve(Value, DocumentUnits.Current)
-            : null;
+        object? made = typeof(Q).IsAssignableFrom(typeof(PrintPath)) ? Value : NativeCasts.Of(Value, typeof(Q), DocumentUnits.Current);
         if (made is not Q result) return false;
         target = result;
         return true;
@@ -109,6 +110,20 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData, IBake
     }
 
     void IBakes.BakeTo(Baker baker) => BakeTo(baker);
+
+    private bool Along(Rg.Curve curve)
+    {
+        try
+        {
+            Value = CurvePaths.ToPaths([new UserCurve(RhinoCurves.ToCurve(curve, DocumentUnits.Current))], new CurveOptions { Shape = BeadShape.Stadium })
+                .Value?.FirstOrDefault()!;
+            return Value is not null;
+        }
+        catch (InputProblem)
+        {
+            return false;
+        }
+    }
 
     private void BakeTo(Baker baker)
     {

@@ -122,6 +122,7 @@ public abstract class ProfileGoo<T> : ValueGoo<T>
     public override bool Write(GH_IWriter writer)
     {
         if (Value is null) return true;
+        writer.SetInt32("Version", StoredText.Version);
         writer.SetString("Name", StoredText.Pack(NameOf(Value)));
         writer.SetString("Profile", StoredText.Pack(ToJson(Value)));
         return true;

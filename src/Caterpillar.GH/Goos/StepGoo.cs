@@ -28,7 +28,7 @@ public sealed class StepGoo : ValueGoo<Step>
             case PrintPathGoo { Value: not null } goo: Value = goo.ToStep(); return true;
             case PrintPath path: Value = path; return true;
             case PrinterEvent what: Value = what; return true;
-            default: return base.CastFrom(source);
+            default: return base.CastFrom(source) || FromCurve(source);
         }
     }
 
@@ -45,6 +45,14 @@ public sealed class StepGoo : ValueGoo<Step>
         EventStep what => what.Event.ToString(),
         _ => "Step",
     };
+
+    private bool FromCurve(object source)
+    {
+        var path = new PrintPathGoo();
+        if (!path.CastFrom(source)) return false;
+        Value = path.Value;
+        return true;
+    }
 
     private static bool Give<Q>(object made, ref Q target)
     {

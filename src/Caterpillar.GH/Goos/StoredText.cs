@@ -5,6 +5,9 @@ namespace Caterpillar.GH.Goos;
 /// <summary>Text as it is stored in definitions: pure ASCII, as the form in XML drops rare characters.</summary>
 internal static class StoredText
 {
+    /// <summary>Version of the form in which values are stored in definitions.</summary>
+    public const int Version = 1;
+
     public static string Pack(string text)
     {
         using var writer = new System.IO.StringWriter(System.Globalization.CultureInfo.InvariantCulture);

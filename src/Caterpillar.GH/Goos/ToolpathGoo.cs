@@ -131,11 +131,14 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>, IGH_BakeAwareData, IBakes
         return Value is not null;
     }
 
+    /// <summary>As a curve it is the course of the head through all moves; as a mesh what is printed.</summary>
     // By reference as in GH_Goo; GH_GeometricGoo shows the same method with an out parameter, which is the same to the runtime.
     public override bool CastTo<Q>(ref Q target)
     {
-        if (Value is not Q value) return false;
-        target = value;
+        if (Value is null) return false;
+        object? made = typeof(Q).IsAssignableFrom(typeof(Toolpath)) ? Value : NativeCasts.Of(Value, typeof(Q), DocumentUnits.Current);
+        if (made is not Q result) return false;
+        target = result;
         return true;
     }
 

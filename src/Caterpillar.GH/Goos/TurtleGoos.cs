@@ -1,4 +1,5 @@
 using Caterpillar.Turtles;
+using GH_IO.Serialization;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
@@ -6,6 +7,8 @@ namespace Caterpillar.GH.Goos;
 /// <summary>A turtle program on a wire. Text becomes one if it compiles.</summary>
 public sealed class TurtleProgramGoo : ValueGoo<TurtleProgram>
 {
+    private string? _text;
+
     public TurtleProgramGoo()
     {
     }
@@ -19,14 +22,30 @@ public sealed class TurtleProgramGoo : ValueGoo<TurtleProgram>
 
     public override string TypeDescription => "A program for a turtle: a script, commands or an L-system.";
 
-    public override IGH_Goo Duplicate() => new TurtleProgramGoo(Value);
+    public override IGH_Goo Duplicate() => new TurtleProgramGoo(Value) { _text = _text };
 
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;
         if (Wrapped.Text(source) is not { } text || TurtleScript.Compile(text).Value is not { } script) return false;
         Value = TurtleProgram.FromScript(script);
+        _text = text;
         return true;
+    }
+
+    /// <summary>A definition keeps programs that were given as text.</summary>
+    public override bool Write(GH_IWriter writer)
+    {
+        if (_text is null) return true;
+        writer.SetInt32("Version", StoredText.Version);
+        writer.SetString("Script", StoredText.Pack(_text));
+        return true;
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        var text = "";
+        return !reader.TryGetString("Script", ref text) || CastFrom(StoredText.Unpack(text));
     }
 
     protected override string Describe(TurtleProgram value) => $"Turtle Program ({value.Description})";

@@ -18,4 +18,14 @@ internal static class Wrapped
         GH_String goo => goo.Value,
         _ => null,
     };
+
+    /// <summary>A number, bare or on a wire; null for anything else.</summary>
+    public static double? Number(object? source) => Bare(source) switch
+    {
+        double number => number,
+        int number => number,
+        GH_Number goo => goo.Value,
+        GH_Integer goo => goo.Value,
+        _ => null,
+    };
 }

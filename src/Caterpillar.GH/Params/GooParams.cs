@@ -52,7 +52,8 @@ public abstract class StoredParam<T>(string name, string nickname, string descri
         return GH_GetterResult.success;
     }
 
-    private string Question => $"Name of a profile for {Name}";
+    /// <summary>What the user is asked for.</summary>
+    private protected virtual string Question => $"Name of a profile for {Name}";
 
     private T? Made(string text)
     {

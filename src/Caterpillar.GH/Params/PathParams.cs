@@ -5,7 +5,8 @@ using Caterpillar.GH.Goos;
 namespace Caterpillar.GH.Params;
 
 /// <summary>Print paths.</summary>
-public sealed class PrintPathParam() : VisibleParam<PrintPathGoo>("Print Path", "PPath", "Contains paths to deposit: points in mm, beads in mm².", Panel.Path)
+public sealed class PrintPathParam()
+    : VisibleParam<PrintPathGoo>("Print Path", "PPath", "Contains paths to deposit: points in mm, beads in mm²; curves are printed as they are.", Panel.Path)
 {
     public override Guid ComponentGuid => new("2d2f50b1-4f83-49b3-bca7-4d4ff4381898");
 }

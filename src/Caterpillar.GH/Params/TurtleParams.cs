@@ -6,8 +6,10 @@ namespace Caterpillar.GH.Params;
 
 /// <summary>Turtle programs.</summary>
 public sealed class TurtleProgramParam()
-    : VolatileParam<TurtleProgramGoo>("Turtle Program", "Program", "Contains turtle programs.", Panel.Design)
+    : StoredParam<TurtleProgramGoo>("Turtle Program", "Program", "Contains turtle programs; text is a script.", Panel.Design)
 {
+    private protected override string Question => "Script of the turtle, such as: repeat 4 [ forward 10; left 90 ]";
+
     public override Guid ComponentGuid => new("51a3b9f4-7a3f-4c0e-9a55-2f1d7fbd4a01");
 }
 

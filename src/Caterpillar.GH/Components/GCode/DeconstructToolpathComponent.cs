@@ -3,6 +3,7 @@ using Caterpillar.GH.Base;
 using Caterpillar.GH.Params;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.GCode;
 
@@ -26,6 +27,8 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
         ports.Number("Areas", "A", "Cross-section of each strand in mm²; 0 for moves that print nothing, or if the filament diameter is unknown.",
             GH_ParamAccess.tree);
         ports.Number("Widths", "W", "Width of each strand in mm, with round sides and the height of its layer; 0 if there is none.", GH_ParamAccess.tree);
+        ports.Add(new Param_Curve { Hidden = true }, "Strands", "C", "What is printed as curves, in document units: one for each run without a travel.",
+            GH_ParamAccess.tree);
     }
 
     private protected override void Solve(Run run)
@@ -41,5 +44,6 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
         run.SetTree(5, parts.Sources);
         run.SetTree(6, parts.Areas);
         run.SetTree(7, parts.Widths);
+        run.SetTree(8, parts.Strands);
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -30,6 +31,11 @@ internal sealed class ToolpathParts
             if (toolpath.NumberOfLayer(move) is { } number && number - lowest != layer) Open(root, layer = number - lowest);
             _branch!.Add(move, units, toolpath.BeadOf(move), this);
         }
+        foreach (var strand in ToolpathStrands.Of(toolpath))
+        {
+            var path = root.AppendElement(toolpath.NumberOfLayer(toolpath[strand.First]) is { } number ? number - lowest : 0);
+            Strands.Append(new GH_Curve(ToolpathStrands.ToCurve(toolpath, strand, units)), path);
+        }
     }
 
     public GH_Structure<GH_Point> Points { get; } = new();
@@ -47,6 +53,8 @@ internal sealed class ToolpathParts
     public GH_Structure<GH_Number> Areas { get; } = new();
 
     public GH_Structure<GH_Number> Widths { get; } = new();
+
+    public GH_Structure<GH_Curve> Strands { get; } = new();
 
     private Branch? _branch;
 

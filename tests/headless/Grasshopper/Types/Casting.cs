@@ -69,7 +69,9 @@ namespace Grasshopper.Kernel.Types
                 case Point3d p: return new GH_Point(p);
                 case Plane p: return new GH_Plane(p);
                 case Curve c: return new GH_Curve(c);
-                case Line l: return new GH_Curve(new LineCurve(l));
+                case Line l: return new GH_Line(l);
+                case Arc a: return new GH_Arc(a);
+                case Circle c: return new GH_Circle(c);
                 case Polyline p: return new GH_Curve(p.ToPolylineCurve());
                 case Mesh m: return new GH_Mesh(m);
                 case Brep b: return new GH_Brep(b);
