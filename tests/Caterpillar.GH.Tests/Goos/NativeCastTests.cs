@@ -199,7 +199,7 @@ public sealed class NativeCastTests
         var program = Kept<TurtleProgramParam, TurtleProgramGoo>("repeat 4 [ forward 10; left 90 ] # π 🐛");
         Assert.That(program.Value.Description, Is.EqualTo("Script of 1 lines"));
         var canvas = new Canvas<TurtleComponent>();
-        canvas.Document.AddObject(Floating<TurtleProgramParam>("forward 7"), false);
+        canvas.Document.AddObject(Floating<TurtleProgramParam, TurtleProgramGoo>("forward 7"), false);
         canvas.Input("Program").AddSource((IGH_Param)canvas.Document.Objects.Last());
         Assert.That(canvas.Solve().All("Print Paths").Cast<PrintPath>().Single().Length, Is.EqualTo(7));
     }
@@ -213,10 +213,11 @@ public sealed class NativeCastTests
         Assert.That(volumes, Is.All.EqualTo(volumes[0]).Within(1e-6));
     }
 
-    private static T Floating<T>(string text)
-        where T : IGH_Param, new()
+    private static TParam Floating<TParam, TGoo>(string text)
+        where TParam : GH_PersistentParam<TGoo>, new()
+        where TGoo : class, IGH_Goo
     {
-        dynamic param = new T();
+        var param = new TParam();
         param.SetPersistentData(text);
         return param;
     }
@@ -226,7 +227,7 @@ public sealed class NativeCastTests
         where TGoo : class, IGH_Goo
     {
         var archive = new GH_Archive();
-        archive.AppendObject(Floating<TParam>(text), "Param");
+        archive.AppendObject(Floating<TParam, TGoo>(text), "Param");
         var written = archive.Serialize_Xml();
         Assert.That(written, Does.Contain("Version"));
         var read = new GH_Archive();
