@@ -133,7 +133,7 @@ public static class Picture
         foreach (var move in toolpath.Moves())
         {
             if (!IsStrand(move, floor) || !IsShown(toolpath, move, options, floor)) continue;
-            box = box.Include(move.Start).Include(move.End);
+            box = box.Include(move.Bounds);
             slow = Math.Min(slow, move.Speed);
             fast = Math.Max(fast, move.Speed);
         }
