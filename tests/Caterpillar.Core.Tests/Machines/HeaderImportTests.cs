@@ -189,6 +189,20 @@ public class HeaderImportTests
         Assert.That(problems.Select(p => p.Code), Does.Contain("header.empty"));
     }
 
+    [TestCase("G28\nG1 X-150 Y-20 Z5", 300, 200)]
+    [TestCase("G28\nG1 X-30 Y10 Z5\nG1 X160", 320, 200)]
+    public void A_bed_with_positions_left_of_its_origin_has_it_in_the_middle(string header, double least, double leastY)
+    {
+        var found = Import(header, "", out _);
+        Assert.That(found.Printer.Origin, Is.EqualTo(BedOrigin.Center));
+        Assert.That(found.Printer.BuildVolume.X, Is.EqualTo(least));
+        Assert.That(found.Printer.BuildVolume.Y, Is.GreaterThanOrEqualTo(leastY));
+    }
+
+    [Test]
+    public void A_purge_a_little_beside_the_bed_does_not_move_the_origin()
+        => Assert.That(Import("G28\nG1 X-20 Y-20 Z0.3", "", out _).Printer.Origin, Is.Not.EqualTo(BedOrigin.Center));
+
     [Test]
     public void The_profile_survives_its_file_and_prints()
     {

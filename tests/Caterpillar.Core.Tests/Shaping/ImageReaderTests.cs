@@ -64,8 +64,23 @@ public class ImageReaderTests
             for (var i = 0; i < 3; i++) broken[8 + random.Next(broken.Length - 8)] = (byte)random.Next(256);
             Assert.That(() => ImageReader.Read(broken, "a.png"), Throws.Nothing);
         }
-        foreach (var text in new[] { "P2 3", "P2 0 5 10 ", "P2 2 2 10 1 2 3", "P5 100000 100000 255 ", "P2 1 1 0 0", "P1 1 1 7", "P2 1 1 5 6", "GIF89a" })
+        foreach (var text in new[] { "P2 3", "P2 0 5 10 ", "P2 2 2 10 1 2 3", "P5 100000 100000 255 ", "P2 1 1 0 0", "P1 1 1 7", "P1 40 2 1", "P2 1 1 5 6", "GIF89a" })
             Assert.That(ImageReader.Read(Encoding.ASCII.GetBytes(text + new string(' ', 40)), "a.pgm").Value, Is.Null, text);
+    }
+
+    [Test]
+    public void A_plain_bit_map_may_end_with_its_last_pixel()
+    {
+        Assert.That(ImageReader.Read(Encoding.ASCII.GetBytes("P1 2 1 01"), "a.pbm").Value![1, 0], Is.EqualTo(0));
+        Assert.That(ImageReader.Read(Encoding.ASCII.GetBytes("P1 2 1 0"), "a.pbm").Value, Is.Null);
+    }
+
+    [Test]
+    public void An_image_has_at_least_one_pixel()
+    {
+        Assert.That(() => new GrayImage(0, 1, []), Throws.ArgumentException);
+        Assert.That(() => new GrayImage(1, 0, []), Throws.ArgumentException);
+        Assert.That(() => new GrayImage(2, 1, [0.5]), Throws.ArgumentException);
     }
 
     private static readonly object[] ForeignImages =

@@ -75,4 +75,11 @@ public class OriginTests
     [Test]
     public void Positions_as_written_follow_G92()
         => Assert.That(ProgramTable.Decode("G1 X10 Y5;G92 X0 Y1;G1 X5;G1 Y2", "marlin2").Report.EndPosition, Is.EqualTo(new Vec3(5, 2, 0)));
+
+    // gcode_move.py, cmd_SET_GCODE_OFFSET: base_position changes by the difference of the offsets.
+    [TestCase("G1 X1 E5;SET_GCODE_OFFSET E=2;G1 X2 E5", "7")]
+    [TestCase("SET_GCODE_OFFSET E=2;SET_GCODE_OFFSET E=2;G1 X2 E5", "7")]
+    [TestCase("SET_GCODE_OFFSET E=2;SET_GCODE_OFFSET E_ADJUST=1;G1 X2 E5", "8")]
+    public void An_offset_of_E_of_Klipper_is_extruded_by_the_next_absolute_move(string program, string sum)
+        => Assert.That(ProgramTable.Text(ProgramTable.Decode(program, "klipper").Toolpath.Moves().Sum(m => m.E)), Is.EqualTo(sum));
 }
