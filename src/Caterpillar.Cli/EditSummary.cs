@@ -1,7 +1,5 @@
-using System;
 using System.Collections.Generic;
 using Caterpillar.Basics;
-using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli;
@@ -23,19 +21,10 @@ internal static class EditSummary
 
     private static void Compare(Toolpath before, Toolpath after, List<string> parts)
     {
-        int moved = 0, faster = 0, material = 0;
-        using var others = after.Moves().GetEnumerator();
-        foreach (var move in before.Moves())
-        {
-            others.MoveNext();
-            var other = others.Current;
-            if (Vec3.Dot(move.End - other.End, move.End - other.End) > 1e-18) moved++;
-            if (Math.Abs(move.Speed - other.Speed) > 1e-9) faster++;
-            if (Math.Abs(move.Deposited - other.Deposited) > 1e-12) material++;
-        }
-        if (moved > 0) parts.Add(Count(moved, "move") + " shifted");
-        if (faster > 0) parts.Add("speed of " + Count(faster, "move") + " changed");
-        if (material > 0) parts.Add("material of " + Count(material, "move") + " changed");
+        var changed = ToolpathDifference.Of(before, after);
+        if (changed.Shifted > 0) parts.Add(Count(changed.Shifted, "move") + " shifted");
+        if (changed.Speeds > 0) parts.Add("speed of " + Count(changed.Speeds, "move") + " changed");
+        if (changed.Amounts > 0) parts.Add("material of " + Count(changed.Amounts, "move") + " changed");
     }
 
     private static string Count(int count, string thing) => $"{Count(count)} {thing}{(count == 1 ? "" : "s")}";

@@ -39,17 +39,7 @@ internal sealed record PrintFigures(
     // Diameter in mm and density in g/cm³ are 0 where they are not known.
     private static PrintFigures Of(Toolpath toolpath, double diameter, double density, double? seconds)
     {
-        var box = Bounds.Empty;
-        double length = 0, e = 0;
-        double? volume = 0;
-        foreach (var move in toolpath.Moves())
-        {
-            if (move.Kind != MoveKind.Print) continue;
-            length += move.Length;
-            e += move.Deposited;
-            if (move.Deposited != 0) volume += toolpath.VolumeOf(move);
-            if (move.Role is not (Role.Skirt or Role.Purge or Role.PrimeTower)) box = box.Include(move.Bounds);
-        }
+        var (length, e, volume, box) = StrandTotals.Of(toolpath);
         var isVolume = volume is > 0;
         return new PrintFigures(
             toolpath.CountLayers(), box.IsEmpty ? null : SizeOf(box, toolpath, length > 0 ? volume / length : null), length, e, volume,

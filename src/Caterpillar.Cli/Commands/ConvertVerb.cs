@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Threading.Tasks;
@@ -84,23 +85,18 @@ internal sealed class ConvertVerb : Verb
         // Summed up while the file is written.
         var summary = session.Quiet && !session.Collects ? null
             : Task.Run(() => (Edits: EditSummary.Of(original.Toolpath, edited), Print: PrintFigures.Of(original, edited)));
-        var written = document;
         var dialect = decoding.Dialect;
-        if (!ReferenceEquals(edited, decoding.Toolpath) || code.Start is not null || code.End is not null)
-        {
-            written = session.ValueOrFail(session.WithProgress("Editing", p => GCodeEditor.ToDocument(decoding, edited, code, p, session.Cancel)));
-            if (target is not null) decoding = Again(written, dialect, arguments, session);
-        }
+        var stage = ReferenceEquals(edited, decoding.Toolpath) && code.Start is null && code.End is null ? null
+            : Editing(decoding, edited, code, session);
         if (target is not null)
         {
-            written = session.ValueOrFail(session.WithProgress("Converting", p => GCodeConverter.ToDocument(decoding, target, p, session.Cancel)));
+            stage = Converting(stage is null ? decoding : Again(session.ValueOrFail(stage.ToDocument()), dialect, arguments, session), target, session);
             dialect = target.Dialect ?? dialect;
         }
-        written = Checked(written, dialect, arguments, session);
-        session.WriteGCode(output, written);
-        session.Made(() => summary!.Result.Print, written.LineCount, written.Length,
+        var (lines, bytes) = Write(output, document, stage, dialect, arguments, session);
+        session.Made(() => summary!.Result.Print, lines, bytes,
             print => $"{(output == "-" ? "standard output" : output)}: {Changes(summary!.Result.Edits, original, dialect, target is not null, code)}; "
-                + $"{PrintSummary.Of(print)}; {NumberFormatter.Format(written.LineCount)} lines, {PrintSummary.Size(written.Length)}");
+                + $"{PrintSummary.Of(print)}; {NumberFormatter.Format(lines)} lines, {PrintSummary.Size(bytes)}");
         return ExitCode.Done;
     }
 
@@ -136,6 +132,33 @@ internal sealed class ConvertVerb : Verb
     private DecodedGCode Again(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
         => GCodeDecoder.Decode(text, new DecodeOptions { Dialect = dialect, Memory = session.Memory,
             FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter") }, null, session.Cancel).Value!;
+
+    private static Stage Editing(DecodedGCode decoding, Toolpath edited, EditOptions code, Session session) => new(
+        stream => session.WithProgress("Editing", p => GCodeEditor.Write(decoding, edited, code, stream, p, session.Cancel)),
+        () => session.WithProgress("Editing", p => GCodeEditor.ToDocument(decoding, edited, code, p, session.Cancel)));
+
+    private static Stage Converting(DecodedGCode decoding, ConvertOptions target, Session session) => new(
+        stream => session.WithProgress("Converting", p => GCodeConverter.Convert(decoding, target, stream, p, session.Cancel)),
+        () => session.WithProgress("Converting", p => GCodeConverter.ToDocument(decoding, target, p, session.Cancel)));
+
+    // The last stage writes into the file itself, unless the whole is needed before: to be checked, to become binary.
+    private (int Lines, long Bytes) Write(string output, GCodeDocument document, Stage? stage, DialectRules dialect, ParseResult arguments, Session session)
+    {
+        if (stage is not null && !_setup.IsGiven(arguments) && arguments.GetValue(_reason) is null && !BinaryGCode.IsName(output))
+        {
+            CountingStream? counted = null;
+            session.Write(output, stream =>
+            {
+                var problems = stage.Write(counted = new CountingStream(stream));
+                session.Print(problems);
+                if (problems.Any(p => p.Severity == Severity.Error)) throw new CliException(ExitCode.BadInput);
+            });
+            return (counted!.Lines, counted.Bytes);
+        }
+        var written = Checked(stage is null ? document : session.ValueOrFail(stage.ToDocument()), dialect, arguments, session);
+        session.WriteGCode(output, written);
+        return (written.LineCount, written.Length);
+    }
 
     // Checked only if a printer is named: the one that the file was made for is unknown.
     private GCodeDocument Checked(GCodeDocument text, DialectRules dialect, ParseResult arguments, Session session)
@@ -197,4 +220,7 @@ internal sealed class ConvertVerb : Verb
     private double Tolerance(ParseResult arguments)
         => arguments.GetValue(_tolerance) is > 0 and < 1000 and var tolerance ? tolerance
             : throw new CliException(ExitCode.Usage, "--tolerance needs a positive number of mm.");
+
+    /// <summary>A step of the work whose result goes to a stream (and nothing where there are errors) or into memory.</summary>
+    private sealed record Stage(Func<Stream, IReadOnlyList<Diagnostic>> Write, Func<Result<GCodeDocument>> ToDocument);
 }

@@ -142,15 +142,15 @@ internal sealed class ToolpathEditOptions
     {
         var scale = arguments.GetValue(_scale) is { } scales ? Numbers.Scale(scales) : (Vec3?)null;
         var turn = arguments.GetValue(_turn);
-        var move = arguments.GetValue(_move) is { } shift ? Numbers.Vector(shift, "--move") : (Vec3?)null;
-        if (scale is null && turn is null && move is null) return null;
+        var move = arguments.GetValue(_move) is { } way ? Numbers.Vector(way, "--move") : (Vec3?)null;
+        if (scale is null && turn is null) return move is { } shift ? Affine.Move(shift) : null;
         var foot = Foot(toolpath, strands);
         var map = Affine.Move(-foot);
         if (scale is { } s) map = map.Then(Affine.Scale(s.X, s.Y, s.Z));
         if (turn is { } degrees) map =
             map.Then(Affine.Rotate(Vec3.UnitZ, double.IsFinite(degrees) ? degrees
             : throw new CliException(ExitCode.Usage, "--turn needs an angle in degrees.")));
-        return scale is null && turn is null ? Affine.Move(move!.Value) : map.Then(Affine.Move(foot + (move ?? Vec3.Zero)));
+        return map.Then(Affine.Move(foot + (move ?? Vec3.Zero)));
     }
 
     private static Result<Deformation> Deformation(Toolpath toolpath, MoveFilter strands, string formulas, string? axis)
@@ -163,12 +163,7 @@ internal sealed class ToolpathEditOptions
     // The middle of what the strands cover, on the bed.
     private static Vec3 Foot(Toolpath toolpath, MoveFilter strands)
     {
-        var box = Bounds.Empty;
-        foreach (var move in toolpath.Moves())
-        {
-            if (strands.Matches(move, move.Layer >= 0 ? toolpath.Layers[move.Layer] : null))
-                box = box.Include(move.Bounds);
-        }
+        var box = strands.BoundsIn(toolpath);
         return box.IsEmpty ? Vec3.Zero : box.Center.WithZ(0);
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Caterpillar.Basics;
 
@@ -18,6 +19,8 @@ public static class NumberFormatter
     private static readonly double[] PowersOfTen =
         [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
+    private static readonly uint[] SmallPowers = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000, 1_000_000_000];
+
     /// <summary>
     /// The formatted number as a count of units of the last decimal: <c>ToUnits(1.0005, 3)</c> is 1001. Two values that print the same
     /// have equal units, so "no move" is decided with them.
@@ -26,7 +29,7 @@ public static class NumberFormatter
     public static long ToUnits(double value, int decimals)
     {
         var scaled = Scale(value, decimals);
-        if (Math.Abs(scaled) > ExactLimit) throw new ArgumentOutOfRangeException(nameof(value), "The number is too large for that many decimals.");
+        if (Math.Abs(scaled) > ExactLimit) ThrowTooLarge();
         return Round(scaled);
     }
 
@@ -58,6 +61,7 @@ public static class NumberFormatter
     {
         var magnitude = units < 0 ? (ulong)-units : (ulong)units;
         if (units < 0) buffer[at++] = (byte)'-';
+        if (magnitude <= uint.MaxValue && decimals < SmallPowers.Length) return WriteSmall(buffer, at, (uint)magnitude, decimals);
         while (decimals > 0 && magnitude % 10 == 0)
         {
             magnitude /= 10;
@@ -80,15 +84,55 @@ public static class NumberFormatter
         return end;
     }
 
+    // In arithmetic of 32 bits, which is several times as fast.
+    private static int WriteSmall(byte[] buffer, int at, uint magnitude, int decimals)
+    {
+        var power = SmallPowers[decimals];
+        var whole = magnitude / power;
+        var rest = magnitude - whole * power;
+        var end = at + (whole < 10 ? 1 : whole < 100 ? 2 : whole < 1000 ? 3 : Length(whole));
+        for (var p = end - 1; p >= at; p--)
+        {
+            var tenth = whole / 10;
+            buffer[p] = (byte)('0' + (whole - tenth * 10));
+            whole = tenth;
+        }
+        if (rest == 0) return end;
+        buffer[end] = (byte)'.';
+        for (var p = end + decimals; p > end; p--)
+        {
+            var tenth = rest / 10;
+            buffer[p] = (byte)('0' + (rest - tenth * 10));
+            rest = tenth;
+        }
+        end += decimals + 1;
+        while (buffer[end - 1] == '0') end--;
+        return end;
+    }
+
+    private static int Length(uint whole)
+    {
+        var length = 1;
+        while (length < SmallPowers.Length && whole >= SmallPowers[length]) length++;
+        return length;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double Scale(double value, int decimals)
     {
-        if (double.IsNaN(value) || double.IsInfinity(value)) throw new ArgumentOutOfRangeException(nameof(value), "Only finite numbers can be written.");
+        // Infinities and NaN give NaN.
+        if (double.IsNaN(value - value)) ThrowNotFinite();
         return value * PowersOfTen[CheckDecimals(decimals)];
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int CheckDecimals(int decimals)
-        => decimals is >= 0 and <= MaxDecimals ? decimals : throw new ArgumentOutOfRangeException(nameof(decimals), "Decimals must be 0 to 15.");
+    {
+        if ((uint)decimals > MaxDecimals) ThrowDecimals();
+        return decimals;
+    }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static long Round(double scaled)
     {
         var magnitude = Math.Abs(scaled);
@@ -96,6 +140,12 @@ public static class NumberFormatter
         var units = (long)(magnitude - floor >= 0.5 ? floor + 1 : floor);
         return scaled < 0 ? -units : units;
     }
+
+    private static void ThrowNotFinite() => throw new ArgumentOutOfRangeException("value", "Only finite numbers can be written.");
+
+    private static void ThrowTooLarge() => throw new ArgumentOutOfRangeException("value", "The number is too large for that many decimals.");
+
+    private static void ThrowDecimals() => throw new ArgumentOutOfRangeException("decimals", "Decimals must be 0 to 15.");
 
     private static int Digits(long magnitude, int decimals, char[] buffer, ref int end)
     {

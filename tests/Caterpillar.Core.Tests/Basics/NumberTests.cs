@@ -32,6 +32,24 @@ public class NumberTests
         Assert.That(Encoding.ASCII.GetString(buffer, 3, end - 3), Is.EqualTo(expected));
     }
 
+    [Test]
+    public void Units_of_any_size_and_decimals_are_written_as_numbers_are_formatted()
+    {
+        var random = new Random(5);
+        var buffer = new byte[40];
+        for (var i = 0; i < 200_000; i++)
+        {
+            var decimals = random.Next(16);
+            var units = (long)(Math.Pow(10, random.NextDouble() * 15) * (random.Next(2) * 2 - 1));
+            if (random.Next(3) == 0) units -= units % (long)Math.Pow(10, random.Next(12));
+            if (random.Next(50) == 0) units = (random.Next(2) * 2 - 1) * (uint.MaxValue + (long)random.Next(-2, 3));
+            var end = NumberFormatter.WriteUnits(buffer, 2, units, decimals);
+            var text = Math.Abs(units).ToString(CultureInfo.InvariantCulture).PadLeft(decimals + 1, '0');
+            if (decimals > 0) text = text.Insert(text.Length - decimals, ".").TrimEnd('0').TrimEnd('.');
+            if (Encoding.ASCII.GetString(buffer, 2, end - 2) != (units < 0 ? "-" : "") + text) Assert.Fail($"{units} with {decimals} decimals");
+        }
+    }
+
     [TestCase("de-DE")]
     [TestCase("tr-TR")]
     [TestCase("ar-SA")]

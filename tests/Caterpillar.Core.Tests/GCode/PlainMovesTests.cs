@@ -50,6 +50,23 @@ public class PlainMovesTests
             Does.EndWith("G1 X50.5 Y1 E150\n"));
     }
 
+    [Test]
+    public void The_number_of_threads_changes_no_byte()
+    {
+        var random = new Random(8);
+        var text = new StringBuilder();
+        while (text.Length < 2_000_000) text.Append(Program(random));
+        var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text.ToString())).Value!;
+        var edits = new[] { decoded.Toolpath.Transform(Affine.Move(new Vec3(10, 5, 0))), decoded.Toolpath.ScaleSpeed(new MoveFilter { Tool = 1 }, 0.5) };
+        foreach (var threads in new[] { 2, 5 })
+        {
+            Same(GCodeConverter.ToDocument(decoded, new ConvertOptions { RelativeE = true, Threads = 1 }).Value,
+                GCodeConverter.ToDocument(decoded, new ConvertOptions { RelativeE = true, Threads = threads }).Value, "relative");
+            foreach (var edited in edits) Same(GCodeEditor.ToDocument(decoded, edited, new EditOptions { Threads = 1 }).Value,
+                GCodeEditor.ToDocument(decoded, edited, new EditOptions { Threads = threads }).Value, "edit");
+        }
+    }
+
     private static IEnumerable<ConvertOptions> Conversions() =>
     [
         new() { RelativeE = true }, new() { RelativeE = false }, new() { Dialect = DialectTable.Klipper, FilamentDiameter = 1.75 },

@@ -36,6 +36,61 @@ public class ToolpathMappingTests
         Assert.That(after.Layers.Select(l => l.Z), Is.EqualTo(before.Layers.Select(l => l.Z + 1)));
     }
 
+    // Whole blocks are mapped at once; an arc at their end takes the way of single moves.
+    [TestCase(0.0)]
+    [TestCase(37.0)]
+    public void Whole_blocks_are_mapped_like_single_moves(double degrees)
+    {
+        var random = new Random(3);
+        var text = new System.Text.StringBuilder("G90\nM83\n;LAYER:0\nG0 X1 Y1 Z0.2 F6000\n");
+        for (var i = 0; i < 200_000; i++)
+        {
+            var word = random.Next(9) switch { 0 => "", 1 => " E-0.5", _ => " E" + random.Next(1, 99) + "e-2" };
+            text.Append("G1 X").Append(random.Next(200)).Append(" Y").Append(random.Next(200)).Append(word.Replace("e-2", "")).Append('\n');
+        }
+        var straight = Decode(text.ToString());
+        var turned = Decode(text + "G2 X0 Y0 I1\n");
+        foreach (var map in new[] { Affine.Move(new Vec3(1, 2, 0.1)), Affine.Scale(0.5), Affine.Scale(1.5, 1, 2) })
+        {
+            var whole = map.Then(Affine.Rotate(Vec3.UnitZ, degrees));
+            var (a, b) = (straight.Transform(whole), turned.Transform(whole));
+            for (var block = 0; block < a.Blocks.Count; block++)
+            {
+                var (c, d) = (a.Blocks[block].Columns, b.Blocks[block].Columns);
+                for (var i = 0; i < c.Count; i++)
+                {
+                    if (c.X[i] != d.X[i] || c.Y[i] != d.Y[i] || c.Z[i] != d.Z[i] || c.Kind[i] != d.Kind[i] || c.Source[i] != d.Source[i]
+                        || Math.Abs(c.E[i] - d.E[i]) > 1e-12 || Math.Abs(c.Deposited[i] - d.Deposited[i]) > 1e-12) Assert.Fail($"block {block}, move {i}");
+                }
+            }
+        }
+    }
+
+    [Test]
+    public void Shifts_share_the_columns_that_they_do_not_change()
+    {
+        var before = Decode("G90\nM83\n;LAYER:0\nG0 X1 Y1 Z0.2 F6000\nG1 X5 E1\nG1 Y9 E1\n");
+        var after = before.Transform(Affine.Move(new Vec3(1, 2)));
+        Assert.That(after.Blocks[0].Columns.E, Is.SameAs(before.Blocks[0].Columns.E));
+        Assert.That(after.Blocks[0].Columns.Z, Is.SameAs(before.Blocks[0].Columns.Z));
+        Assert.That(after.Blocks[0].Columns.X, Is.EqualTo(before.Moves().Select(m => m.End.X + 1)));
+    }
+
+    [Test]
+    public void Differences_are_counted_and_strands_are_summed_up()
+    {
+        var before = Decode("G90\nM83\n;TYPE:Skirt\nG0 X1 Y1 Z0.2 F6000\nG1 X11 E1 F600\n;TYPE:Perimeter\n;LAYER:0\nG0 X20 Y20\nG1 X24 E1\nG1 Y29 E2\n");
+        var faster = before.ScaleSpeed(new MoveFilter { Kinds = [MoveKind.Print] }, 2);
+        Assert.That(ToolpathDifference.Of(before, before), Is.EqualTo(new ToolpathDifference(0, 0, 0)));
+        Assert.That(ToolpathDifference.Of(before, faster), Is.EqualTo(new ToolpathDifference(0, 3, 0)));
+        Assert.That(ToolpathDifference.Of(before, faster.Transform(Affine.Scale(2, 2, 1)).ScaleFlow(MoveFilter.Prints, 2)),
+            Is.EqualTo(new ToolpathDifference(5, 3, 3)));
+        Assert.That(() => ToolpathDifference.Of(before, Decode("G1 X1\n")), Throws.ArgumentException);
+        var totals = StrandTotals.Of(before);
+        Assert.That((totals.Length, totals.Deposited, totals.Volume), Is.EqualTo((23.0, 4.0, (double?)null)));
+        Assert.That(totals.PartBounds, Is.EqualTo(new Bounds(new Vec3(20, 20, 0.2), new Vec3(24, 29, 0.2))), "without the skirt");
+    }
+
     [Test]
     public void A_shift_of_one_layer_adds_travels_there_and_back()
     {

@@ -4,36 +4,13 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <summary>One line as the fast path leaves it.</summary>
-internal struct LineRecord
-{
-    public double X;
-    public double Y;
-    public double Z;
-    public double E;
-    public double F;
-
-    /// <summary>Where the line begins in the text.</summary>
-    public int Start;
-
-    /// <summary>Of a motion: where its comment begins, or −1. Of other lines: where the line ends (without its line end).</summary>
-    public int Aux;
-
-    /// <summary>Number of the line in its chunk, from 0.</summary>
-    public int Line;
-
-    /// <summary>0 and 1 for G0 and G1 in the usual notation; <see cref="ChunkParser.Comment"/>; <see cref="ChunkParser.Other"/>.</summary>
-    public byte Op;
-
-    /// <summary>Words that are there: 1 X, 2 Y, 4 Z, 8 E, 16 F.</summary>
-    public byte Mask;
-}
-
 /// <summary>
 /// First half of decoding, without any state: cuts a chunk into lines and reads the words of motions in the usual notation (<c>G1 X1.5 Y2 E.03 F1800 ;
 /// text</c>). Everything else is left to <see cref="ParsedLine"/>. Chunks can be parsed in parallel.
 /// </summary>
-internal sealed class ChunkParser(byte extruder)
+/// <param name="extruder">The letter of E, or 0.</param>
+/// <param name="places">True to find out where numbers are, for those who change them.</param>
+internal sealed class ChunkParser(byte extruder, bool places = false)
 {
     public const byte Comment = 2;
     public const byte Other = 3;
@@ -47,9 +24,13 @@ internal sealed class ChunkParser(byte extruder)
         [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
     private const int NoWord = 255;
+    private const int Unknown = 6;
     private readonly byte[] _slots = Slots(extruder);
 
     public LineRecord[] Records { get; private set; } = new LineRecord[64];
+
+    /// <summary>Where the words of each record are; none where they are not asked for.</summary>
+    public WordPlaces[] Places { get; private set; } = new WordPlaces[places ? 64 : 0];
 
     public int Count { get; private set; }
 
@@ -75,6 +56,8 @@ internal sealed class ChunkParser(byte extruder)
         var records = Records;
         var slots = _slots;
         var powers = PowersOfTen;
+        var words = Places;
+        var keeps = words.Length > 0;
         int count = 0, crlf = 0, comments = 0, at = start;
         while (at < safe)
         {
@@ -82,7 +65,10 @@ internal sealed class ChunkParser(byte extruder)
             {
                 Array.Resize(ref records, count * 2);
                 Records = records;
+                if (keeps) Array.Resize(ref words, count * 2);
+                Places = words;
             }
+            if (keeps) words[count] = default;
             ref var record = ref records[count];
             record.Start = at;
             record.Line = count;
@@ -93,6 +79,7 @@ internal sealed class ChunkParser(byte extruder)
                 record.Op = (byte)(text[p + 1] - '0');
                 record.Aux = -1;
                 var mask = 0;
+                var line = default(WordPlaces);
                 p += 3;
                 var fast = true;
                 while (true)
@@ -134,6 +121,11 @@ internal sealed class ChunkParser(byte extruder)
                         }
                         var value = mantissa / powers[scale];
                         if (negative) value = -value;
+                        if (keeps)
+                        {
+                            if ((mask & (1 << slot)) != 0 || p - at > 255) line.Count = Unknown;
+                            if (line.Count < Unknown) line.Add(slot, digits - at - (negative ? 1 : 0), p - at, scale);
+                        }
                         mask |= 1 << slot;
                         switch (slot)
                         {
@@ -187,6 +179,7 @@ internal sealed class ChunkParser(byte extruder)
                 if (fast)
                 {
                     record.Mask = (byte)mask;
+                    if (keeps && line.Count < Unknown) words[count - 1] = line;
                     at = p;
                     continue;
                 }
@@ -216,12 +209,20 @@ internal sealed class ChunkParser(byte extruder)
                 var records = Records;
                 Array.Resize(ref records, Count * 2);
                 Records = records;
+                if (Places.Length > 0) Places = Longer(Places);
             }
             var stop = LineEnds.Find(text, at, end);
+            if (Places.Length > 0) Places[Count] = default;
             Records[Count] = new LineRecord { Start = at, Aux = stop, Line = Count, Op = text[at] == ';' ? Comment : Other };
             Count++;
             at = LineEnds.Skip(text, stop, end);
         }
+    }
+
+    private static WordPlaces[] Longer(WordPlaces[] places)
+    {
+        Array.Resize(ref places, places.Length * 2);
+        return places;
     }
 
     private static byte[] Slots(byte extruder)

@@ -12,13 +12,20 @@ namespace Caterpillar.GCode;
 internal static class ChunkPipeline
 {
     /// <summary>Calls <paramref name="consume"/> for each chunk, in order, on the calling thread.</summary>
-    public static void Run(IEnumerable<GCodeChunk> chunks, byte extruder, int threads, Action<ChunkParser, long> consume, CancellationToken cancel)
+    /// <param name="chunks">The chunks; they are asked for on the calling thread.</param>
+    /// <param name="newParser">Makes a parser; a few are used again and again.</param>
+    /// <param name="isBeginning">True where the first chunk is that of the file, which may begin with a byte order mark.</param>
+    /// <param name="threads">How many threads parse.</param>
+    /// <param name="consume">Gets a parsed chunk, and the number of bytes so far.</param>
+    /// <param name="cancel">Cancels.</param>
+    public static void Run(IEnumerable<GCodeChunk> chunks, Func<ChunkParser> newParser, bool isBeginning, int threads, Action<ChunkParser, long> consume,
+        CancellationToken cancel)
     {
         if (threads <= 1)
         {
-            var parser = new ChunkParser(extruder);
+            var parser = newParser();
             long done = 0;
-            var first = true;
+            var first = isBeginning;
             foreach (var chunk in chunks)
             {
                 cancel.ThrowIfCancellationRequested();
@@ -29,12 +36,12 @@ internal static class ChunkPipeline
             }
             return;
         }
-        new Window(chunks, extruder, threads).Run(consume, cancel);
+        new Window(chunks, newParser, isBeginning, threads).Run(consume, cancel);
     }
 
-    private sealed class Slot(byte extruder)
+    private sealed class Slot(ChunkParser parser)
     {
-        public readonly ChunkParser Parser = new(extruder);
+        public readonly ChunkParser Parser = parser;
         public GCodeChunk? Chunk;
         public int Skip;
 
@@ -54,18 +61,20 @@ internal static class ChunkPipeline
         private readonly Slot[] _slots;
         private readonly object _lock = new();
         private readonly int _threads;
+        private readonly bool _isBeginning;
         private int _filled;
         private int _consumed;
         private bool _ended;
         private bool _stop;
         private Exception? _failure;
 
-        public Window(IEnumerable<GCodeChunk> chunks, byte extruder, int threads)
+        public Window(IEnumerable<GCodeChunk> chunks, Func<ChunkParser> newParser, bool isBeginning, int threads)
         {
+            _isBeginning = isBeginning;
             _chunks = chunks.GetEnumerator();
             _threads = threads;
             _slots = new Slot[threads * 3];
-            for (var i = 0; i < _slots.Length; i++) _slots[i] = new Slot(extruder);
+            for (var i = 0; i < _slots.Length; i++) _slots[i] = new Slot(newParser());
         }
 
         public void Run(Action<ChunkParser, long> consume, CancellationToken cancel)
@@ -121,7 +130,7 @@ internal static class ChunkPipeline
                 lock (_lock)
                 {
                     slot.Chunk = _chunks.Current;
-                    slot.Skip = _filled == 0 ? TextEncoding.MarkLength(slot.Chunk) : 0;
+                    slot.Skip = _filled == 0 && _isBeginning ? TextEncoding.MarkLength(slot.Chunk) : 0;
                     _filled++;
                 }
                 added = true;

@@ -158,7 +158,8 @@ public static class GCodeDecoder
         long bytes = 0;
         ChunkPipeline.Run(
             chunks,
-            axis.Letter,
+            () => new ChunkParser(axis.Letter),
+            true,
             document is { Chunks.Count: < 3 } ? 1 : options.Degree,
             (parser, done) =>
             {

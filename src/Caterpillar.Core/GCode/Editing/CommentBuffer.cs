@@ -10,6 +10,9 @@ internal sealed class CommentBuffer(SpliceContext context)
     private readonly List<FileLine> _lines = [];
     private readonly CutComments _cut = new();
 
+    /// <summary>True where nothing waits.</summary>
+    public bool IsEmpty => _lines.Count == 0 && _cut.IsEmpty;
+
     public void Add(FileLine line) => _lines.Add(line);
 
     /// <summary>The moves after the comments stay, and so do the comments.</summary>

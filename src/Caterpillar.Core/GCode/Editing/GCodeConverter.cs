@@ -45,6 +45,9 @@ public sealed record ConvertOptions
 
     public int? DecimalsF { get; init; }
 
+    /// <summary>Threads; 0 for all cores. The result does not depend on it.</summary>
+    public int Threads { get; init; }
+
     /// <summary>For comparison: every line takes the general path.</summary>
     internal bool GeneralPath { get; init; }
 }
@@ -71,7 +74,7 @@ public static class GCodeConverter
         if (options.DecimalsXyz is { } decimals && LayerRounding.Check(decoding.Toolpath, decimals, new SourceLocation(decoding.Document.Name)) is { } rounded)
             return [.. problems.ToList(), rounded];
         var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target,
-            new EditOptions { GeneralPath = options.GeneralPath });
+            new EditOptions { GeneralPath = options.GeneralPath, Threads = options.Threads });
         splicer.Run(progress, cancel);
         problems.AddRange(splicer.Diagnostics.ToList());
         return problems.ToList();

@@ -19,6 +19,9 @@ public sealed record EditOptions
     /// <summary>Lines in place of everything after the last strand of the last layer; null keeps it.</summary>
     public IReadOnlyList<string>? End { get; init; }
 
+    /// <summary>Threads; 0 for all cores. The result does not depend on it.</summary>
+    public int Threads { get; init; }
+
     /// <summary>Every number of every motion is written again, also of those that did not change.</summary>
     internal bool RewriteAll { get; init; }
 

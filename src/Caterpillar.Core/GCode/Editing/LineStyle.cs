@@ -109,7 +109,12 @@ internal sealed class LineStyle
     {
         // A double has no more than 15 digits.
         while (decimals > 0 && Math.Abs(value) > NumberFormatter.FromUnits(8_000_000_000_000_000, decimals)) decimals--;
-        var units = NumberFormatter.ToUnits(value, decimals);
+        return WriteUnits(buffer, at, NumberFormatter.ToUnits(value, decimals), decimals);
+    }
+
+    /// <summary>The same for a number in units of its last decimal.</summary>
+    public int WriteUnits(byte[] buffer, int at, long units, int decimals)
+    {
         var start = at;
         at = NumberFormatter.WriteUnits(buffer, at, units, decimals);
         if (!FixedDecimals && !NoLeadingZero) return at;

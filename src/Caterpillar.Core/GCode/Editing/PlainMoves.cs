@@ -1,7 +1,6 @@
 using System;
 using System.Runtime.CompilerServices;
 using Caterpillar.Basics;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
@@ -17,35 +16,42 @@ internal sealed class PlainMoves
     private const double Largest = 1e8;
     private const int MostDecimals = 6;
 
+    // Slots of words: the bits of LineRecord.Mask.
+    private const int X = 0;
+    private const int Y = 1;
+    private const int Z = 2;
+    private const int E = 3;
+    private const int F = 4;
+    private const int Slots = 5;
+
     private readonly SpliceContext _context;
     private readonly SpliceTasks _tasks;
     private readonly CommentBuffer _comments;
     private readonly MoveWriter _moves;
-    private readonly PlainLine _line;
+    private readonly LineStyle _style;
     private readonly InterpreterState _read;
     private readonly InterpreterState _written;
     private readonly bool _edits;
     private readonly bool _possible;
     private readonly double _toleranceE;
     private readonly double _tolerance;
-    private readonly double[] _values = new double[PlainLine.Slots];
-    private readonly int[] _decimals = new int[PlainLine.Slots];
-    private readonly bool[] _changed = new bool[PlainLine.Slots];
-    private byte[] _out = new byte[512];
+
+    // By slot: what becomes of the words of the current line.
+    private readonly Number[] _numbers = new Number[Slots];
 
     public PlainMoves(SpliceContext context, SpliceTasks tasks, CommentBuffer comments, MoveWriter moves, bool rewriteAll)
     {
         (_context, _tasks, _comments, _moves) = (context, tasks, comments, moves);
         (_read, _written) = (context.Read.State, context.Written.State);
-        _line = new PlainLine(context.Axis.Letter);
         _edits = context.Target is null;
-        var style = context.Style;
-        _tolerance = 0.5 * NumberFormatter.FromUnits(1, style.DecimalsXyz);
+        _style = context.Style;
+        _tolerance = 0.5 * NumberFormatter.FromUnits(1, _style.DecimalsXyz);
         _toleranceE = moves.ToleranceE;
-        _possible = !rewriteAll && !style.Numbered && !style.LowerCase && !style.NoSpace && context.Axis == context.Decoding.Axis && context.Axis.Letter != 0
-            && context.Axis != ExtrusionAxis.Both && context.Target is null or { LimitsDecimals: false, ChangesUnit: false, StatedDiameter: null }
+        _possible = !rewriteAll && !_style.Numbered && !_style.LowerCase && !_style.NoSpace && context.Axis == context.Decoding.Axis
+            && context.Axis.Letter != 0 && context.Axis != ExtrusionAxis.Both
+            && context.Target is null or { LimitsDecimals: false, ChangesUnit: false, StatedDiameter: null }
             && KnowsWords(context.Rules.Letters) && KnowsWords(context.Decoding.Dialect.Letters)
-            && !context.Read.Strokes && !context.Written.Strokes && Math.Max(style.DecimalsXyz, style.DecimalsE) <= MostDecimals;
+            && !context.Read.Strokes && !context.Written.Strokes && Math.Max(_style.DecimalsXyz, _style.DecimalsE) <= MostDecimals;
     }
 
     /// <summary>True while the states of both machines allow it; to be asked for again after each line that took the general path.</summary>
@@ -63,30 +69,28 @@ internal sealed class PlainMoves
             && !_read.Work.IsMachineLine && !_written.Work.IsMachineLine;
     }
 
-    /// <summary>Writes the move of the line that begins here and returns where the next begins; −1 where nothing was done.</summary>
+    /// <summary>Writes the move of a motion whose words are known, the line from its start up to <paramref name="next"/>; false where nothing was done.</summary>
     [MethodImpl((MethodImplOptions)512)]
-    public int Write(byte[] text, int at, int end, int number)
+    public bool Write(in LineRecord line, in WordPlaces places, byte[] text, int next, int number)
     {
-        var line = _line;
-        if (!line.Read(text, at, end)) return -1;
-        var words = line.Values;
-        bool hasX = line.Has(PlainLine.X), hasY = line.Has(PlainLine.Y), hasZ = line.Has(PlainLine.Z), hasE = line.Has(PlainLine.E),
-            hasF = line.Has(PlainLine.F);
-        if (hasF && !(words[PlainLine.F] is > 0 and < Largest)) return -1;
+        int mask = line.Mask;
+        bool hasX = (mask & ChunkParser.HasX) != 0, hasY = (mask & ChunkParser.HasY) != 0, hasZ = (mask & ChunkParser.HasZ) != 0,
+            hasE = (mask & ChunkParser.HasE) != 0, hasF = (mask & ChunkParser.HasF) != 0;
+        if (hasF && !(line.F is > 0 and < Largest)) return false;
 
         // What the line does in the file.
         ref var head = ref _read.Head;
-        double rx = hasX ? words[PlainLine.X] : head.X, ry = hasY ? words[PlainLine.Y] : head.Y, rz = hasZ ? words[PlainLine.Z] : head.Z;
-        var re = hasE ? _read.Modes.RelativeE ? words[PlainLine.E] : words[PlainLine.E] - _read.Extrusion.E : 0;
+        double rx = hasX ? line.X : head.X, ry = hasY ? line.Y : head.Y, rz = hasZ ? line.Z : head.Z;
+        var re = hasE ? _read.Modes.RelativeE ? line.E : line.E - _read.Extrusion.E : 0;
         var readChange = re;
-        var readSpeed = hasF ? words[PlainLine.F] / 60 * 1 : _read.Feed.Speed;
-        if (!Moves(head, rx, ry, rz, ref re)) return -1;
+        var readSpeed = hasF ? line.F / 60 * 1 : _read.Feed.Speed;
+        if (!Moves(head, rx, ry, rz, ref re)) return false;
 
         // What it has to do.
         double mx, my, mz, me, speed;
         if (_edits)
         {
-            if (!_tasks.HasSingleMove(number, out var c, out var i) || c.Tool[i] != _written.Tool || c.A is not null || c.TryGetArc(i, out _)) return -1;
+            if (!_tasks.HasSingleMove(number, out var c, out var i) || c.Tool[i] != _written.Tool || c.A is not null || c.TryGetArc(i, out _)) return false;
             (mx, my, mz, me, speed) = (c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i]);
         }
         else
@@ -97,11 +101,12 @@ internal sealed class PlainMoves
         // What it does as it is, and what its words have to be.
         ref var to = ref _written.Head;
         var relative = _written.Modes.RelativeE;
-        double wx = hasX ? words[PlainLine.X] : to.X, wy = hasY ? words[PlainLine.Y] : to.Y, wz = hasZ ? words[PlainLine.Z] : to.Z;
-        var we = hasE ? relative ? words[PlainLine.E] : words[PlainLine.E] - _written.Extrusion.E : 0;
+        var writtenE = _written.Extrusion.E;
+        double wx = hasX ? line.X : to.X, wy = hasY ? line.Y : to.Y, wz = hasZ ? line.Z : to.Z;
+        var we = hasE ? relative ? line.E : line.E - writtenE : 0;
         var change = we;
-        var feed = hasF ? words[PlainLine.F] : _written.Feed.Rate;
-        var writtenSpeed = hasF ? words[PlainLine.F] / 60 * 1 : _written.Feed.Speed;
+        var feed = hasF ? line.F : _written.Feed.Rate;
+        var writtenSpeed = hasF ? line.F / 60 * 1 : _written.Feed.Speed;
         var moves = Moves(to, wx, wy, wz, ref we);
         var carried = _moves.Carried;
         var endsRight = Math.Abs(wx + to.ShiftX - mx) <= NoChange && Math.Abs(wy + to.ShiftY - my) <= NoChange && Math.Abs(wz + to.ShiftZ - mz) <= NoChange;
@@ -109,31 +114,35 @@ internal sealed class PlainMoves
             && (!(speed > 0) || Math.Abs(writtenSpeed - speed) <= 1e-9 * speed);
         if (!stays)
         {
-            if (_edits && moves && endsRight && NeedsState(line, re, me, readSpeed, speed)) return -1;
-            if (!Axis(PlainLine.X, mx - to.ShiftX, to.X) || !Axis(PlainLine.Y, my - to.ShiftY, to.Y) || !Axis(PlainLine.Z, mz - to.ShiftZ, to.Z)
-                || !Extruder(me, relative ? 0 : _written.Extrusion.E, carried) || !Feed(speed)) return -1;
-            if (hasX) wx = _values[PlainLine.X];
-            if (hasY) wy = _values[PlainLine.Y];
-            if (hasZ) wz = _values[PlainLine.Z];
-            we = change = hasE ? relative ? _values[PlainLine.E] : _values[PlainLine.E] - _written.Extrusion.E : 0;
+            if (_edits && moves && endsRight && NeedsState(line, re, me, readSpeed, speed)) return false;
+            if (!Axis(X, hasX, line.X, places, mx - to.ShiftX, to.X) || !Axis(Y, hasY, line.Y, places, my - to.ShiftY, to.Y)
+                || !Axis(Z, hasZ, line.Z, places, mz - to.ShiftZ, to.Z) || !Extruder(hasE, line.E, me, relative ? 0 : writtenE, carried)
+                || !Feed(hasF, line.F, places, speed)) return false;
+            if (hasX) wx = _numbers[X].Value;
+            if (hasY) wy = _numbers[Y].Value;
+            if (hasZ) wz = _numbers[Z].Value;
+            we = change = hasE ? relative ? _numbers[E].Value : _numbers[E].Value - writtenE : 0;
             if (hasF)
             {
-                feed = _values[PlainLine.F];
-                if (!(feed > 0)) return -1;
+                feed = _numbers[F].Value;
+                if (!(feed > 0)) return false;
                 writtenSpeed = feed / 60 * 1;
             }
-            if (!Moves(to, wx, wy, wz, ref we)) return -1;
+            if (!Moves(to, wx, wy, wz, ref we)) return false;
         }
 
         if (_edits) _tasks.TakeSingleMove();
-        _comments.RestoreCut();
-        _comments.Keep();
-        if (stays) _context.Text.Copy(text, at, line.Next);
-        else Compose(text, at);
+        if (!_comments.IsEmpty)
+        {
+            _comments.RestoreCut();
+            _comments.Keep();
+        }
+        if (stays) _context.Text.Copy(text, line.Start, next);
+        else Compose(places, text, line.Start, next);
         _moves.Carry(me, we);
-        Step(_context.Read, line.Command, rx, ry, rz, readChange, re, hasF ? words[PlainLine.F] : 0, readSpeed);
-        Step(_context.Written, line.Command, wx, wy, wz, change, we, hasF ? feed : 0, writtenSpeed);
-        return line.Next;
+        Step(_context.Read, line.Op, rx, ry, rz, readChange, re, hasF ? line.F : 0, readSpeed);
+        Step(_context.Written, line.Op, wx, wy, wz, change, we, hasF ? feed : 0, writtenSpeed);
+        return true;
     }
 
     private static bool KnowsWords(string letters)
@@ -157,73 +166,84 @@ internal sealed class PlainMoves
     }
 
     // Where a line of state before it would let the line stay: G92 E or F.
-    private bool NeedsState(PlainLine line, double re, double me, double readSpeed, double speed)
+    private bool NeedsState(in LineRecord line, double re, double me, double readSpeed, double speed)
     {
-        if (!_written.Modes.RelativeE && Math.Abs(re - me) <= NoChange && line.Has(PlainLine.E)
-            && Math.Abs(line.Values[PlainLine.E] - me - _written.Extrusion.E) > NoChange) return true;
-        return Math.Abs(readSpeed - speed) <= 1e-9 * speed && speed > 0 && !line.Has(PlainLine.F)
+        if (!_written.Modes.RelativeE && Math.Abs(re - me) <= NoChange && (line.Mask & ChunkParser.HasE) != 0
+            && Math.Abs(line.E - me - _written.Extrusion.E) > NoChange) return true;
+        return Math.Abs(readSpeed - speed) <= 1e-9 * speed && speed > 0 && (line.Mask & ChunkParser.HasF) == 0
             && Math.Abs(speed - _written.Feed.Speed) > 1e-9 * speed;
     }
 
     // False where a word would have to be put in.
-    private bool Axis(int slot, double target, double current)
+    private bool Axis(int slot, bool has, double says, in WordPlaces places, double target, double current)
     {
-        if (!_line.Has(slot)) return !(Math.Abs(target - current) > _tolerance);
-        if (Math.Abs(_line.Values[slot] - target) <= NoChange) return Stays(slot);
-        return Becomes(slot, target, Math.Max(_line.Decimals[slot], _context.Style.DecimalsXyz));
+        if (!has) return !(Math.Abs(target - current) > _tolerance);
+        if (Math.Abs(says - target) <= NoChange) return Stays(slot, says);
+        return Becomes(slot, target, Math.Max(places.DecimalsOf(slot), _style.DecimalsXyz));
     }
 
-    private bool Extruder(double me, double from, double carried)
+    private bool Extruder(bool has, double says, double me, double from, double carried)
     {
-        if (!_line.Has(PlainLine.E)) return Math.Abs(me) < NoChange;
+        if (!has) return Math.Abs(me) < NoChange;
         var value = from + me + (me != 0 ? carried : 0);
-        return Math.Abs(_line.Values[PlainLine.E] - value) > NoChange ? Becomes(PlainLine.E, value, _context.Style.DecimalsE) : Stays(PlainLine.E);
+        return Math.Abs(says - value) > NoChange ? Becomes(E, value, _style.DecimalsE) : Stays(E, says);
     }
 
-    private bool Feed(double speed)
+    private bool Feed(bool has, double says, in WordPlaces places, double speed)
     {
-        var has = _line.Has(PlainLine.F);
-        if (!(speed > 0)) return !has || Stays(PlainLine.F);
+        if (!(speed > 0)) return !has || Stays(F, says);
         var feed = speed * 60 / 1;
-        var says = has ? _line.Values[PlainLine.F] : _written.Feed.Rate;
-        if (Math.Abs(says - feed) <= 1e-9 * feed) return !has || Stays(PlainLine.F);
-        if (!has) return Math.Abs(says - feed) <= _context.Style.FeedTolerance;
-        return Becomes(PlainLine.F, feed, Math.Max(_context.Style.DecimalsF, Math.Min(_line.Decimals[PlainLine.F], 9)));
+        if (!has) says = _written.Feed.Rate;
+        if (Math.Abs(says - feed) <= 1e-9 * feed) return !has || Stays(F, says);
+        if (!has) return Math.Abs(says - feed) <= _style.FeedTolerance;
+        return Becomes(F, feed, Math.Max(_style.DecimalsF, Math.Min(places.DecimalsOf(F), 9)));
     }
 
-    private bool Stays(int slot)
+    private bool Stays(int slot, double says)
     {
-        _changed[slot] = false;
-        _values[slot] = _line.Values[slot];
+        ref var number = ref _numbers[slot];
+        number.Decimals = -1;
+        number.Value = says;
         return true;
     }
 
     private bool Becomes(int slot, double value, int decimals)
     {
         if (decimals > MostDecimals || !(Math.Abs(value) < Largest)) return false;
-        _changed[slot] = true;
-        _decimals[slot] = decimals;
+        ref var number = ref _numbers[slot];
+        number.Decimals = decimals;
+        number.Units = NumberFormatter.ToUnits(value, decimals);
         // What is read again is the number as it is printed.
-        _values[slot] = NumberFormatter.FromUnits(NumberFormatter.ToUnits(value, decimals), decimals);
+        number.Value = NumberFormatter.FromUnits(number.Units, decimals);
         return true;
     }
 
-    private void Compose(byte[] text, int start)
+    private void Compose(in WordPlaces places, byte[] text, int start, int next)
     {
-        var line = _line;
-        if (_out.Length < line.Next - start + 256) _out = new byte[(line.Next - start + 256) * 2];
-        int at = start, count = 0;
-        for (var w = 0; w < line.Count; w++)
+        var to = _context.Text;
+        var space = to.Space(next - start + Slots * 24);
+        var buffer = space ?? new byte[next - start + Slots * 24];
+        int at = start, count = space is null ? 0 : to.Count;
+        for (var w = 0; w < places.Count; w++)
         {
-            var slot = line.Order[w];
-            if (!_changed[slot]) continue;
-            var length = line.NumberAt[slot] - at;
-            Buffer.BlockCopy(text, at, _out, count, length);
-            count = _context.Style.Write(_out, count + length, _values[slot], _decimals[slot]);
-            at = line.NumberEnd[slot];
+            var slot = places.SlotAt(w);
+            ref var number = ref _numbers[slot];
+            if (number.Decimals < 0) continue;
+            for (var end = start + places.StartOf(slot); at < end; at++) buffer[count++] = text[at];
+            count = _style.WriteUnits(buffer, count, number.Units, number.Decimals);
+            at = start + places.EndOf(slot);
         }
-        Buffer.BlockCopy(text, at, _out, count, line.Next - at);
-        _context.Text.Copy(_out, 0, count + line.Next - at);
+        if (next - at < 4)
+        {
+            while (at < next) buffer[count++] = text[at++];
+        }
+        else
+        {
+            Buffer.BlockCopy(text, at, buffer, count, next - at);
+            count += next - at;
+        }
+        if (space is null) to.Copy(buffer, 0, count);
+        else to.Wrote(count);
     }
 
     private static void Step(GCodeInterpreter machine, int command, double x, double y, double z, double change, double e, double feed, double speed)
@@ -240,5 +260,13 @@ internal sealed class PlainMoves
         }
         if (e > 0) machine.Machine.Extruders.Push(e);
         else if (e < 0) machine.Machine.Extruders.Pull(-e);
+    }
+
+    // A word of the current line: as it is read again, and as it is written where it changes (decimals of 0 and more).
+    private struct Number
+    {
+        public double Value;
+        public long Units;
+        public int Decimals;
     }
 }

@@ -60,6 +60,12 @@ internal sealed class SplicePlan
 
     private void Compare(Toolpath before, Toolpath after)
     {
+        InOrder = IsAscending(after);
+        if (InOrder && HaveSameLines(before, after))
+        {
+            for (var block = 0; block < after.Blocks.Count; block++) Compare(before.Blocks[block].Columns, after.Blocks[block].Columns);
+            return;
+        }
         var kept = new HashSet<ToolpathBlock>(after.Blocks);
         kept.IntersectWith(before.Blocks);
         var o = new MoveCursor(before, kept);
@@ -75,7 +81,6 @@ internal sealed class SplicePlan
             }
             if (p.Valid)
             {
-                if (p.Source < last) InOrder = false;
                 last = p.Source;
                 if (inserted) Mark(p.Source);
                 inserted = false;
@@ -99,8 +104,44 @@ internal sealed class SplicePlan
             }
         }
         if (inserted) Mark(last == int.MinValue ? 1 : last);
-        // The first move after a shared block may follow an insertion at its end.
-        InOrder &= IsAscending(after);
+    }
+
+    // The moves of one block, which have the same lines: after a change, those of the same chunk need no second look.
+    private void Compare(ToolpathColumns before, ToolpathColumns after)
+    {
+        if (ReferenceEquals(before, after)) return;
+        for (var i = 0; i < after.Count; i++)
+        {
+            if (MoveCursor.Same(before, i, after, i)) continue;
+            var chunk = Mark(after.Source[i]);
+            if (chunk + 1 >= _checkpoints.Length) return;
+            // To the last move of the chunk.
+            var next = _checkpoints[chunk + 1].Line;
+            var found = Array.BinarySearch(after.Source, i, after.Count - i, next + 1);
+            i = Math.Max(i, (found >= 0 ? FirstOf(after.Source, found) : ~found) - 1);
+        }
+    }
+
+    private static int FirstOf(int[] sources, int at)
+    {
+        while (at > 0 && sources[at - 1] == sources[at]) at--;
+        return at;
+    }
+
+    // Block by block the same moves, none of them put in.
+    private static bool HaveSameLines(Toolpath before, Toolpath after)
+    {
+        if (before.Blocks.Count != after.Blocks.Count) return false;
+        for (var block = 0; block < after.Blocks.Count; block++)
+        {
+            var (c, d) = (before.Blocks[block].Columns, after.Blocks[block].Columns);
+            if (c.Count != d.Count) return false;
+            for (var i = 0; i < c.Count; i++)
+            {
+                if (c.Source[i] != d.Source[i] || d.Source[i] < 0) return false;
+            }
+        }
+        return true;
     }
 
     private static bool IsAscending(Toolpath toolpath)
@@ -130,7 +171,7 @@ internal sealed class SplicePlan
         if (_dirty.Length > 0) _dirty[_dirty.Length - 1] = true;
     }
 
-    private void Mark(int line)
+    private int Mark(int line)
     {
         int low = 0, high = _checkpoints.Length - 1;
         while (low < high)
@@ -140,6 +181,7 @@ internal sealed class SplicePlan
             else high = middle - 1;
         }
         if (low < _dirty.Length) _dirty[low] = true;
+        return low;
     }
 
     private sealed class ReferenceComparer : IEqualityComparer<PrinterEvent>

@@ -13,6 +13,9 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
     private int _eventsRead;
     private int _nextEvent;
 
+    // The move before which the next event happens.
+    private int _eventMove = EventMove(plan, 0);
+
     /// <summary>What there is to do, in order. A single move of the line's own is the last.</summary>
     public IReadOnlyList<SpliceTask> Tasks => _tasks;
 
@@ -61,7 +64,7 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
         columns = null!;
         index = 0;
         if (!moves.Valid || moves.Source != line) return false;
-        if (_nextEvent < plan.Events.Count && plan.Events[_nextEvent].Move <= moves.Number) return false;
+        if (_eventMove <= moves.Number) return false;
         columns = moves.Columns;
         index = moves.Index;
         return index + 1 < columns.Count && columns.Source[index + 1] > line;
@@ -114,8 +117,10 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
     private void AddNextEvent()
     {
         if (plan.IsNew[_nextEvent]) _tasks.Add(new SpliceTask(plan.Events[_nextEvent].Event, default));
-        _nextEvent++;
+        _eventMove = EventMove(plan, ++_nextEvent);
     }
+
+    private static int EventMove(SplicePlan plan, int index) => index < plan.Events.Count ? plan.Events[index].Move : int.MaxValue;
 }
 
 /// <summary>Something that a line has to do: an event, or a move.</summary>

@@ -7,7 +7,7 @@ namespace Caterpillar.GCode;
 /// <summary>Collects the bytes of a spliced file. Where lines are numbered, those after an inserted or dropped line get new numbers and checksums.</summary>
 internal sealed class SplicedText(Stream stream, LineStyle style)
 {
-    private readonly byte[] _buffer = new byte[1 << 16];
+    private readonly byte[] _buffer = new byte[1 << 18];
     private readonly ParsedLine _line = new();
     private int _count;
     private int _shift;
@@ -32,6 +32,23 @@ internal sealed class SplicedText(Stream stream, LineStyle style)
         }
         Buffer.BlockCopy(text, start, _buffer, _count, end - start);
         _count += end - start;
+    }
+
+    /// <summary>The buffer, with space for so many bytes from <see cref="Count"/> on; null where that is more than it holds.</summary>
+    public byte[]? Space(int bytes)
+    {
+        if (bytes > _buffer.Length - _count) Flush();
+        return bytes > _buffer.Length ? null : _buffer;
+    }
+
+    /// <summary>Bytes that wait in the buffer.</summary>
+    public int Count => _count;
+
+    /// <summary>A line with its end was written into the buffer, up to here.</summary>
+    public void Wrote(int end)
+    {
+        _count = end;
+        _open = false;
     }
 
     /// <summary>A line of the file as it is.</summary>

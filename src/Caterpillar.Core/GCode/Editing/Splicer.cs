@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using Caterpillar.Basics;
@@ -24,6 +25,9 @@ internal sealed class Splicer
     private readonly MoveWriter _moves;
     private readonly PlainMoves _plain;
     private readonly OtherLines _others;
+    private readonly int _threads;
+    private ChunkParser? _parser;
+    private bool _synced = true;
 
     /// <summary>To write a decoded file with the moves of an edited toolpath, or for a target.</summary>
     public Splicer(DecodedGCode decoding, Toolpath edited, SplicePlan plan, Stream stream, ConvertTarget? target = null, EditOptions? options = null)
@@ -42,6 +46,7 @@ internal sealed class Splicer
         _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.RewriteAll || _code.Changes || options.GeneralPath);
         _others = new OtherLines(_context, conversion);
         if (options.RewriteAll) plan.Touch(1, int.MaxValue);
+        _threads = options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
     }
 
     public DiagnosticList Diagnostics => _context.Diagnostics;
@@ -49,34 +54,76 @@ internal sealed class Splicer
     public void Run(IProgress<double>? progress, CancellationToken cancel)
     {
         var chunks = _context.Decoding.Document!.Chunks;
-        var checkpoints = _context.Decoding.Checkpoints;
-        var edits = _context.Target is null;
-        var synced = true;
-        for (var i = 0; i < chunks.Count; i++)
+        var next = 0;
+        void Write(ChunkParser? parsed)
         {
             cancel.ThrowIfCancellationRequested();
-            var chunk = chunks[i];
-            if (synced && edits && !_plan.IsDirty(i) && _context.Text.IsPlain)
-            {
-                _comments.Keep();
-                _context.Text.Copy(chunk.Text, chunk.Start, chunk.End);
-            }
-            else
-            {
-                var before = checkpoints[i];
-                _tasks.SkipTo(before.Line + 1);
-                _tasks.StartAt(before.Events);
-                if (synced)
-                {
-                    _context.Read.Restore(before.State);
-                    if (edits || i == 0) _context.Written.Restore(before.State);
-                }
-                WriteLines(chunk, before.Line, i == 0);
-                synced = edits && i + 1 < chunks.Count && IsInStep(checkpoints[i + 1].Line);
-            }
-            progress?.Report((i + 1.0) / chunks.Count);
+            WriteChunk(next++, parsed);
+            progress?.Report((double)next / chunks.Count);
         }
+        ChunkPipeline.Run(
+            Touched(),
+            NewParser,
+            chunks.Count > 0 && IsTouched(0),
+            chunks.Count < 3 ? 1 : _threads,
+            (parser, _) =>
+            {
+                while (!ReferenceEquals(chunks[next], parser.Chunk)) Write(null);
+                Write(parser);
+            },
+            cancel);
+        while (next < chunks.Count) Write(null);
         WriteEnd();
+    }
+
+    // Which chunks are sure to be read line by line: they are parsed ahead.
+    private bool IsTouched(int chunk) => _context.Target is not null || _plan.IsDirty(chunk);
+
+    private IEnumerable<GCodeChunk> Touched()
+    {
+        var chunks = _context.Decoding.Document!.Chunks;
+        for (var i = 0; i < chunks.Count; i++)
+        {
+            if (IsTouched(i)) yield return chunks[i];
+        }
+    }
+
+    private ChunkParser NewParser() => new(_context.Decoding.Axis.Letter, true);
+
+    private void WriteChunk(int i, ChunkParser? parsed)
+    {
+        var chunk = _context.Decoding.Document!.Chunks[i];
+        var checkpoints = _context.Decoding.Checkpoints;
+        var edits = _context.Target is null;
+        if (_synced && edits && !_plan.IsDirty(i) && _context.Text.IsPlain)
+        {
+            _comments.Keep();
+            _context.Text.Copy(chunk.Text, chunk.Start, chunk.End);
+            return;
+        }
+        var before = checkpoints[i];
+        _tasks.SkipTo(before.Line + 1);
+        _tasks.StartAt(before.Events);
+        if (_synced)
+        {
+            _context.Read.Restore(before.State);
+            if (edits || i == 0) _context.Written.Restore(before.State);
+        }
+        var mark = i == 0 ? TextEncoding.MarkLength(chunk) : 0;
+        if (parsed is null)
+        {
+            parsed = _parser ??= NewParser();
+            parsed.Parse(chunk, chunk.Start + mark);
+        }
+        if (i == 0) Begin(chunk, mark);
+        WriteLines(parsed, before.Line);
+        _synced = edits && i + 1 < checkpoints.Length && IsInStep(checkpoints[i + 1].Line);
+    }
+
+    private void Begin(GCodeChunk chunk, int mark)
+    {
+        _context.Text.Copy(chunk.Text, chunk.Start, chunk.Start + mark);
+        if (_dialect.Statement is { } statement) _context.Text.AddOwn(TextEncoding.Encode(statement), statement.Length);
     }
 
     // From this line on, what is written is read as the file is.
@@ -88,33 +135,19 @@ internal sealed class Splicer
         return read.ReadsLike(written, positionOfEMatters);
     }
 
-    private void WriteLines(GCodeChunk chunk, int before, bool first)
+    private void WriteLines(ChunkParser parsed, int before)
     {
-        var text = chunk.Text;
-        var at = chunk.Start;
-        if (first)
-        {
-            var mark = TextEncoding.MarkLength(chunk);
-            _context.Text.Copy(text, at, at + mark);
-            at += mark;
-            if (_dialect.Statement is { } statement) _context.Text.AddOwn(TextEncoding.Encode(statement), statement.Length);
-        }
-        // The fast path reads lines up to the last LF.
-        var last = chunk.End;
-        while (last > at && text[last - 1] != '\n') last--;
+        var (text, end) = (parsed.Chunk!.Text, parsed.Chunk.End);
+        var (records, places) = (parsed.Records, parsed.Places);
         _plain.Refresh();
-        for (_context.Number = before + 1; at < chunk.End; _context.Number++)
+        for (var i = 0; i < parsed.Count; i++)
         {
-            if (_plain.IsReady && at < last && _plain.Write(text, at, last, _context.Number) is >= 0 and var next)
-            {
-                at = next;
-                continue;
-            }
-            var end = LineEnds.Find(text, at, chunk.End);
-            var line = new FileLine(text, at, end, LineEnds.Skip(text, end, chunk.End));
-            WriteLine(line);
+            ref var record = ref records[i];
+            var next = i + 1 < parsed.Count ? records[i + 1].Start : end;
+            _context.Number = before + i + 1;
+            if (places[i].Count > 0 && _plain.IsReady && _plain.Write(record, places[i], text, next, before + i + 1)) continue;
+            WriteLine(new FileLine(text, record.Start, record.Op <= 1 ? LineEnds.Find(text, record.Start, next) : record.Aux, next));
             _plain.Refresh();
-            at = line.Next;
         }
     }
 

@@ -1,3 +1,5 @@
+using Caterpillar.Geometry;
+
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Determines which moves are mapped together with the chosen ones.</summary>
@@ -7,7 +9,9 @@ internal static class MappedMoves
     {
         var all = new bool[toolpath.Count];
         for (var i = 0; i < all.Length; i++) all[i] = true;
-        Unmap(toolpath, all);
+        var inPlace = new bool[toolpath.Count];
+        for (var block = 0; block < toolpath.Blocks.Count; block++) InPlace(toolpath, block, inPlace);
+        Unmap(toolpath, all, inPlace);
         return all;
     }
 
@@ -20,11 +24,16 @@ internal static class MappedMoves
         var chosen = new bool[toolpath.Count];
         var inPlace = new bool[toolpath.Count];
         var strands = new bool[toolpath.Count];
-        foreach (var move in toolpath.Moves())
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
-            chosen[move.Index] = filter.Matches(toolpath, move);
-            inPlace[move.Index] = move.IsInPlace;
-            strands[move.Index] = move.Kind is MoveKind.Print or MoveKind.Wipe or MoveKind.MovingRestore;
+            var columns = toolpath.Blocks[block].Columns;
+            var first = toolpath.FirstOf(block);
+            InPlace(toolpath, block, inPlace);
+            for (var i = 0; i < columns.Count; i++)
+            {
+                chosen[first + i] = filter.Matches(toolpath, columns, i);
+                strands[first + i] = columns.Kind[i] is MoveKind.Print or MoveKind.Wipe or MoveKind.MovingRestore;
+            }
         }
         var mapped = new bool[toolpath.Count];
         var last = -1;
@@ -37,20 +46,38 @@ internal static class MappedMoves
         }
         for (var i = 1; i < mapped.Length; i++) mapped[i] |= inPlace[i] && mapped[i - 1];
         for (var i = mapped.Length - 2; i >= 0; i--) mapped[i] |= inPlace[i] && mapped[i + 1];
-        Unmap(toolpath, mapped);
+        Unmap(toolpath, mapped, inPlace);
         return mapped;
     }
 
-    /// <summary>Unmaps homing moves, which go to the switches, and moves in place without a travel to the strand that follows.</summary>
-    public static void Unmap(Toolpath toolpath, bool[] mapped)
+    // Homing moves, which go to the switches, and moves in place without a travel to the strand that follows.
+    private static void Unmap(Toolpath toolpath, bool[] mapped, bool[] inPlace)
     {
         var stays = false;
-        foreach (var move in toolpath.Moves())
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
-            if (toolpath.HomeOf(move) is not null) mapped[move.Index] = false;
-            else if (stays && mapped[move.Index] && move.IsInPlace) mapped[move.Index] = false;
-            var leads = move.Index == 0 || mapped[move.Index] || (move.Kind != MoveKind.Print && toolpath.HomeOf(move) is null && !move.IsInPlace);
-            stays = !leads;
+            var columns = toolpath.Blocks[block].Columns;
+            var first = toolpath.FirstOf(block);
+            for (var i = 0; i < columns.Count; i++)
+            {
+                var move = first + i;
+                var homes = columns.Kind[i] == MoveKind.Travel && toolpath.HomeOf(toolpath[move]) is not null;
+                if (homes || (stays && inPlace[move])) mapped[move] = false;
+                stays = move != 0 && !mapped[move] && (columns.Kind[i] == MoveKind.Print || homes || inPlace[move]);
+            }
+        }
+    }
+
+    private static void InPlace(Toolpath toolpath, int block, bool[] inPlace)
+    {
+        var columns = toolpath.Blocks[block].Columns;
+        var first = toolpath.FirstOf(block);
+        var start = toolpath.StartOf(block);
+        for (var i = 0; i < columns.Count; i++)
+        {
+            var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
+            inPlace[first + i] = Move.IsSame(start, end) && !columns.TryGetArc(i, out _);
+            start = end;
         }
     }
 }

@@ -34,14 +34,7 @@ public sealed record MoveFilter
     /// <summary>Printing moves.</summary>
     public static MoveFilter Prints { get; } = new() { Kinds = [MoveKind.Print] };
 
-    public bool Matches(Move move, Layer? layer)
-        => (Roles is null || Roles.Contains(move.Role))
-            && (Kinds is null || Kinds.Contains(move.Kind))
-            && (FirstLayer is null || (layer is not null && layer.Index >= FirstLayer))
-            && (LastLayer is null || (layer is not null && layer.Index <= LastLayer))
-            && (Objects is null || (layer is not null && Objects.Contains(layer.Object)))
-            && (Tool is null || move.Tool == Tool)
-            && (Box is null || Box.Value.Contains(move.End));
+    public bool Matches(Move move, Layer? layer) => Matches(move.Role, move.Kind, move.Tool, layer) && (Box is null || Box.Value.Contains(move.End));
 
     /// <summary>The same without the moves that belong to no layer (start and end code of a file), if the toolpath has layers.</summary>
     public MoveFilter InLayersOf(Toolpath toolpath)
@@ -62,9 +55,16 @@ public sealed record MoveFilter
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var box = Bounds.Empty;
-        foreach (var move in toolpath.Moves())
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
-            if (Matches(toolpath, move)) box = box.Include(move.Bounds);
+            var columns = toolpath.Blocks[block].Columns;
+            var start = toolpath.StartOf(block);
+            for (var i = 0; i < columns.Count; i++)
+            {
+                var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
+                if (Matches(toolpath, columns, i)) box = columns.TryGetArc(i, out var arc) ? box.Include(arc.Bounds(start, end)) : box.Include(start).Include(end);
+                start = end;
+            }
         }
         return box;
     }
@@ -75,4 +75,17 @@ public sealed record MoveFilter
 
     /// <summary>True if the move of a toolpath is chosen.</summary>
     internal bool Matches(Toolpath toolpath, Move move) => Matches(move, move.Layer >= 0 ? toolpath.Layers[move.Layer] : null);
+
+    /// <summary>The same for a move in the columns of one of its blocks.</summary>
+    internal bool Matches(Toolpath toolpath, ToolpathColumns columns, int i)
+        => Matches(columns.Role[i], columns.Kind[i], columns.Tool[i], columns.Layer[i] >= 0 ? toolpath.Layers[columns.Layer[i]] : null)
+            && (Box is null || Box.Value.Contains(new Vec3(columns.X[i], columns.Y[i], columns.Z[i])));
+
+    private bool Matches(Role role, MoveKind kind, int tool, Layer? layer)
+        => (Roles is null || Roles.Contains(role))
+            && (Kinds is null || Kinds.Contains(kind))
+            && (FirstLayer is null || (layer is not null && layer.Index >= FirstLayer))
+            && (LastLayer is null || (layer is not null && layer.Index <= LastLayer))
+            && (Objects is null || (layer is not null && Objects.Contains(layer.Object)))
+            && (Tool is null || tool == Tool);
 }

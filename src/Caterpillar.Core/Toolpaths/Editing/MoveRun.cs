@@ -51,6 +51,12 @@ internal abstract class RunMap
     /// <summary>Maps a run in place.</summary>
     public abstract void Map(MoveRun run);
 
+    /// <summary>
+    /// The image of a whole block whose first move begins at <paramref name="start"/>, while the head is at <paramref name="position"/>; null where its moves
+    /// must be mapped one by one.
+    /// </summary>
+    public virtual ToolpathColumns? MapBlock(ToolpathColumns block, Vec3 start, Vec3 position) => null;
+
     /// <summary>Divides printed moves and arcs so that straight pieces match their images within the tolerance (mm); other moves stay whole.</summary>
     protected static void DivideSmoothly(Move move, MoveRun run, double tolerance, Func<Vec3[], Vec3[]> map)
     {

@@ -40,6 +40,35 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
             if (image > 0) run.Flows[i] = _volume * length / image;
         }
     }
+
+    // The same for straight moves, column by column. Where lengths stay, amounts do.
+    public override ToolpathColumns? MapBlock(ToolpathColumns block, Vec3 start, Vec3 position)
+    {
+        if (block.Arcs.Length > 0 || block.A is not null) return null;
+        var from = map.Apply(start);
+        var newAmounts = _scales || position != from;
+        var image = block.WithGeometry(newAmounts);
+        var lifts = false;
+        for (var i = 0; i < block.Count; i++)
+        {
+            var end = new Vec3(block.X[i], block.Y[i], block.Z[i]);
+            var to = map.Apply(end);
+            (image.X[i], image.Y[i], image.Z[i]) = (to.X, to.Y, to.Z);
+            lifts |= to.Z != end.Z;
+            if (!newAmounts) continue;
+            var deposited = block.Deposited[i];
+            if (block.Kind[i] == MoveKind.Print && start.DistanceTo(end) is > 0 and var length)
+            {
+                var flow = _scales && from.DistanceTo(to) is > 0 and var mapped ? _volume * length / mapped : 1;
+                deposited = deposited / length * flow * position.DistanceTo(to);
+            }
+            image.E[i] = deposited + (block.E[i] - block.Deposited[i]);
+            image.Deposited[i] = deposited;
+            (start, from, position) = (end, to, to);
+        }
+        if (!lifts) image.Z = block.Z;
+        return image;
+    }
 }
 
 /// <summary>Maps point by point; printed moves are divided until their image is smooth.</summary>

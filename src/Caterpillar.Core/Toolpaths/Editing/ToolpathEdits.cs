@@ -123,7 +123,7 @@ public static class ToolpathEdits
             ToolpathColumns? copy = null;
             for (var i = 0; i < columns.Count; i++)
             {
-                if (!filter.Matches(toolpath, toolpath[toolpath.FirstOf(block) + i])) continue;
+                if (!filter.Matches(toolpath, columns, i)) continue;
                 copy ??= columns.Copy(columns.Count);
                 change(copy, i);
             }

@@ -40,6 +40,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
                 _position = toolpath[first + count - 1].End;
                 continue;
             }
+            if (MapBlock(block, first, count)) continue;
             _editor = BlockEditor.After(toolpath, block);
             for (var i = first; i < first + count; i++)
             {
@@ -50,6 +51,20 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         }
         Events(int.MaxValue);
         return toolpath.WithBlocks(_blocks, _events);
+    }
+
+    // A block without any move that stays, at once.
+    private bool MapBlock(int block, int first, int count)
+    {
+        if (!map.IsLocal || Array.IndexOf(mapped, false, first, count) >= 0) return false;
+        var columns = toolpath.Blocks[block].Columns;
+        if (map.MapBlock(columns, toolpath.StartOf(block), _position) is not { } image) return false;
+        Events(first + count, first);
+        _blocks.Add(new ToolpathBlock(image));
+        _made += count;
+        _position = new Vec3(image.X[count - 1], image.Y[count - 1], image.Z[count - 1]);
+        _run = null;
+        return true;
     }
 
     // The last move of a block may lead to a strand of the next.

@@ -22,7 +22,10 @@ public readonly record struct Move(
     public Bounds Bounds => Arc is { } arc ? arc.Bounds(Start, End) : Bounds.Empty.Include(Start).Include(End);
 
     /// <summary>True if the head does not move.</summary>
-    internal bool IsInPlace => Arc is null && Start.DistanceTo(End) <= 1e-9;
+    internal bool IsInPlace => Arc is null && IsSame(Start, End);
+
+    /// <summary>True for points that are the same to a machine.</summary>
+    internal static bool IsSame(Vec3 start, Vec3 end) => start.DistanceTo(end) <= 1e-9;
 
     /// <summary>Length of the motion of the head, mm.</summary>
     public double Length => Arc is { } arc ? arc.Length(Start, End) : Start.DistanceTo(End);

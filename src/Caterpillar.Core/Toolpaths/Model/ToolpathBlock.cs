@@ -112,6 +112,23 @@ internal sealed class ToolpathColumns
         return copy;
     }
 
+    /// <summary>Columns with other end points, to be filled in, and perhaps other amounts; the rest is shared. For blocks of straight moves.</summary>
+    public ToolpathColumns WithGeometry(bool newAmounts) => new(0)
+    {
+        Count = Count,
+        X = new double[Count],
+        Y = new double[Count],
+        Z = new double[Count],
+        E = newAmounts ? new double[Count] : E,
+        Deposited = newAmounts ? new double[Count] : Deposited,
+        Speed = Speed,
+        Kind = Kind,
+        Role = Role,
+        Tool = Tool,
+        Layer = Layer,
+        Source = Source,
+    };
+
     private double[]? Resized(double[]? column, int capacity)
     {
         if (column is null) return null;

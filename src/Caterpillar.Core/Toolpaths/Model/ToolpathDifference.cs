@@ -1,0 +1,38 @@
+using System;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>What an edit has changed in the moves of a toolpath, where it has as many as before.</summary>
+/// <param name="Shifted">Moves that end elsewhere.</param>
+/// <param name="Speeds">Moves with another speed.</param>
+/// <param name="Amounts">Moves that deposit another amount.</param>
+public sealed record ToolpathDifference(int Shifted, int Speeds, int Amounts)
+{
+    /// <exception cref="ArgumentException">The toolpaths have different numbers of moves.</exception>
+    public static ToolpathDifference Of(Toolpath before, Toolpath after)
+    {
+        if (before is null) throw new ArgumentNullException(nameof(before));
+        if (after is null) throw new ArgumentNullException(nameof(after));
+        if (before.Count != after.Count) throw new ArgumentException("The toolpaths must have the same number of moves.", nameof(after));
+        int shifted = 0, speeds = 0, amounts = 0;
+        int block = 0, other = 0, i = 0, k = 0;
+        while (block < before.Blocks.Count)
+        {
+            var (c, d) = (before.Blocks[block].Columns, after.Blocks[other].Columns);
+            var run = Math.Min(c.Count - i, d.Count - k);
+            var same = ReferenceEquals(c, d) && i == k;
+            for (var end = i + run; i < end && !same; i++, k++)
+            {
+                var way = new Vec3(c.X[i] - d.X[k], c.Y[i] - d.Y[k], c.Z[i] - d.Z[k]);
+                if (Vec3.Dot(way, way) > 1e-18) shifted++;
+                if (Math.Abs(c.Speed[i] - d.Speed[k]) > 1e-9) speeds++;
+                if (Math.Abs(c.Deposited[i] - d.Deposited[k]) > 1e-12) amounts++;
+            }
+            if (same) (i, k) = (i + run, k + run);
+            if (i == c.Count) (block, i) = (block + 1, 0);
+            if (k == d.Count) (other, k) = (other + 1, 0);
+        }
+        return new ToolpathDifference(shifted, speeds, amounts);
+    }
+}
