@@ -6,6 +6,8 @@ namespace Caterpillar.Bench;
 /// <c>dotnet run -c Release --project bench -- --filter *</c>; a class or method name instead of * runs part of it.
 /// <c>dotnet run -c Release --project bench -- times FOLDER</c>: print times against other slicers for the meshes of a folder.
 /// <c>dotnet run -c Release --project bench -- coverage MODEL FILE.gcode...</c>: what the beads of solid prints leave open and cover twice (bench/coverage.sh).
+/// <c>dotnet run -c Release --project bench -- targets PROGRAM BIG.gcode MESHES</c>: every target of speed that can be measured without other programs, with
+/// the published PROGRAM, as a table and a chart (bench/targets.sh).
 /// </summary>
 internal static class Program
 {
@@ -13,6 +15,7 @@ internal static class Program
     {
         if (arguments is ["times", var folder]) PrintTimes.Run(folder);
         else if (arguments is ["coverage", _, _, ..]) Coverage.Run(arguments[1..]);
+        else if (arguments is ["targets", var program, var gcode, var meshes]) Targets.Run(program, gcode, meshes);
         else BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(arguments);
     }
 }

@@ -20,8 +20,8 @@ public static class SafeWriter
     /// <summary>Code of the error that says that nothing was written.</summary>
     public const string Refused = "write.refused";
 
-    // mm, of coordinates and of filament.
-    private const double MostPrintable = 1e7;
+    /// <summary>Code of the error about a number that cannot be written; no reason overrides it.</summary>
+    public const string Unprintable = "write.unprintable";
 
     /// <summary>Checks a toolpath and writes it as a file, whole or not at all.</summary>
     /// <param name="toolpath">What to write.</param>
@@ -77,11 +77,11 @@ public static class SafeWriter
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         if (stream is null) throw new ArgumentNullException(nameof(stream));
-        if (!IsPrintable(toolpath))
+        if (PrintableNumbers.Check(toolpath) is { } unprintable)
         {
-            // Numbers too large to be written are outside every machine.
-            var unprintable = new WriteGuard(PrintCheck.Run(toolpath, setup, progress, cancel), reason);
-            if (unprintable.Refuses) return new Result<WrittenGCode>(null, unprintable.Refusal([]));
+            // Most are outside every machine, which the checks say in other words.
+            var found = new WriteGuard(PrintCheck.Run(toolpath, setup, progress, cancel), null);
+            return new Result<WrittenGCode>(null, found.Refusal(found.Refuses ? [] : [unprintable]));
         }
         var format = SetupFormat.Of(setup, toolpath);
         if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
@@ -99,20 +99,6 @@ public static class SafeWriter
             (lines, bytes) = (writer.Lines, writer.Bytes);
         }
         return new Result<WrittenGCode>(new WrittenGCode(bytes, lines, guard.Overridden, seconds), guard.Remarks(format.Diagnostics));
-    }
-
-    private static bool IsPrintable(Toolpath toolpath)
-    {
-        foreach (var block in toolpath.Blocks)
-        {
-            var c = block.Columns;
-            for (var i = 0; i < c.Count; i++)
-            {
-                if (!(Math.Abs(c.X[i]) < MostPrintable && Math.Abs(c.Y[i]) < MostPrintable && Math.Abs(c.Z[i]) < MostPrintable
-                    && Math.Abs(c.E[i]) < MostPrintable)) return false;
-            }
-        }
-        return true;
     }
 
     /// <summary>Checks a toolpath and writes it as a document in memory.</summary>

@@ -4,11 +4,15 @@ using System.IO;
 
 namespace Caterpillar.Files;
 
-/// <summary>Bytes from one thread to another, in pieces, without keeping them all. The writer waits while many pieces are not read yet.</summary>
+/// <summary>
+/// Bytes from one thread to another, in pieces that are used again, without keeping them all. The writer waits while many pieces are not read yet.
+/// </summary>
 internal sealed class BytePipe : IDisposable
 {
     private const int Pieces = 8;
-    private readonly BlockingCollection<byte[]> _pieces = new(Pieces);
+    private const int PieceSize = 256 * 1024;
+    private readonly BlockingCollection<Piece> _full = new(Pieces);
+    private readonly ConcurrentBag<byte[]> _free = [];
     private volatile bool _isStopped;
 
     public BytePipe() => Reader = new PipeReader(this);
@@ -19,84 +23,53 @@ internal sealed class BytePipe : IDisposable
     /// <summary>Copies bytes into the pipe; they are dropped where nobody reads any more.</summary>
     public void Write(byte[] buffer, int offset, int count)
     {
-        if (count == 0) return;
-        var piece = new byte[count];
-        Buffer.BlockCopy(buffer, offset, piece, 0, count);
-        while (!_isStopped)
+        while (count > 0 && !_isStopped)
         {
-            if (_pieces.TryAdd(piece, 20)) return;
+            if (!_free.TryTake(out var bytes)) bytes = new byte[PieceSize];
+            var part = Math.Min(count, PieceSize);
+            Buffer.BlockCopy(buffer, offset, bytes, 0, part);
+            while (!_isStopped && !_full.TryAdd(new Piece(bytes, part), 20))
+            {
+            }
+            offset += part;
+            count -= part;
         }
     }
 
     /// <summary>Nothing more is written.</summary>
-    public void Complete() => _pieces.CompleteAdding();
+    public void Complete() => _full.CompleteAdding();
 
     /// <summary>Nothing more is read.</summary>
     public void Stop() => _isStopped = true;
 
-    public void Dispose() => _pieces.Dispose();
+    public void Dispose() => _full.Dispose();
 
-    private sealed class PipeReader(BytePipe pipe) : Stream
+    private readonly record struct Piece(byte[] Bytes, int Count);
+
+    private sealed class PipeReader(BytePipe pipe) : ReadStream
     {
-        private byte[] _piece = [];
+        private Piece _piece = new([], 0);
         private int _at;
-
-        public override bool CanRead => true;
-
-        public override bool CanSeek => false;
-
-        public override bool CanWrite => false;
-
-        public override long Length => throw new NotSupportedException();
-
-        public override long Position
-        {
-            get => throw new NotSupportedException();
-            set => throw new NotSupportedException();
-        }
 
         public override int Read(byte[] buffer, int offset, int count)
         {
-            while (_at == _piece.Length)
+            while (_at == _piece.Count)
             {
-                if (!pipe._pieces.TryTake(out var next, -1)) return 0;
-                (_piece, _at) = (next, 0);
+                if (_at > 0) pipe._free.Add(_piece.Bytes);
+                (_piece, _at) = (new Piece([], 0), 0);
+                if (!pipe._full.TryTake(out _piece, -1)) return 0;
             }
-            var part = Math.Min(count, _piece.Length - _at);
-            Buffer.BlockCopy(_piece, _at, buffer, offset, part);
+            var part = Math.Min(count, _piece.Count - _at);
+            Buffer.BlockCopy(_piece.Bytes, _at, buffer, offset, part);
             _at += part;
             return part;
         }
-
-        public override void Flush()
-        {
-        }
-
-        public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-        public override void SetLength(long value) => throw new NotSupportedException();
-
-        public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
     }
 }
 
 /// <summary>A stream that gives what is written to it to a stream, if there is one, and to a pipe.</summary>
-internal sealed class PipedStream(Stream? target, BytePipe pipe) : Stream
+internal sealed class PipedStream(Stream? target, BytePipe pipe) : WriteStream
 {
-    public override bool CanRead => false;
-
-    public override bool CanSeek => false;
-
-    public override bool CanWrite => true;
-
-    public override long Length => throw new NotSupportedException();
-
-    public override long Position
-    {
-        get => throw new NotSupportedException();
-        set => throw new NotSupportedException();
-    }
-
     public override void Write(byte[] buffer, int offset, int count)
     {
         pipe.Write(buffer, offset, count);
@@ -104,10 +77,4 @@ internal sealed class PipedStream(Stream? target, BytePipe pipe) : Stream
     }
 
     public override void Flush() => target?.Flush();
-
-    public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
-
-    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-    public override void SetLength(long value) => throw new NotSupportedException();
 }

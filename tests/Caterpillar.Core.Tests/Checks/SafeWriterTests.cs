@@ -60,6 +60,33 @@ public class SafeWriterTests
         Assert.That(Directory.GetFiles(_folder), Has.Length.EqualTo(1));
     }
 
+    private static readonly double[] NoNumbers = [double.NaN, double.PositiveInfinity, double.NegativeInfinity, 1e300, -1e9];
+
+    [TestCaseSource(nameof(NoNumbers))]
+    public void Numbers_that_cannot_be_written_are_refused_whatever_the_reason(double value)
+    {
+        Toolpath Moves(double x, double e, double speed, PrinterEvent? what = null)
+        {
+            var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(0, 0, 10));
+            builder.Add(new Vec3(50, 50, 0.2), 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+            if (what is not null) builder.AddEvent(what);
+            builder.Add(new Vec3(x, 50, 0.2), e, e, speed, MoveKind.Print, Role.Unspecified, -1, 0, 0);
+            return builder.Build([new ToolpathTool(2.4)]);
+        }
+        Toolpath[] all =
+        [
+            Moves(value, 1, 20), Moves(60, value, 20), Moves(60, 1, value), Moves(60, 1, 20, new NozzleTemperatureEvent(value)),
+            Moves(60, 1, 20, new BedTemperatureEvent(value)), Moves(60, 1, 20, new AccelerationEvent(value)), Moves(60, 1, 20, new DwellEvent(value)),
+            Moves(60, 1, 20, new FanEvent(value)), Moves(60, 1, 20, new LimitEvent(MotionLimit.SpeedX, value)),
+        ];
+        for (var i = 0; i < all.Length; i++)
+        {
+            var refused = SafeWriter.ToDocument(all[i], new PrintSetup(), "A good reason");
+            Assert.That(refused.Value, Is.Null, $"number {i}");
+            Assert.That(refused.Diagnostics.Where(d => d.Severity == Severity.Error).Select(d => d.Code), Has.Some.EqualTo(SafeWriter.Refused), $"number {i}");
+        }
+    }
+
     [TestCase("")]
     [TestCase("   ")]
     [TestCase("1")]

@@ -22,7 +22,6 @@ internal sealed class MoveColumns
     private readonly PackedColumn _what = new("what", true), _layer = new("layer", true), _tool = new("tool", true), _speed = new("speed", true);
     private readonly PackedColumn _move = new("move");
     private readonly int[] _firstRow;
-    private int _rows;
 
     private MoveColumns(ViewerContent content)
     {
@@ -35,7 +34,7 @@ internal sealed class MoveColumns
     public IEnumerable<PackedColumn> All => [_x, _y, _z, _what, _layer, _tool, _line, _move, _speed, _area, _time];
 
     /// <summary>Number of rows.</summary>
-    public int Rows => _rows;
+    public int Rows => _x.Count;
 
     /// <summary>The first row of a move; for the number of moves, the number of rows.</summary>
     public int RowOf(int move) => _firstRow[Math.Max(0, Math.Min(move, _toolpath.Count))];
@@ -56,7 +55,7 @@ internal sealed class MoveColumns
                 cancel.ThrowIfCancellationRequested();
                 progress?.Report((double)move.Index / _toolpath.Count);
             }
-            _firstRow[move.Index] = _rows;
+            _firstRow[move.Index] = Rows;
             var length = move.Length;
             var area = move.Kind == MoveKind.Print && length > 0 && _toolpath.VolumeOf(move) is > 0 and var volume ? volume / length : 0;
             var begin = move.Index > 0 ? End(move.Index - 1) : 0;
@@ -67,14 +66,13 @@ internal sealed class MoveColumns
                 Row(move, i < chords ? move.Arc!.Value.PointAt(move.Start, move.End, part) : move.End, area, begin + (End(move.Index) - begin) * part);
             }
         }
-        _firstRow[_toolpath.Count] = _rows;
+        _firstRow[_toolpath.Count] = Rows;
     }
 
     private double End(int move) => _content.EndOf?.Invoke(move) ?? 0;
 
     private void Row(in Move move, Vec3 end, double area, double time)
     {
-        _rows++;
         _x.Add(end.X, 1e-3);
         _y.Add(end.Y, 1e-3);
         _z.Add(end.Z, 1e-3);

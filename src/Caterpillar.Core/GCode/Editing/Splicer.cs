@@ -15,6 +15,9 @@ namespace Caterpillar.GCode;
 /// </summary>
 internal sealed class Splicer
 {
+    // Below this no other thread is worth its start.
+    private const int FewChunks = 3;
+
     private readonly SpliceContext _context;
     private readonly SplicePlan _plan;
     private readonly SpliceTasks _tasks;
@@ -26,6 +29,7 @@ internal sealed class Splicer
     private readonly PlainMoves _plain;
     private readonly OtherLines _others;
     private readonly int _threads;
+    private readonly QueuedStream? _queue;
     private ChunkParser? _parser;
     private bool _synced = true;
 
@@ -33,7 +37,9 @@ internal sealed class Splicer
     public Splicer(DecodedGCode decoding, Toolpath edited, SplicePlan plan, Stream stream, ConvertTarget? target = null, EditOptions? options = null)
     {
         options ??= new EditOptions();
-        _context = new SpliceContext(decoding, target, stream);
+        _threads = decoding.Document!.Chunks.Count < FewChunks ? 1 : options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
+        _queue = _threads > 1 ? new QueuedStream(stream) : null;
+        _context = new SpliceContext(decoding, target, _queue ?? stream);
         _plan = plan;
         _tasks = new SpliceTasks(_context, plan, new MoveCursor(edited));
         _code = new CodeReplacement(_context, options, plan);
@@ -46,12 +52,18 @@ internal sealed class Splicer
         _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.RewriteAll || _code.Changes || options.GeneralPath);
         _others = new OtherLines(_context, conversion);
         if (options.RewriteAll) plan.Touch(1, int.MaxValue);
-        _threads = options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
     }
 
     public DiagnosticList Diagnostics => _context.Diagnostics;
 
     public void Run(IProgress<double>? progress, CancellationToken cancel)
+    {
+        using var queue = _queue;
+        WriteChunks(progress, cancel);
+        queue?.Finish();
+    }
+
+    private void WriteChunks(IProgress<double>? progress, CancellationToken cancel)
     {
         var chunks = _context.Decoding.Document!.Chunks;
         var next = 0;
@@ -65,7 +77,7 @@ internal sealed class Splicer
             Touched(),
             NewParser,
             chunks.Count > 0 && IsTouched(0),
-            chunks.Count < 3 ? 1 : _threads,
+            _threads,
             (parser, _) =>
             {
                 while (!ReferenceEquals(chunks[next], parser.Chunk)) Write(null);

@@ -42,42 +42,33 @@ internal sealed class WrittenLines(int moves)
     }
 
     /// <summary>The first move whose last line is not before a line; the number of moves after them all.</summary>
-    public int NextMove(int line)
-    {
-        int low = 0, high = moves;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (_last[middle] < line) low = middle + 1;
-            else high = middle;
-        }
-        return low;
-    }
+    public int NextMove(int line) => First(moves, line, i => _last[i]);
 
     /// <summary>The event that a line comes from, or −1.</summary>
     public int EventAt(int line)
     {
-        int low = 0, high = _events.Count;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (_events[middle].Last < line) low = middle + 1;
-            else high = middle;
-        }
-        return low < _events.Count && line > _events[low].Before ? _events[low].Event : -1;
+        var at = First(_events.Count, line, i => _events[i].Last);
+        return at < _events.Count && line > _events[at].Before ? _events[at].Event : -1;
     }
 
     /// <summary>The first line of an event; 0 where it has none.</summary>
     public int LineOf(int what)
     {
-        int low = 0, high = _events.Count;
+        var at = First(_events.Count, what, i => _events[i].Event);
+        return at < _events.Count && _events[at].Event == what ? _events[at].Before + 1 : 0;
+    }
+
+    // The first of ascending values that is not below the wanted one; their number where all are.
+    private static int First(int count, int wanted, Func<int, int> valueAt)
+    {
+        int low = 0, high = count;
         while (low < high)
         {
             var middle = (low + high) / 2;
-            if (_events[middle].Event < what) low = middle + 1;
+            if (valueAt(middle) < wanted) low = middle + 1;
             else high = middle;
         }
-        return low < _events.Count && _events[low].Event == what ? _events[low].Before + 1 : 0;
+        return low;
     }
 
     private static int Number(long lines) => (int)Math.Min(lines, int.MaxValue);

@@ -62,7 +62,8 @@ public sealed record MoveFilter
             for (var i = 0; i < columns.Count; i++)
             {
                 var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
-                if (Matches(toolpath, columns, i)) box = columns.TryGetArc(i, out var arc) ? box.Include(arc.Bounds(start, end)) : box.Include(start).Include(end);
+                if (Matches(toolpath, columns, i)) box = columns.TryGetArc(i, out var arc) ? box.Include(arc.Bounds(start, end))
+                    : box.Include(start).Include(end);
                 start = end;
             }
         }

@@ -1,0 +1,19 @@
+using System;
+using System.Globalization;
+
+namespace Caterpillar.Bench;
+
+/// <summary>A job with the time (or amount) it may take, and what it took. Smaller is better.</summary>
+internal sealed record Target(string Job, string Unit, double Allowed, double Measured, string Remark = "")
+{
+    public bool IsMet => Measured <= Allowed;
+
+    /// <summary>How much of what is allowed was taken.</summary>
+    public double Share => Allowed > 0 ? Measured / Allowed : Measured > 0 ? 10 : 0;
+
+    public string Text(double value)
+        => value.ToString(value >= 100 ? "0" : value >= 10 ? "0.#" : value >= 1 ? "0.##" : "0.###", CultureInfo.InvariantCulture) + " " + Unit;
+
+    public string ToRow() => $"| {Job} | {Text(Allowed)} | {Text(Measured)} | "
+        + $"{(IsMet ? "met" : $"**{Math.Round(Share, 1).ToString(CultureInfo.InvariantCulture)} ×**")} | {Remark} |";
+}

@@ -1,0 +1,165 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Caterpillar.Checks;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+using Caterpillar.Simulation;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Bench;
+
+/// <summary>Every target of speed that needs no other program, measured in one run: a table for RESULTS.md and a chart.</summary>
+internal static class Targets
+{
+    public static void Run(string program, string gcode, string meshes)
+    {
+        var work = Directory.CreateTempSubdirectory("caterpillar-").FullName;
+        try
+        {
+            var targets = new List<Target>();
+            foreach (var target in Files(program, gcode, work).Concat(Helix(program, work)).Concat(Motion()).Concat(Checks()).Concat(Guard())
+                .Concat(Meshes(program, meshes, work)))
+            {
+                Console.Error.WriteLine(target.ToRow());
+                targets.Add(target);
+            }
+            Console.WriteLine(Machine());
+            Console.WriteLine();
+            Console.WriteLine("| job | at most | measured | | |");
+            Console.WriteLine("|---|---|---|---|---|");
+            foreach (var target in targets) Console.WriteLine(target.ToRow());
+            File.WriteAllText("targets.svg", Chart.Of(targets));
+        }
+        finally
+        {
+            Directory.Delete(work, true);
+        }
+    }
+
+    private static string Machine() => string.Create(CultureInfo.InvariantCulture,
+        $"{Environment.ProcessorCount} cores, {GC.GetGCMemoryInfo().TotalAvailableMemoryBytes / 1e9:0} GB, .NET {Environment.Version}, Linux "
+            + $"{(Environment.Is64BitProcess ? "x64" : "x86")}.");
+
+    // The big file: 300 MB/s where every line changes.
+    private static IEnumerable<Target> Files(string program, string gcode, string work)
+    {
+        var megabytes = new FileInfo(gcode).Length / 1e6;
+        var output = Path.Combine(work, "o.gcode");
+        Target Whole(string job, double allowed, params string[] arguments)
+        {
+            var runs = ProcessRuns.Of(program, arguments);
+            return new Target(job, "s", allowed, runs.Wall, $"{runs.Remark}, {(megabytes / runs.Wall).ToString("0", CultureInfo.InvariantCulture)} MB/s");
+        }
+        var size = megabytes.ToString("0", CultureInfo.InvariantCulture) + " MB";
+        yield return Whole($"`decode --json`, {size}", megabytes / 200, "decode", gcode, "--json");
+        yield return Whole($"`convert` without a change, {size}", megabytes / 200, "convert", gcode, "-o", output);
+        yield return Whole($"`convert --e relative`, {size}", megabytes / 300, "convert", gcode, "--e", "relative", "-o", output);
+        yield return Whole($"`convert --move 10,5`, {size}", megabytes / 300, "convert", gcode, "--move", "10,5", "-o", output);
+        yield return Whole($"`convert --scale 0.5`, {size}", megabytes / 300, "convert", gcode, "--scale", "0.5", "-o", output);
+        yield return Whole($"`convert --speed 90%`, {size}", megabytes / 300, "convert", gcode, "--speed", "90%", "-o", output);
+        yield return Whole($"`convert --decimals 2,4,0`, {size}", megabytes / 300, "convert", gcode, "--decimals", "2,4,0", "-o", output);
+    }
+
+    private static IEnumerable<Target> Helix(string program, string work)
+    {
+        var csv = Path.Combine(work, "helix.csv");
+        using (var text = new StreamWriter(csv))
+        {
+            text.WriteLine("x,y,z");
+            for (var i = 0; i <= 1_000_000; i++)
+            {
+                var angle = i * 2 * Math.PI / 1000;
+                text.WriteLine(string.Create(CultureInfo.InvariantCulture,
+                    $"{110 + 40 * Math.Cos(angle):0.000},{110 + 40 * Math.Sin(angle):0.000},{0.2 + i * 2e-4:0.0000}"));
+            }
+        }
+        var script = Path.Combine(work, "helix.turtle");
+        File.WriteAllText(script, "start 110 70 0.2\nrepeat 1000000 [ forward_lift 0.25 0.0002; left 0.36 ]\n");
+        var output = Path.Combine(work, "h.gcode");
+        var curves = ProcessRuns.Of(program, ["curves", csv, "-o", output], 3);
+        yield return new Target("`curves`, a helix of 10⁶ points from CSV, checked and written", "s", 0.8, curves.Wall, curves.Remark);
+        var turtle = ProcessRuns.Of(program, ["turtle", script, "-o", output], 3);
+        yield return new Target("`turtle`, a helix of 10⁶ strings from a script, checked and written", "s", 0.8, turtle.Wall, turtle.Remark);
+    }
+
+    private static IEnumerable<Target> Motion()
+    {
+        var toolpath = Samples.Print(2_500_000);
+        foreach (var rule in new[] { CornerRule.JunctionDeviation, CornerRule.Jerk, CornerRule.SquareCornerVelocity })
+        {
+            var setup = new PrintSetup { Printer = new Printer { CornerRule = rule } };
+            yield return new Target($"timeline of 2.5 million moves, {rule}", "s", 0.3, Time(() => Timeline.Of(toolpath, setup)));
+        }
+        var timeline = Timeline.Of(toolpath, new PrintSetup());
+        const int Steps = 1_000_000;
+        var sum = 0.0;
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        var seconds = Time(() =>
+        {
+            for (var i = 0; i < Steps; i++) sum += timeline.AtFraction(i * 0.618 % 1).Time;
+        });
+        var allocated = (GC.GetAllocatedBytesForCurrentThread() - before) / Steps;
+        yield return new Target("one seek in it", "µs", 10, seconds / Steps * 1e6, double.IsFinite(sum) ? "" : "?");
+        yield return new Target("memory of the state at a step of a slider", "bytes", 0, allocated);
+    }
+
+    private static IEnumerable<Target> Checks()
+    {
+        var toolpath = Samples.Print(1_000_000);
+        yield return new Target("all checks of a million moves, collisions among them", "s", 2, Time(() => PrintCheck.Run(toolpath, new PrintSetup())));
+    }
+
+    // Processor time by itself: decoding and comparing, one thread, against writing.
+    private static IEnumerable<Target> Guard()
+    {
+        var toolpath = Samples.Print(1_000_000);
+        var setup = new PrintSetup();
+        var format = SetupFormat.Of(setup, toolpath).Value ?? new GCodeFormat();
+        var text = GCodeWriter.ToBytes(toolpath, format);
+        var lines = new WrittenLines(toolpath.Count);
+        new GCodeWriter(toolpath, format) { Written = lines }.WriteAll(Stream.Null);
+        var options = new DecodeOptions { Dialect = setup.Printer.Dialect, Threads = 1 };
+        DecodedGCode? read = null;
+        var writing = Time(() => GCodeWriter.Write(toolpath, format, Stream.Null));
+        var decoding = Time(() => read = GCodeDecoder.DecodeStream(new MemoryStream(text), options).Value);
+        var comparing = Time(() => PlanComparison.Run(toolpath, read!.Toolpath, format, lines, new Findings(setup.Printer, toolpath)));
+        yield return new Target("read-back of a million moves (decoded, compared) against half of writing them", "s", writing / 2, decoding + comparing,
+            string.Create(CultureInfo.InvariantCulture,
+                $"writing {writing:0.000} s, decoding {decoding:0.000} s, comparing {comparing:0.000} s, one thread each"));
+    }
+
+    private static IEnumerable<Target> Meshes(string program, string folder, string work)
+    {
+        var mesh = Path.Combine(folder, "igea.ply");
+        if (!File.Exists(mesh)) yield break;
+        var output = Path.Combine(work, "m.gcode");
+        (string What, string[] Options)[] kinds =
+        [
+            ("2 walls, 20 % infill", ["--set", "infill_percent=20", "--set", "top_layers=0", "--set", "bottom_layers=0"]),
+            ("skins, seams, bridges, supports", ["--set", "support=grid"]),
+            ("walls only", ["--set", "infill_percent=0", "--set", "top_layers=0", "--set", "bottom_layers=0"]),
+        ];
+        foreach (var (what, options) in kinds)
+        {
+            var runs = ProcessRuns.Of(program, ["slice", mesh, .. options, "-o", output, "--override", "benchmark"], 3);
+            yield return new Target($"`slice` of igea (268,686 triangles): {what}", "s", 0.8, runs.Wall, runs.Remark + "; peers: see below");
+        }
+    }
+
+    // Median of five in seconds, after one to warm up.
+    private static double Time(Action work)
+    {
+        work();
+        return ProcessRuns.Median(Enumerable.Range(0, 5).Select(_ =>
+        {
+            var watch = Stopwatch.StartNew();
+            work();
+            return watch.Elapsed.TotalSeconds;
+        }));
+    }
+}
