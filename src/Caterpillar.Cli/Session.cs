@@ -89,18 +89,21 @@ internal sealed class Session
     public static string NameOf(string file) => file == "-" ? "standard input" : file;
 
     /// <summary>Writes a file whole or not at all, or standard output for <c>-</c>.</summary>
-    public void Write(string file, Action<Stream> write)
+    public void Write(string file, Action<Stream> write) => Write(file, (stream, _) => write(stream));
+
+    /// <summary>The same; the second argument of <paramref name="write"/> is true where what is written is thrown away if it fails.</summary>
+    public void Write(string file, Action<Stream, bool> write)
     {
         if (file == "-")
         {
             using var output = _output();
-            write(output);
+            write(output, false);
             output.Flush();
             return;
         }
         NoFolder(file);
         using var whole = new AtomicFile(file);
-        write(whole.Stream);
+        write(whole.Stream, whole.IsTemporary);
         whole.Commit();
     }
 

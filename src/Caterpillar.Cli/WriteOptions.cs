@@ -61,13 +61,14 @@ internal sealed class WriteOptions
         double maxBytes = double.PositiveInfinity)
     {
         WrittenGCode? written = null;
-        session.Write(file, stream => BinaryGCode.WriteAs(file, stream, text =>
+        session.Write(file, (stream, isDraft) => BinaryGCode.WriteAs(file, stream, text =>
         {
             var reason = arguments.GetValue(_reason);
+            Result<WrittenGCode> Write(IProgress<double>? progress) => isDraft
+                ? SafeWriter.WriteDraft(toolpath, setup, text, reason, progress, session.Cancel)
+                : SafeWriter.Write(toolpath, setup, text, reason, progress, session.Cancel);
             // A progress bar and the G-code would mix on a terminal.
-            var result = file == "-"
-                ? SafeWriter.Write(toolpath, setup, text, reason, null, session.Cancel)
-                : session.WithProgress("Writing", progress => SafeWriter.Write(toolpath, setup, text, reason, progress, session.Cancel));
+            var result = file == "-" ? Write(null) : session.WithProgress("Writing", Write);
             // What the checks merely remark on is for "caterpillar check".
             session.Print(result.Diagnostics.Where(d => d.Severity != Severity.Remark || CheckCodes.Find(d.Code) is null));
             written = result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);

@@ -24,7 +24,11 @@ internal sealed class PlanComparison
     private readonly double _allowed;
     private readonly double _allowedE;
     private readonly bool _hasE;
-    private readonly Dictionary<int, double> _drift = [];
+
+    // What E has strayed from the plan, for each tool, and for the current one.
+    private readonly Dictionary<int, double> _drifts = [];
+    private double _drift;
+    private int _tool;
     private int _block;
     private int _next;
     private Vec3 _head;
@@ -130,16 +134,20 @@ internal sealed class PlanComparison
 
     private void Extruded(ToolpathColumns plan, int i, int move, int line, double e)
     {
-        var tool = plan.Tool[i];
-        _drift.TryGetValue(tool, out var drift);
-        drift += e - plan.E[i];
-        if (Math.Abs(drift) > _allowedE + 1e-12 * Math.Abs(plan.E[i]))
+        if (plan.Tool[i] != _tool)
         {
-            var planned = plan.E[i];
-            _findings.Add(CheckCodes.FileExtrusion, () => WrittenPlaces.OfMove(_plan, move, line),
-                () => $"E changes by {NumberFormatter.Format(e, 5)} in this line; the plan has {NumberFormatter.Format(planned, 5)}.");
-            drift = 0;
+            _drifts[_tool] = _drift;
+            _tool = plan.Tool[i];
+            _drifts.TryGetValue(_tool, out _drift);
         }
-        _drift[tool] = drift;
+        _drift += e - plan.E[i];
+        if (!(Math.Abs(_drift) > _allowedE + 1e-12 * Math.Abs(plan.E[i]))) return;
+        _drift = 0;
+        Report(move, line, e, plan.E[i]);
     }
+
+    // Apart from the above, which would allocate what is captured here for each move.
+    private void Report(int move, int line, double e, double planned)
+        => _findings.Add(CheckCodes.FileExtrusion, () => WrittenPlaces.OfMove(_plan, move, line),
+            () => $"E changes by {NumberFormatter.Format(e, 5)} in this line; the plan has {NumberFormatter.Format(planned, 5)}.");
 }

@@ -33,6 +33,9 @@ public sealed class AtomicFile : IDisposable
 
     public Stream Stream => _stream ?? throw new ObjectDisposedException(nameof(AtomicFile));
 
+    /// <summary>False for a device or a pipe: what is written to it cannot be taken back.</summary>
+    public bool IsTemporary => _temporary is not null;
+
     /// <summary>Moves the file into place.</summary>
     /// <exception cref="IOException">The disk is full, or the older file cannot be replaced; it is as it was.</exception>
     /// <exception cref="UnauthorizedAccessException">The older file may not be replaced.</exception>
