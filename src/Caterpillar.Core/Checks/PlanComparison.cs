@@ -71,6 +71,7 @@ internal sealed class PlanComparison
         var count = 0;
         var retracts = false;
         var from = _head;
+        var turns = plan.TryGetArc(i, out var turn);
         var length = 0.0;
         while (_block < _read.Blocks.Count)
         {
@@ -85,7 +86,7 @@ internal sealed class PlanComparison
             var end = new Vec3(read.X[_next], read.Y[_next], read.Z[_next]);
             e += read.E[_next];
             retracts |= read.E[_next] == 0 && read.Kind[_next] is MoveKind.Retract or MoveKind.Restore;
-            length += read.TryGetArc(_next, out var arc) ? arc.Length(_head, end) : _head.DistanceTo(end);
+            if (turns) length += read.TryGetArc(_next, out var arc) ? arc.Length(_head, end) : _head.DistanceTo(end);
             _head = end;
             _known = true;
             count++;
@@ -93,7 +94,7 @@ internal sealed class PlanComparison
         }
         var wanted = new Vec3(plan.X[i], plan.Y[i], plan.Z[i]);
         if (_known && !IsNear(_head, wanted)) Moved(move, last, wanted);
-        if (plan.TryGetArc(i, out var turn) && count > 0) Turned(plan, block, i, move, last, turn, from, wanted, length);
+        if (turns && count > 0) Turned(plan, block, i, move, last, turn, from, wanted, length);
         if (_hasE && !retracts) Extruded(plan, i, move, last, e);
     }
 

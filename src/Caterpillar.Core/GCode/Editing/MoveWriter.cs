@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using System.Text;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -240,6 +241,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
     public double ToleranceE => _toleranceE;
 
     /// <summary>What rounding has left of a move goes into the next line that is rewritten.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Carry(double e, double writtenE)
     {
         var carried = Carried + e - writtenE;

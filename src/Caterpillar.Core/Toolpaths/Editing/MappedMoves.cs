@@ -21,6 +21,7 @@ internal static class MappedMoves
     /// </summary>
     public static bool[] Of(Toolpath toolpath, MoveFilter filter)
     {
+        var choice = new MoveChoice(filter, toolpath);
         var chosen = new bool[toolpath.Count];
         var inPlace = new bool[toolpath.Count];
         var strands = new bool[toolpath.Count];
@@ -31,7 +32,7 @@ internal static class MappedMoves
             InPlace(toolpath, block, inPlace);
             for (var i = 0; i < columns.Count; i++)
             {
-                chosen[first + i] = filter.Matches(toolpath, columns, i);
+                chosen[first + i] = choice.Has(columns, i);
                 strands[first + i] = columns.Kind[i] is MoveKind.Print or MoveKind.Wipe or MoveKind.MovingRestore;
             }
         }

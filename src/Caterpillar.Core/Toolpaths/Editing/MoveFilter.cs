@@ -34,7 +34,12 @@ public sealed record MoveFilter
     /// <summary>Printing moves.</summary>
     public static MoveFilter Prints { get; } = new() { Kinds = [MoveKind.Print] };
 
-    public bool Matches(Move move, Layer? layer) => Matches(move.Role, move.Kind, move.Tool, layer) && (Box is null || Box.Value.Contains(move.End));
+    public bool Matches(Move move, Layer? layer)
+        => (Roles is null || Roles.Contains(move.Role))
+            && (Kinds is null || Kinds.Contains(move.Kind))
+            && MatchesNumber(layer)
+            && (Tool is null || move.Tool == Tool)
+            && (Box is null || Box.Value.Contains(move.End));
 
     /// <summary>The same without the moves that belong to no layer (start and end code of a file), if the toolpath has layers.</summary>
     public MoveFilter InLayersOf(Toolpath toolpath)
@@ -55,6 +60,7 @@ public sealed record MoveFilter
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var box = Bounds.Empty;
+        var choice = new MoveChoice(this, toolpath);
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
             var columns = toolpath.Blocks[block].Columns;
@@ -62,8 +68,12 @@ public sealed record MoveFilter
             for (var i = 0; i < columns.Count; i++)
             {
                 var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
-                if (Matches(toolpath, columns, i)) box = columns.TryGetArc(i, out var arc) ? box.Include(arc.Bounds(start, end))
-                    : box.Include(start).Include(end);
+                if (choice.Has(columns, i))
+                {
+                    if (!box.Contains(start)) box = box.Include(start);
+                    if (!box.Contains(end)) box = box.Include(end);
+                    if (columns.TryGetArc(i, out var arc)) box = box.Include(arc.Bounds(start, end));
+                }
                 start = end;
             }
         }
@@ -77,16 +87,9 @@ public sealed record MoveFilter
     /// <summary>True if the move of a toolpath is chosen.</summary>
     internal bool Matches(Toolpath toolpath, Move move) => Matches(move, move.Layer >= 0 ? toolpath.Layers[move.Layer] : null);
 
-    /// <summary>The same for a move in the columns of one of its blocks.</summary>
-    internal bool Matches(Toolpath toolpath, ToolpathColumns columns, int i)
-        => Matches(columns.Role[i], columns.Kind[i], columns.Tool[i], columns.Layer[i] >= 0 ? toolpath.Layers[columns.Layer[i]] : null)
-            && (Box is null || Box.Value.Contains(new Vec3(columns.X[i], columns.Y[i], columns.Z[i])));
-
-    private bool Matches(Role role, MoveKind kind, int tool, Layer? layer)
-        => (Roles is null || Roles.Contains(role))
-            && (Kinds is null || Kinds.Contains(kind))
-            && (FirstLayer is null || (layer is not null && layer.Index >= FirstLayer))
+    /// <summary>True if the moves of a layer are chosen as far as its number and object go; null for moves without one.</summary>
+    internal bool MatchesNumber(Layer? layer)
+        => (FirstLayer is null || (layer is not null && layer.Index >= FirstLayer))
             && (LastLayer is null || (layer is not null && layer.Index <= LastLayer))
-            && (Objects is null || (layer is not null && Objects.Contains(layer.Object)))
-            && (Tool is null || tool == Tool);
+            && (Objects is null || (layer is not null && Objects.Contains(layer.Object)));
 }

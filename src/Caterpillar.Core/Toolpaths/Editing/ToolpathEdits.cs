@@ -116,6 +116,7 @@ public static class ToolpathEdits
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
+        var choice = new MoveChoice(filter, toolpath);
         var blocks = new List<ToolpathBlock>(toolpath.Blocks.Count);
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
@@ -123,7 +124,7 @@ public static class ToolpathEdits
             ToolpathColumns? copy = null;
             for (var i = 0; i < columns.Count; i++)
             {
-                if (!filter.Matches(toolpath, columns, i)) continue;
+                if (!choice.Has(columns, i)) continue;
                 copy ??= columns.Copy(columns.Count);
                 change(copy, i);
             }

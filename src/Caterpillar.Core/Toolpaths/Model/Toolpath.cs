@@ -41,6 +41,8 @@ public sealed class Toolpath
     private readonly ToolpathBlock[] _blocks;
     private readonly int[] _firsts;
     private readonly MoveEvent[] _events;
+    private readonly Layer[] _layers;
+    private readonly ToolpathTool[] _tools;
 
     internal Toolpath(
         IEnumerable<ToolpathBlock> blocks, IEnumerable<Layer> layers, IEnumerable<MoveEvent> events, IEnumerable<ToolpathTool> tools, Vec3? start,
@@ -53,9 +55,9 @@ public sealed class Toolpath
             _firsts[i] = Count;
             Count += _blocks[i].Count;
         }
-        Layers = layers.ToArray();
+        _layers = layers.ToArray();
         _events = events.ToArray();
-        Tools = tools.ToArray();
+        _tools = tools.ToArray();
         Start = start;
         Source = source;
         Places = places ?? [];
@@ -67,13 +69,13 @@ public sealed class Toolpath
     public IReadOnlyList<ToolpathBlock> Blocks => _blocks;
 
     /// <summary>The layers of the moves, in order of first appearance.</summary>
-    public IReadOnlyList<Layer> Layers { get; }
+    public IReadOnlyList<Layer> Layers => _layers;
 
     /// <summary>Events, ascending by move.</summary>
     public IReadOnlyList<MoveEvent> Events => _events;
 
     /// <summary>The tools by number.</summary>
-    public IReadOnlyList<ToolpathTool> Tools { get; }
+    public IReadOnlyList<ToolpathTool> Tools => _tools;
 
     /// <summary>Position of the head before the first move, mm; null if a decoded file does not state it (moves then start at the origin).</summary>
     public Vec3? Start { get; }
@@ -135,10 +137,10 @@ public sealed class Toolpath
     }
 
     /// <summary>Thickness of a layer in mm; 0 if unknown, or without a layer.</summary>
-    internal double ThicknessOf(int layer) => layer >= 0 ? Layers[layer].Thickness : 0;
+    internal double ThicknessOf(int layer) => layer >= 0 ? _layers[layer].Thickness : 0;
 
     /// <summary>mm³ per unit of E of a tool, or null.</summary>
-    public double? VolumePerE(int tool) => tool >= 0 && tool < Tools.Count ? Tools[tool].VolumePerE : null;
+    public double? VolumePerE(int tool) => tool >= 0 && tool < _tools.Length ? _tools[tool].VolumePerE : null;
 
     /// <summary>The same toolpath with other moves in some blocks; for edits.</summary>
     internal Toolpath WithBlocks(IEnumerable<ToolpathBlock> blocks, IEnumerable<MoveEvent>? events = null, IEnumerable<Layer>? layers = null)

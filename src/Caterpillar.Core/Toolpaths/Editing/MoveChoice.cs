@@ -1,0 +1,34 @@
+using System;
+using System.Linq;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>A filter worked out for the layers of one toolpath, so that each of many million moves is a few look-ups.</summary>
+internal sealed class MoveChoice
+{
+    private readonly bool[] _kinds;
+    private readonly bool[] _roles;
+
+    // By layer; at last, of moves without one.
+    private readonly bool[] _layers;
+    private readonly int? _tool;
+    private readonly Bounds? _box;
+
+    public MoveChoice(MoveFilter filter, Toolpath toolpath)
+    {
+        _kinds = Enum.GetValues(typeof(MoveKind)).Cast<MoveKind>().Select(k => filter.Kinds is null || filter.Kinds.Contains(k)).ToArray();
+        _roles = Enum.GetValues(typeof(Role)).Cast<Role>().Select(r => filter.Roles is null || filter.Roles.Contains(r)).ToArray();
+        _layers = toolpath.Layers.Select(filter.MatchesNumber).Concat([filter.MatchesNumber(null)]).ToArray();
+        (_tool, _box) = (filter.Tool, filter.Box);
+    }
+
+    /// <summary>True if a move in the columns of a block is chosen.</summary>
+    public bool Has(ToolpathColumns columns, int i)
+    {
+        var layer = columns.Layer[i];
+        return _kinds[(int)columns.Kind[i]] && _roles[(int)columns.Role[i]] && _layers[layer < 0 ? _layers.Length - 1 : layer]
+            && (_tool is null || columns.Tool[i] == _tool)
+            && (_box is null || _box.Value.Contains(new Vec3(columns.X[i], columns.Y[i], columns.Z[i])));
+    }
+}
