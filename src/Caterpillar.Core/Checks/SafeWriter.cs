@@ -79,8 +79,8 @@ public static class SafeWriter
         if (stream is null) throw new ArgumentNullException(nameof(stream));
         if (PrintableNumbers.Check(toolpath) is { } unprintable)
         {
-            // Most are outside every machine, which the checks say in other words.
-            var found = new WriteGuard(PrintCheck.Run(toolpath, setup, progress, cancel), null);
+            // Places far away are outside every machine, which the checks say in other words.
+            var found = new WriteGuard(PrintableNumbers.AreFinite(toolpath) ? PrintCheck.Run(toolpath, setup, progress, cancel) : [], null);
             return new Result<WrittenGCode>(null, found.Refusal(found.Refuses ? [] : [unprintable]));
         }
         var format = SetupFormat.Of(setup, toolpath);

@@ -36,6 +36,16 @@ internal sealed class BytePipe : IDisposable
         }
     }
 
+    /// <summary>Writes all that comes through the pipe to a stream, up to its end.</summary>
+    public void CopyTo(Stream target)
+    {
+        while (_full.TryTake(out var piece, -1))
+        {
+            target.Write(piece.Bytes, 0, piece.Count);
+            _free.Add(piece.Bytes);
+        }
+    }
+
     /// <summary>Nothing more is written.</summary>
     public void Complete() => _full.CompleteAdding();
 

@@ -44,8 +44,7 @@ internal sealed class QueuedStream(Stream target) : WriteStream
     {
         try
         {
-            var buffer = new byte[64 * 1024];
-            for (int count; (count = _pipe.Reader.Read(buffer, 0, buffer.Length)) > 0;) target.Write(buffer, 0, count);
+            _pipe.CopyTo(target);
         }
         finally
         {
