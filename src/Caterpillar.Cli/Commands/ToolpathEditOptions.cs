@@ -142,7 +142,7 @@ internal sealed class ToolpathEditOptions
     {
         var scale = arguments.GetValue(_scale) is { } scales ? Numbers.Scale(scales) : (Vec3?)null;
         var turn = arguments.GetValue(_turn);
-        var move = arguments.GetValue(_move) is { } way ? Numbers.Vector(way, "--move") : (Vec3?)null;
+        var move = arguments.GetValue(_move) is { } vector ? Numbers.Vector(vector, "--move") : (Vec3?)null;
         if (scale is null && turn is null) return move is { } shift ? Affine.Move(shift) : null;
         var foot = Foot(toolpath, strands);
         var map = Affine.Move(-foot);

@@ -24,8 +24,8 @@ public sealed record ToolpathDifference(int Shifted, int Speeds, int Amounts)
             var same = ReferenceEquals(c, d) && i == k;
             for (var end = i + run; i < end && !same; i++, k++)
             {
-                var way = new Vec3(c.X[i] - d.X[k], c.Y[i] - d.Y[k], c.Z[i] - d.Z[k]);
-                if (Vec3.Dot(way, way) > 1e-18) shifted++;
+                var shift = new Vec3(c.X[i] - d.X[k], c.Y[i] - d.Y[k], c.Z[i] - d.Z[k]);
+                if (Vec3.Dot(shift, shift) > 1e-18) shifted++;
                 if (Math.Abs(c.Speed[i] - d.Speed[k]) > 1e-9) speeds++;
                 if (Math.Abs(c.Deposited[i] - d.Deposited[k]) > 1e-12) amounts++;
             }
