@@ -45,7 +45,7 @@ internal static class Chart
 
     private static string Plain(string text)
     {
-        text = text.Replace("`", "").Replace("&", "&amp;").Replace("<", "&lt;");
+        text = text.Replace("`", "", StringComparison.Ordinal).Replace("&", "&amp;", StringComparison.Ordinal).Replace("<", "&lt;", StringComparison.Ordinal);
         return text.Length > 66 ? text[..65] + "…" : text;
     }
 

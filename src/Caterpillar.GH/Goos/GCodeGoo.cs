@@ -34,7 +34,7 @@ public sealed class GCodeGoo : ValueGoo<GCodeDocument>
     private static bool IsFile(string text)
     {
         var name = text.Trim();
-        if (name.Length is 0 or > 1000 || name.IndexOfAny(Path.GetInvalidPathChars()) >= 0 || name.IndexOf('\n') >= 0) return false;
+        if (name.Length is 0 or > 1000 || name.IndexOfAny(Path.GetInvalidPathChars()) >= 0 || name.IndexOf('\n', 0) >= 0) return false;
         return Path.IsPathRooted(name) && File.Exists(name);
     }
 
