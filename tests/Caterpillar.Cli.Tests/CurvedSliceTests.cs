@@ -49,4 +49,50 @@ public class CurvedSliceTests : CliFixture
         Assert.That(text, Does.Contain("G0 Z8.6 F600"));
         Assert.That(text, Does.Contain(" Z8.2").And.Contain(" Z8.4"));
     }
+
+    [Test]
+    public void Layers_between_the_ends_of_a_model_are_found_or_given()
+    {
+        File.WriteAllText("part.stl", Box(10, 10, 4));
+        File.WriteAllText("top.csv", "x,y,z\n0,0,4\n10,0,4\n10,10,4\n0,10,4\n0,0,4\n");
+        foreach (var field in new[] { "between", "geodesic" })
+        {
+            var run = Run("slice", "part.stl", "--field", field, "--set", "layer_height_mm=0.4");
+            Assert.That(run.Code, Is.Zero, run.Messages);
+        }
+        Assert.That(Run("slice", "part.stl", "--field", "harmonic", "--from", "top.csv").Code, Is.EqualTo(2), "--from goes with --to");
+        Assert.That(Run("slice", "part.stl", "--surface", "5", "--to", "top.csv").Code, Is.EqualTo(2));
+        File.WriteAllText("far.csv", "x,y,z\n50,0,4\n60,0,4\n");
+        var missed = Run("slice", "part.stl", "--field", "harmonic", "--to", "far.csv");
+        Assert.That((missed.Code, missed.Messages), Is.EqualTo((1, missed.Messages)));
+        Assert.That(missed.Messages, Does.Contain("curved.no_boundary"));
+    }
+
+    [Test]
+    public void The_tool_tilts_along_the_layers_where_asked()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 3));
+        Assert.That(Run("slice", "part.stl", "--surface", "0.2 * x", "--tilt", "bc").Code, Is.Zero);
+        Assert.That(File.ReadAllText("part.gcode"), Does.Contain(" B11.31 C180"));
+        Assert.That(Run("slice", "part.stl", "--surface", "0.2 * x", "--tilt", "ac=5").Code, Is.Zero);
+        Assert.That(File.ReadAllText("part.gcode"), Does.Contain(" A5 C270").Or.Contain(" A5 C-90"));
+        Assert.That(Run("slice", "part.stl", "--surface", "0.2 * x", "--tilt", "xyz").Code, Is.EqualTo(2));
+        Assert.That(Run("slice", "part.stl", "--tilt", "bc").Code, Is.EqualTo(2));
+    }
+
+    [Test]
+    public void Curves_and_turtles_are_put_onto_an_object()
+    {
+        File.WriteAllText("scan.stl", Box(220, 220, 8));
+        File.WriteAllText("lines.csv", "x,y,z\n10,10,0.2\n50,10,0.2\n50,15,0.2\n");
+        File.WriteAllText("square.turtle", "pen_up\nforward 5\npen_down\nforward 10\nleft 90\nforward 10\n");
+        var run = Run("curves", "lines.csv", "--onto", "scan.stl", "--squeeze", "0.05");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(run.Messages, Does.Contain("curved.object_place"));
+        Assert.That(File.ReadAllText("lines.gcode"), Does.Contain("Z8.15"));
+        run = Run("turtle", "square.turtle", "--onto", "scan.stl", "--plan", "printer");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(File.ReadAllText("square.gcode"), Does.Contain("Z8"));
+        Assert.That(Run("curves", "lines.csv", "--squeeze", "0.1").Code, Is.EqualTo(2));
+    }
 }

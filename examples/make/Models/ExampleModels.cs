@@ -14,6 +14,7 @@ internal static class ExampleModels
         ("bracket.stl", Bracket.Make),
         ("saddle_roof.stl", SaddleRoof.Make),
         ("terrain.stl", Terrain.Make),
+        ("branching.stl", Branching.Make),
     ];
 
     /// <summary>The file: binary STL, the same bytes on every system.</summary>

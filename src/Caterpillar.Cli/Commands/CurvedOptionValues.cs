@@ -8,6 +8,7 @@ using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
@@ -27,8 +28,9 @@ internal sealed class CurvedOptionValues
     private readonly Option<string?> _field = new("--field")
     {
         Description = "Layers are copies of the surface, moved up (vertical) or offset (normal); divide the space from the bed to the surface, or between "
-            + "several (between); or are level sets of a formula in x, y, z, r, theta, such as z - 2 * sin(9 * x).",
-        HelpName = "vertical|normal|between|FORMULA",
+            + "several (between); change evenly along the model from its lower to its upper ends, also where it branches (harmonic, or geodesic by distances); "
+            + "or are level sets of a formula in x, y, z, r, theta, such as z - 2 * sin(9 * x).",
+        HelpName = "vertical|normal|between|harmonic|geodesic|FORMULA",
     };
 
     private readonly Option<string?> _blend = new("--blend")
@@ -53,6 +55,14 @@ internal sealed class CurvedOptionValues
         HelpName = "cone=DEG|overhangs[=DEG]|X;Y;Z",
     };
 
+    private readonly Option<string?> _tilt = new("--tilt")
+    {
+        Description = "Tilt the tool along the normals of the layers, on machines with tool center point control: words B and C, or A and C, by at most so "
+            + "many degrees.",
+        HelpName = "bc|ac[=DEG]",
+    };
+
+    private readonly BoundaryOptions _boundaries = new();
     private readonly Option<bool> _partial = new("--partial")
     {
         Description = "Print what lies within the surface and is not too steep, instead of refusing the model.",
@@ -60,7 +70,8 @@ internal sealed class CurvedOptionValues
 
     public void AddTo(Verb verb)
     {
-        foreach (var option in new Option[] { _surface, _field, _blend, _onto, _squeeze, _deform, _partial }) verb.Options.Add(option);
+        foreach (var option in new Option[] { _surface, _field, _blend, _onto, _squeeze, _deform, _partial, _tilt }) verb.Options.Add(option);
+        _boundaries.AddTo(verb);
     }
 
     public bool IsGiven(ParseResult arguments) => HasField(arguments) || arguments.GetValue(_onto) is not null;
@@ -79,8 +90,12 @@ internal sealed class CurvedOptionValues
         if (arguments.GetValue(_deform) is not null
             && (surfaces.Length > 0 || field is not null)) throw Usage("--deform and --surface or --field exclude each other.");
         var kind = field ?? "vertical";
-        if (kind is "vertical" or "normal" or "between" && surfaces.Length == 0 && field is not null) throw Usage($"--field {kind} needs --surface.");
-        if (kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0) throw Usage("A formula for --field goes without --surface.");
+        var ends = IsBetweenEnds(kind, surfaces);
+        if (_boundaries.IsGiven(arguments) && !ends) throw Usage("--from and --to go with --field harmonic or geodesic.");
+        if (ends && surfaces.Length > 0) throw Usage($"--field {kind} goes without --surface: give --from and --to.");
+        if (Tilt(arguments) is not null && !HasField(arguments)) throw Usage("--tilt goes with --surface, --field or --deform.");
+        if (!ends && kind is "vertical" or "normal" && surfaces.Length == 0 && field is not null) throw Usage($"--field {kind} needs --surface.");
+        if (!ends && kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0) throw Usage("A formula for --field goes without --surface.");
         if (kind is "vertical" or "normal" && surfaces.Length > 1) throw Usage("Several surfaces go with --field between.");
         if (arguments.GetValue(_blend) is { } blend)
         {
@@ -101,7 +116,14 @@ internal sealed class CurvedOptionValues
     {
         if (arguments.GetValue(_deform) is { } deform) return Deformed(deform, models, shift, setup, session);
         var surfaces = arguments.GetValue(_surface) ?? [];
-        switch (arguments.GetValue(_field) ?? "vertical")
+        var kind = arguments.GetValue(_field) ?? "vertical";
+        if (IsBetweenEnds(kind, surfaces))
+        {
+            var part = models.Count == 1 ? models[0].Mesh : TriMesh.Merge(models.Select(m => m.Mesh));
+            var ends = _boundaries.Of(arguments, part, shift, session);
+            return kind == "geodesic" ? LayerField.Geodesic(ends, session.Cancel) : LayerField.Harmonic(ends, session.Cancel);
+        }
+        switch (kind)
         {
             case "vertical":
                 return LayerField.Vertical(Surface(surfaces[0], models, shift, session), arguments.GetValue(_blend) is { } blend ? Blend(blend) : null);
@@ -125,14 +147,24 @@ internal sealed class CurvedOptionValues
     {
         if (arguments.GetValue(_onto) is not { } file) return null;
         var mesh = Mesh(file, session).Moved(shift.WithZ(0));
-        var (low, high) = (mesh.Bounds.Min, mesh.Bounds.Max);
-        session.Print([new Diagnostic(Severity.Remark, "curved.object_place",
-            $"The object is expected at x {Text(low.X)} to {Text(high.X)}, y {Text(low.Y)} to {Text(high.Y)}, z {Text(low.Z)} to {Text(high.Z)} mm.",
-            new SourceLocation(Session.NameOf(file)))]);
+        session.Print([OntoOptions.Place(mesh, file)]);
         return mesh;
     }
 
     public double Squeeze(ParseResult arguments) => arguments.GetValue(_squeeze);
+
+    /// <summary>How the tool is tilted; null where it stays upright.</summary>
+    public ToolTilt? Tilt(ParseResult arguments)
+    {
+        if (arguments.GetValue(_tilt) is not { } text) return null;
+        var (word, number) = text.Split('=', 2) is [var w, var n] ? (w.Trim(), n) : (text.Trim(), "90");
+        if (word is not ("bc" or "ac") || Numbers.List(number, "--tilt") is not [var most and > 0 and <= 90])
+            throw Usage("--tilt needs bc or ac, or one of them with an angle of 0 to 90 degrees: bc=45.");
+        return new ToolTilt(word == "bc" ? TiltAxes.BC : TiltAxes.AC, most);
+    }
+
+    // Between surfaces, or between ends of the model itself.
+    private static bool IsBetweenEnds(string kind, string[] surfaces) => kind is "harmonic" or "geodesic" || (kind == "between" && surfaces.Length == 0);
 
     private static LayerField Deformed(string text, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
     {
@@ -185,6 +217,4 @@ internal sealed class CurvedOptionValues
     };
 
     private static CliException Usage(string message) => new(ExitCode.Usage, message);
-
-    private static string Text(double value) => NumberFormatter.Format(value, 2);
 }

@@ -18,8 +18,13 @@ internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult argu
     public PlanOptions Plan { get; private set; } = new();
 
     /// <summary>The setup to plan with: over curved layers the head is lifted by what lies under its course, unless travels are not lifted at all.</summary>
-    public PrintSetup PlanSetup { get; } = setup.Settings.TravelLift != TravelLift.PrintedTop ? setup
-        : setup with { Settings = setup.Settings with { TravelLift = TravelLift.Corridor } };
+    public PrintSetup PlanSetup { get; } = OntoOptions.Over(setup);
+
+    /// <summary>The planned toolpath with the tool tilted along the normals of the layers, where that was asked for.</summary>
+    public Toolpath Tilted(Toolpath toolpath) => options.Tilt(arguments) is not { } tilt || _field is not { } field ? toolpath
+        : session.WithProgress("Tilting", progress => tilt.Apply(toolpath, field.Normal, progress, session.Cancel));
+
+    private LayerField? _field;
 
     /// <summary>The steps, and the number of layers.</summary>
     /// <param name="read">The models as they were read.</param>
@@ -40,6 +45,7 @@ internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult argu
         var curved = new CurvedOptions { Onto = onto is null ? null : PlanSurface.OnBed(onto), Partial = options.IsPartial(arguments) };
         var result = session.ValueOrFail(session.WithProgress("Slicing",
             progress => CurvedSlicer.SliceEach(models, field, setup, curved, threads, progress, session.Cancel)));
+        _field = result.Field;
         return (result.ToSteps(), result.Layers.Count);
     }
 

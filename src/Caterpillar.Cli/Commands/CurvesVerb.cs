@@ -40,6 +40,8 @@ internal sealed class CurvesVerb : Verb
 
     private readonly Option<bool> _json = new("--json") { Description = "Print what was planned and written as JSON." };
 
+    private readonly OntoOptions _onto = new();
+
     private readonly Option<string?> _maxSize = new("--max-size") { Description = "Largest file that the printer accepts, in MB; a larger one is not written.",
         HelpName = "MB" };
 
@@ -56,6 +58,7 @@ internal sealed class CurvesVerb : Verb
         _strand.AddTo(this);
         _division.AddTo(this);
         foreach (Option option in new Option[] { _sort, _move, _map, _plan, _json, _maxSize }) Options.Add(option);
+        _onto.AddTo(this);
         _setup.AddTo(this);
         AllowBatches();
     }
@@ -72,6 +75,7 @@ internal sealed class CurvesVerb : Verb
         if (json && target == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
         var mappings = (arguments.GetValue(_map) ?? []).Select(AxisMappings.Parse).ToArray();
         var limit = OptionValues.OptionalNumber(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6 ?? double.PositiveInfinity;
+        _onto.Check(arguments);
         var setup = _setup.Resolve(arguments, session);
         var sort = SortOf(arguments.GetValue(_sort)!);
         // Sorting of curves is an option of this verb, not a setting as for sliced parts.
@@ -91,7 +95,9 @@ internal sealed class CurvesVerb : Verb
         };
         var (steps, count) = Steps(file, reading, options, arguments.GetValue(_move), setup, session);
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;
-        var plan = Planned(steps, setup, new PlanOptions { Policy = policy, Sort = new SortOptions(sort), Memory = session.Memory }, session);
+        var planning = new PlanOptions { Policy = policy, Sort = new SortOptions(sort), Memory = session.Memory };
+        (steps, var planSetup, planning) = _onto.Apply(arguments, steps, setup, planning, session);
+        var plan = Planned(steps, planSetup, planning, session);
         var toolpath = plan.Toolpath;
         foreach (var mapping in mappings) toolpath = mapping.Apply(toolpath, null, session.Cancel);
         var written = _write.WriteGCode(arguments, session, toolpath, setup, target, limit);

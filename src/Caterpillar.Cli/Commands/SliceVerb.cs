@@ -63,7 +63,7 @@ internal sealed class SliceVerb : Verb
         var options = (curved?.Plan ?? new PlanOptions()) with { Memory = session.Memory };
         var plan = session.ValueOrFail(session.WithProgress("Planning",
             progress => Planner.PlanWithReport(steps, curved?.PlanSetup ?? setup, options, progress, session.Cancel)));
-        var written = _write.WriteGCode(arguments, session, plan.Toolpath, setup, output);
+        var written = _write.WriteGCode(arguments, session, curved?.Tilted(plan.Toolpath) ?? plan.Toolpath, setup, output);
         if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson(files, output, [new("layers", layers)], plan, written)));
         return ExitCode.Done;
     }

@@ -28,6 +28,8 @@ internal sealed class TurtleVerb : Verb
         Description = "A folder whose files the script may include or read as images, besides its own.", HelpName = "FOLDER",
     };
 
+    private readonly OntoOptions _onto = new();
+
     private readonly Option<bool> _commands = new("--commands") { Description = "List the commands of the language." };
 
     private readonly WriteOptions _write = new();
@@ -46,6 +48,7 @@ internal sealed class TurtleVerb : Verb
         Options.Add(_plan);
         Options.Add(_folders);
         Options.Add(_commands);
+        _onto.AddTo(this);
         _setup.AddTo(this);
         AllowBatches();
     }
@@ -63,6 +66,7 @@ internal sealed class TurtleVerb : Verb
             return ExitCode.Done;
         }
         var file = arguments.GetValue(_script) ?? throw new CliException(ExitCode.Usage, "A script is missing. See: caterpillar turtle --help");
+        _onto.Check(arguments);
         var target = _write.FileFor(arguments, file);
         var variables = Variables(arguments.GetValue(_values) ?? []);
         var text = Encoding.UTF8.GetString(session.ReadBytes(file));
@@ -79,9 +83,10 @@ internal sealed class TurtleVerb : Verb
         foreach (var line in run.Diagnostics.Where(d => d.Code == TurtleScript.PrintCode)) session.Messages.WriteLine(line.Message);
         var turtle = session.ValueOrFail(new Result<Turtle>(run.Value, [.. run.Diagnostics.Where(d => d.Code != TurtleScript.PrintCode)]));
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;
+        var (steps, planSetup, planning) = _onto.Apply(
+            arguments, turtle.ToSteps(), setup, new PlanOptions { Policy = policy, Memory = session.Memory }, session);
         var toolpath = session.WithProgress("Planning",
-            progress => session.ValueOrFail(Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = policy, Memory = session.Memory }, progress,
-                session.Cancel)));
+            progress => session.ValueOrFail(Planner.Plan(steps, planSetup, planning, progress, session.Cancel)));
         if (toolpath.Count == 0) throw new CliException(ExitCode.BadInput, $"{Session.NameOf(file)}: the program draws nothing.");
         return _write.Write(arguments, session, toolpath, setup, target);
     }

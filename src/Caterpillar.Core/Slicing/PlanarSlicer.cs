@@ -76,7 +76,7 @@ public static class PlanarSlicer
         var bodies = new List<Body>();
         for (var i = 0; i < models.Count; i++)
         {
-            var body = new Body(models[i].Mesh, i, cancel);
+            var body = new Body(models[i].Mesh, i, cancel) { InfillCurves = options.InfillCurves };
             Cut(body, models[i].Settings, options, affordable, problems, findings, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
             bodies.Add(body);
         }

@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
@@ -11,6 +13,9 @@ public sealed record SliceOptions
 
     /// <summary>How much memory the layers may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
+
+    /// <summary>Lines of the infill for a layer of a height, where the pattern is that of the user's curves; mm.</summary>
+    internal Func<double, IReadOnlyList<Polyline>>? InfillCurves { get; init; }
 
     /// <summary>Divides planned layers further: curved slicing limits their thickness.</summary>
     internal Func<PlannedLayer[], PlannedLayer[]>? Divide { get; init; }

@@ -11,6 +11,9 @@ public sealed class SliceResult
     /// <summary>By height; layers of equal height in the order of their objects.</summary>
     public IReadOnlyList<SlicedLayer> Layers { get; }
 
+    /// <summary>The field whose level sets the layers are, fitted to the part; null for planar layers.</summary>
+    public LayerField? Field { get; internal init; }
+
     /// <summary>All paths as steps for planning.</summary>
     public IReadOnlyList<Step> ToSteps()
     {

@@ -9,6 +9,9 @@ namespace Caterpillar.Geometry;
 public sealed class MeshHeights
 {
     private const int MaxCells = 1 << 22;
+
+    // In cells.
+    private const double Rounding = 1e-6;
     private readonly TriMesh _mesh;
     private readonly double _cell;
     private readonly int _columns;
@@ -45,17 +48,18 @@ public sealed class MeshHeights
         var row = (y - min.Y) / _cell;
         if (!(column >= 0 && row >= 0 && column < _columns && row < _rows) || _mesh.TriangleCount == 0) return best;
         var cell = (int)row * _columns + (int)column;
+        var (vertices, triangles) = (_mesh.RawVertices, _mesh.RawTriangles);
         for (var i = _firsts[cell]; i < _firsts[cell + 1]; i++)
         {
-            var (a, b, c) = _mesh.Triangle(_items[i]);
-            var z = HeightOn(_mesh.Vertices[a], _mesh.Vertices[b], _mesh.Vertices[c], x, y);
+            var t = 3 * _items[i];
+            var z = HeightOn(in vertices[triangles[t]], in vertices[triangles[t + 1]], in vertices[triangles[t + 2]], x, y);
             if (z <= limit && z > best) best = z;
         }
         return best;
     }
 
     // NaN outside the triangle; points on an edge belong to both of its triangles.
-    private static double HeightOn(Vec3 a, Vec3 b, Vec3 c, double x, double y)
+    private static double HeightOn(in Vec3 a, in Vec3 b, in Vec3 c, double x, double y)
     {
         var area = (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
         if (area == 0) return double.NaN;
@@ -65,19 +69,40 @@ public sealed class MeshHeights
         return u >= 0 && v >= 0 && w >= 0 ? a.Z * u + b.Z * v + c.Z * w : double.NaN;
     }
 
+    // The x that an edge has within a row of cells, with a little to spare for rounding.
+    private void Widen(Vec3 a, Vec3 b, double bottom, ref double low, ref double high)
+    {
+        if (a.Y > b.Y) (a, b) = (b, a);
+        double from = bottom - Rounding * _cell, to = bottom + (1 + Rounding) * _cell;
+        if (b.Y < from || a.Y > to) return;
+        var (first, last) = (a.X, b.X);
+        if (a.Y < from) first = a.X + (b.X - a.X) * (from - a.Y) / (b.Y - a.Y);
+        if (b.Y > to) last = a.X + (b.X - a.X) * (to - a.Y) / (b.Y - a.Y);
+        low = Math.Min(low, Math.Min(first, last));
+        high = Math.Max(high, Math.Max(first, last));
+    }
+
     private void Visit(Action<int, int> visit)
     {
         var min = _mesh.Bounds.Min;
         for (var t = 0; t < _mesh.TriangleCount; t++)
         {
             var (a, b, c) = _mesh.Triangle(t);
-            Vec3 p = _mesh.Vertices[a], q = _mesh.Vertices[b], r = _mesh.Vertices[c];
-            var left = (int)((Math.Min(p.X, Math.Min(q.X, r.X)) - min.X) / _cell);
-            var right = Math.Min(_columns - 1, (int)((Math.Max(p.X, Math.Max(q.X, r.X)) - min.X) / _cell));
+            Vec3 p = _mesh.RawVertices[a], q = _mesh.RawVertices[b], r = _mesh.RawVertices[c];
+            // Upright ones have no height.
+            if ((q.X - p.X) * (r.Y - p.Y) - (q.Y - p.Y) * (r.X - p.X) == 0) continue;
             var bottom = (int)((Math.Min(p.Y, Math.Min(q.Y, r.Y)) - min.Y) / _cell);
             var top = Math.Min(_rows - 1, (int)((Math.Max(p.Y, Math.Max(q.Y, r.Y)) - min.Y) / _cell));
             for (var row = bottom; row <= top; row++)
             {
+                // Of the triangle only what lies in the row: a long one touches few of the cells around it.
+                var (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
+                Widen(p, q, min.Y + row * _cell, ref low, ref high);
+                Widen(q, r, min.Y + row * _cell, ref low, ref high);
+                Widen(r, p, min.Y + row * _cell, ref low, ref high);
+                if (low > high) continue;
+                var left = Math.Max(0, (int)((low - min.X) / _cell - Rounding));
+                var right = Math.Min(_columns - 1, (int)((high - min.X) / _cell + Rounding));
                 for (var column = left; column <= right; column++) visit(row * _columns + column, t);
             }
         }

@@ -45,7 +45,8 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
             return;
         }
         var rules = thickness == _rules.Thickness ? _rules : _rules with { Walls = WallRules.Of(_settings, thickness), Thickness = thickness };
-        var request = Request(area, _settings.InfillPattern, _rules.InfillSpacing, _rules.Width, angle, solid: false);
+        var pattern = layer.Body.InfillCurves is null ? _settings.InfillPattern : InfillPattern.Curves;
+        var request = Request(area, pattern, _rules.InfillSpacing, _rules.Width, angle, solid: false);
         Add(tools.Infill.Fill(request), rules.Bead(_rules.Width), Role.Infill, rank);
     }
 
@@ -98,8 +99,13 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
     private InfillRequest Request(Region area, InfillPattern pattern, double spacing, double width, double angle, bool solid)
         => new(CenterLines(area, _rules, width, tools.Engine), pattern, spacing, width)
         {
-            Angle = angle, Z = layer.Plan.Top, Layer = layer.Index, Solid = solid, Formula = _rules.InfillFormula,
-            Curves = pattern == InfillPattern.Lightning ? layer.Body.Lightning[layer.Index] : null,
+            Angle = angle, Z = layer.Plan.Top, Layer = layer.Index, Solid = solid, Linked = pattern != InfillPattern.Curves, Formula = _rules.InfillFormula,
+            Curves = pattern switch
+            {
+                InfillPattern.Lightning => layer.Body.Lightning[layer.Index],
+                InfillPattern.Curves => layer.Body.InfillCurves?.Invoke(layer.Plan.Top) ?? [],
+                _ => null,
+            },
         };
 
     /// <summary>Where the center lines of strands that fill an area may run.</summary>

@@ -69,6 +69,17 @@ internal sealed class BetweenField : LayerField
         return low + (high - low) * (value - _values[i - 1]) / (_values[i] - _values[i - 1]);
     }
 
+    public override Vec3 Normal(Vec3 point)
+    {
+        var i = 1;
+        while (i + 1 < _surfaces.Length && point.Z > _surfaces[i].Height(point.X, point.Y)) i++;
+        double low = _surfaces[i - 1].Height(point.X, point.Y), high = _surfaces[i].Height(point.X, point.Y);
+        var share = (point.Z - low) / (high - low);
+        var (lowX, lowY) = _surfaces[i - 1].Slope(point.X, point.Y);
+        var (highX, highY) = _surfaces[i].Slope(point.X, point.Y);
+        return new Vec3(-lowX - (highX - lowX) * share, -lowY - (highY - lowY) * share, 1).Unit();
+    }
+
     internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
     {
         var values = new double[_surfaces.Length];

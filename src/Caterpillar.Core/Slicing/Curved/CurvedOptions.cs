@@ -1,4 +1,5 @@
-using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
@@ -7,6 +8,12 @@ public sealed record CurvedOptions
 {
     /// <summary>The object that is printed on: nothing is printed below its surface, and the first strands fill the gap to it. Null for the bed.</summary>
     public PlanSurface? Onto { get; init; }
+
+    /// <summary>
+    /// Lines that take the place of the infill's pattern, for example of <see cref="SurfaceLines"/>: their x and y, mm. Every layer has them at its own height,
+    /// where it is neither closed nor skin; not where infill is 0 or 100 %. Null for the pattern of the settings.
+    /// </summary>
+    public IReadOnlyList<Polyline>? InfillLines { get; init; }
 
     /// <summary>
     /// Where the part reaches beyond the plan, or layers are too steep for the head, the rest is printed; without it that is an error.

@@ -55,11 +55,13 @@ public static class CurvedSlicer
         if (!problems.HasErrors) CheckDefined(field, part, problems);
         if (problems.HasErrors) return new Result<SliceResult>(null, problems.ToList());
 
+        field = StretchedField.Of(field, part);
         var flat = new List<SliceModel>();
         for (var i = 0; i < models.Count; i++)
         {
             progress?.Report(0.3 * i / models.Count);
-            var mesh = MeshFlattener.Flatten(models[i].Mesh.Mesh, field, setup.Settings.CurvedTolerance, threads, cancel);
+            var mesh = field.FlatMesh(models[i].Mesh.Mesh)
+                ?? MeshFlattener.Flatten(models[i].Mesh.Mesh, field, setup.Settings.CurvedTolerance, threads, cancel);
             if (mesh is null)
             {
                 problems.Add(Severity.Error, "curved.too_fine", "The bent model would have more than 12 million triangles: the field is too rough, or "
@@ -71,10 +73,11 @@ public static class CurvedSlicer
         var common = OnField(setup.Settings, field);
         if (common != setup.Settings && (setup.Settings.SkirtLoops > 0 || setup.Settings.BrimWidth > 0 || setup.Settings.RaftLayers > 0))
             problems.Add(Severity.Remark, "curved.no_loops", "Curved layers that do not begin level have no skirt and no brim, and none have a raft.");
-        var most = setup.Settings.CurvedMaxGap > 0 ? setup.Settings.CurvedMaxGap
-            : Math.Max(setup.Printer.NozzleDiameter * 0.75, Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight));
-        var limits = new GapLimits(field, part, setup.Settings, most);
-        var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions { Threads = threads, Divide = limits.Divide }, progress.Part(0.3, 0.75), cancel);
+        var limits = new GapLimits(field, part, setup.Settings, MaxGap(setup));
+        var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions
+        {
+            Threads = threads, Divide = limits.Divide, InfillCurves = options.InfillLines is { } lines ? z => Flat(lines, field, z) : null,
+        }, progress.Part(0.3, 0.75), cancel);
         problems.AddRange(sliced.Diagnostics);
         if (sliced.Value is not { } result) return new Result<SliceResult>(null, problems.ToList());
         return Lifted(result, field, setup, options, part, threads, problems, progress.Part(0.75, 1), cancel);
@@ -91,6 +94,7 @@ public static class CurvedSlicer
         {
             // Without a partial print it was looked for in the whole part.
             FindsEdge = options.Partial,
+            MaxFill = options.Onto is null ? 0 : MaxGap(setup),
         };
         var neighbors = new LayerNeighbors(flat.Layers);
         var layers = new SlicedLayer[flat.Layers.Count];
@@ -106,7 +110,8 @@ public static class CurvedSlicer
                 cancel.ThrowIfCancellationRequested();
                 steps.AddRange(lifter.Lift(step));
             }
-            layers[i] = flat.Layers[i] with { Steps = IsLevel(steps) ? steps : WithoutRegions(steps) };
+            var region = field is StretchedField stretched ? stretched.ToPlan(flat.Layers[i].Region, flat.Layers[i].Layer.Z) : flat.Layers[i].Region;
+            layers[i] = flat.Layers[i] with { Region = region, Steps = IsLevel(steps) ? Within(steps, region) : WithoutRegions(steps) };
             reports[i] = lifter.Report;
             progress?.Report((double)Interlocked.Increment(ref done) / layers.Length);
         });
@@ -116,7 +121,14 @@ public static class CurvedSlicer
         var kept = layers.Where(l => l.Steps.Count > 0).ToArray();
         if (kept.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.nothing", "Nothing to print: no part of the models lies above the surface, within the plan.");
-        return new Result<SliceResult>(problems.HasErrors ? null : new SliceResult(kept), problems.ToList());
+        return new Result<SliceResult>(problems.HasErrors ? null : new SliceResult(kept) { Field = field }, problems.ToList());
+    }
+
+    // Where lines in plan lie among flat layers.
+    private static IReadOnlyList<Polyline> Flat(IReadOnlyList<Polyline> lines, LayerField field, double value)
+    {
+        if (!field.BendsPlan) return lines;
+        return lines.Select(l => new Polyline(l.Points.Select(p => field.ToFlat(p.WithZ(field.Height(p.X, p.Y, value)))), l.IsClosed)).ToArray();
     }
 
     private static bool IsLevel(List<PathStep> steps)
@@ -130,6 +142,10 @@ public static class CurvedSlicer
         }
         return true;
     }
+
+    private static List<PathStep> Within(List<PathStep> steps, Region region)
+        => steps.ConvertAll(s => s.Region is null
+            || ReferenceEquals(s.Region, region) ? s : new PathStep(s.Path, s.Group) { KeepStart = s.KeepStart, Region = region });
 
     // Level travels inside the part would run through curved layers.
     private static List<PathStep> WithoutRegions(List<PathStep> steps)
@@ -156,6 +172,9 @@ public static class CurvedSlicer
         var size = part.Bounds.Size;
         return HeadSlope.Limit(setup.Printer, size.LengthXY, rise);
     }
+
+    private static double MaxGap(PrintSetup setup) => setup.Settings.CurvedMaxGap > 0 ? setup.Settings.CurvedMaxGap
+        : Math.Max(setup.Printer.NozzleDiameter * 0.75, Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight));
 
     private static PrintSettings OnField(PrintSettings settings, LayerField field) => field.StartsLevel ? settings with { RaftLayers = 0 }
         : settings with { RaftLayers = 0, SkirtLoops = 0, BrimWidth = 0 };

@@ -13,6 +13,8 @@ internal sealed class DeformedField(Func<Vec3, Vec3> bend) : LayerField
 {
     private const double Step = 1e-4;
 
+    internal override bool BendsPlan => true;
+
     public override double Value(Vec3 point) => bend(point).Z;
 
     public override Vec3 ToFlat(Vec3 point) => bend(point);

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -55,6 +56,12 @@ public abstract class LayerField
 
     /// <summary>The part of the length of a step, mm, over which the field may change in any other than a linear manner.</summary>
     internal virtual double Span(Vec3 step) => step.Length;
+
+    /// <summary>Whether the field moves points in plan, too.</summary>
+    internal virtual bool BendsPlan => false;
+
+    /// <summary>A mesh bent until layers are flat, where the field is made of this very mesh; else null, and it is bent point by point.</summary>
+    internal virtual TriMesh? FlatMesh(TriMesh mesh) => null;
 
     /// <summary>What is wrong with the surfaces of the field themselves.</summary>
     internal virtual void Check(DiagnosticList problems)
@@ -132,6 +139,24 @@ public abstract class LayerField
         if (surfaces.Length < 2) throw new ArgumentException("There is something between two surfaces at least.", nameof(surfaces));
         return BetweenField.Of((PlanSurface[])surfaces.Clone());
     }
+
+    /// <summary>
+    /// Layers between boundaries of a mesh that change as evenly as can be, also where it branches: a harmonic field, by Laplace's equation on the surface
+    /// with cotangent weights. Its level curves are the walls; inside of them layers span the walls.
+    /// </summary>
+    /// <param name="boundaries">Where layers begin and end.</param>
+    /// <param name="cancel">Cancels.</param>
+    public static LayerField Harmonic(MeshBoundaries boundaries, CancellationToken cancel = default)
+        => BoundaryField.Of(boundaries ?? throw new ArgumentNullException(nameof(boundaries)), BoundaryField.HarmonicShares(boundaries, cancel));
+
+    /// <summary>
+    /// Layers between boundaries of a mesh by distances along its surface: at the share d / (d + e), where d and e are the distances to the lower and to the
+    /// nearest upper boundary (fast marching). Layers are thicker where the boundaries are farther apart; where two upper boundaries are equally far they have
+    /// a crease.
+    /// </summary>
+    /// <inheritdoc cref="Harmonic"/>
+    public static LayerField Geodesic(MeshBoundaries boundaries, CancellationToken cancel = default)
+        => BoundaryField.Of(boundaries ?? throw new ArgumentNullException(nameof(boundaries)), BoundaryField.GeodesicShares(boundaries, cancel));
 
     /// <summary>A field given by a function of the place, in mm of layer thickness; it must rise with z, and be callable from any thread.</summary>
     /// <param name="value">The value at a point.</param>

@@ -35,6 +35,9 @@ internal sealed class LayerNeighbors
         return count;
     }
 
+    /// <summary>Whether nothing of the part lies below a place of a layer.</summary>
+    public bool IsLowest(Layer layer, Vec3 flat) => !Covers(layer, -1, flat);
+
     private bool Covers(Layer layer, int offset, Vec3 flat)
         => _objects[layer.Object].TryGetValue(layer.Index + offset, out var region) && region.Contains(flat.X, flat.Y);
 }

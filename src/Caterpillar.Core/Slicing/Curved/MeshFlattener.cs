@@ -23,6 +23,7 @@ internal sealed class MeshFlattener
     private readonly List<Vec3> _flat;
     private readonly Dictionary<long, int> _states = [];
     private readonly List<(int A, int B, long Key)> _untested = [];
+    private readonly List<(int A, int B, int C)> _pieces = [];
     private List<Face> _faces;
 
     private MeshFlattener(TriMesh mesh, LayerField field, double tolerance, ParallelOptions options)
@@ -81,7 +82,13 @@ internal sealed class MeshFlattener
         {
         }
         var next = new List<Face>(_faces.Count);
-        foreach (var face in _faces) Split(face, next);
+        foreach (var face in _faces)
+        {
+            _pieces.Clear();
+            TriangleSplit.Add(_part, (face.A, face.B, face.C), (State(face.A, face.B), State(face.B, face.C), State(face.C, face.A)), _pieces);
+            if (_pieces.Count == 1) next.Add(face);
+            else foreach (var (a, b, c) in _pieces) next.Add(new Face(a, b, c, false));
+        }
         var divided = next.Count > _faces.Count;
         _faces = next;
         return divided;
@@ -172,47 +179,6 @@ internal sealed class MeshFlattener
         if (State(a, b) >= 0) return;
         var middle = a < b ? Vec3.Lerp(_part[a], _part[b], 0.5) : Vec3.Lerp(_part[b], _part[a], 0.5);
         _states[Key(a, b)] = Add(middle, _field.ToFlat(middle));
-    }
-
-    private void Split(Face face, List<Face> next)
-    {
-        int ab = State(face.A, face.B), bc = State(face.B, face.C), ca = State(face.C, face.A);
-        var (a, b, c) = (face.A, face.B, face.C);
-        switch ((ab >= 0 ? 1 : 0) + (bc >= 0 ? 1 : 0) + (ca >= 0 ? 1 : 0))
-        {
-            case 0:
-                next.Add(face);
-                return;
-            case 3:
-                next.Add(new Face(a, ab, ca, false));
-                next.Add(new Face(ab, b, bc, false));
-                next.Add(new Face(ca, bc, c, false));
-                next.Add(new Face(ab, bc, ca, false));
-                return;
-            case 1:
-                // Turned until the edge from a to b is the divided one.
-                if (bc >= 0) (a, b, c, ab) = (b, c, a, bc);
-                else if (ca >= 0) (a, b, c, ab) = (c, a, b, ca);
-                next.Add(new Face(a, ab, c, false));
-                next.Add(new Face(ab, b, c, false));
-                return;
-            default:
-                // Turned until the edge from c to a is whole.
-                if (ab < 0) (a, b, c, ab, bc) = (b, c, a, bc, ca);
-                else if (bc < 0) (a, b, c, ab, bc) = (c, a, b, ca, ab);
-                next.Add(new Face(ab, b, bc, false));
-                if (_part[ab].DistanceTo(_part[c]) < _part[a].DistanceTo(_part[bc]))
-                {
-                    next.Add(new Face(a, ab, c, false));
-                    next.Add(new Face(ab, bc, c, false));
-                }
-                else
-                {
-                    next.Add(new Face(a, ab, bc, false));
-                    next.Add(new Face(a, bc, c, false));
-                }
-                return;
-        }
     }
 
     private TriMesh Result()

@@ -15,6 +15,9 @@ namespace Caterpillar.Slicing;
 /// <param name="Partial">Whether pieces that cannot be printed are left out.</param>
 internal sealed record LiftRules(double Tolerance, double GapShare, double MinGap, double MaxSlope, PlanSurface? Onto, bool Partial)
 {
+    /// <summary>Strands with nothing of the part below them fill up to so much above what is printed on, mm.</summary>
+    public double MaxFill { get; init; }
+
     /// <summary>Whether paths may lie beyond the surface that they follow, so that its edge has to be found.</summary>
     public bool FindsEdge { get; init; }
 }
@@ -26,8 +29,7 @@ internal sealed record LiftRules(double Tolerance, double GapShare, double MinGa
 internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbors? neighbors)
 {
     private const int MaxDepth = 12;
-    private readonly List<Vec3> _points = [];
-    private readonly List<Bead> _beads = [];
+    private readonly JoinedStrand _strand = new(rules.Tolerance / 2, rules.GapShare);
     private readonly List<PathStep> _pieces = [];
     private Layer? _layer;
     private Vec3 _segmentStart;
@@ -40,7 +42,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
     {
         var path = step.Path;
         _pieces.Clear();
-        Restart();
+        _strand.Clear();
         _layer = path.Layer;
         for (var i = 0; i < path.SegmentCount; i++)
         {
@@ -61,11 +63,10 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
                 a = b;
             }
         }
-        var whole = _pieces.Count == 0 && path.IsClosed && _points.Count > 3;
-        if (whole)
+        if (_pieces.Count == 0 && path.IsClosed && _strand.Points.Count > 3)
         {
-            _points.RemoveAt(_points.Count - 1);
-            _pieces.Add(step.With(path.WithGeometry(_points, _beads, closed: true)));
+            _strand.Points.RemoveAt(_strand.Points.Count - 1);
+            _pieces.Add(step.With(path.WithGeometry(_strand.Points, _strand.Beads, closed: true)));
         }
         else
         {
@@ -79,7 +80,13 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
     {
         // Strands of unknown height keep their volume.
         var lifted = field.Lift(flat, thickness > 0 ? thickness : 1);
-        var gap = rules.Onto is null ? lifted.Gap : Math.Min(lifted.Gap, lifted.Part.Z - rules.Onto.Height(lifted.Part.X, lifted.Part.Y));
+        var gap = lifted.Gap;
+        if (rules.Onto is not null)
+        {
+            var clear = lifted.Part.Z - rules.Onto.Height(lifted.Part.X, lifted.Part.Y);
+            // Where the part begins here, the first strand fills what is open below it.
+            if (clear < gap || (clear <= rules.MaxFill && _layer is not null && neighbors?.IsLowest(_layer, flat) == true)) gap = clear;
+        }
         return new Sample(flat, lifted.Part, gap, lifted.Area, !rules.FindsEdge || field.Covers(lifted.Part.X, lifted.Part.Y));
     }
 
@@ -97,20 +104,12 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
 
     private bool IsSmooth(Sample a, Sample b, Sample m, Bead bead)
     {
-        if (Deviation(m.Part, a.Part, b.Part) > rules.Tolerance || a.Covered != m.Covered || b.Covered != m.Covered) return false;
+        if (JoinedStrand.Deviation(m.Part, a.Part, b.Part) > rules.Tolerance || a.Covered != m.Covered || b.Covered != m.Covered) return false;
         var limit = rules.GapShare * Math.Max(Math.Abs(m.Gap), 1e-6);
         if (Math.Abs(a.Gap - b.Gap) > limit || Math.Abs(m.Gap - (a.Gap + b.Gap) / 2) > limit / 2) return false;
         // A second test off the middle, where waves may hide.
         var n = At(Vec3.Lerp(a.Flat, b.Flat, 0.23), bead.Height);
-        return Deviation(n.Part, a.Part, b.Part) <= rules.Tolerance && Math.Abs(n.Gap - m.Gap) <= limit;
-    }
-
-    private static double Deviation(Vec3 p, Vec3 a, Vec3 b)
-    {
-        var d = b - a;
-        var square = d.LengthSquared;
-        var t = square > 0 ? Math.Min(1, Math.Max(0, Vec3.Dot(p - a, d) / square)) : 0;
-        return p.DistanceTo(a + d * t);
+        return JoinedStrand.Deviation(n.Part, a.Part, b.Part) <= rules.Tolerance && Math.Abs(n.Gap - m.Gap) <= limit;
     }
 
     private void Add(Sample a, Sample b, Sample m, Bead bead, PathStep step)
@@ -162,38 +161,13 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         Report.Printed(length, gap * normal.Z, m.Part);
         // The area among flat layers that the strand covers, times the gap.
         var area = bead.Area / (bead.Height > 0 ? bead.Height : 1) * gap * m.Area * a.Flat.DistanceTo(b.Flat) / length;
-        Append(a.Part, b.Part, new Bead(area, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), ownVertex: a.Flat == _segmentStart);
-    }
-
-    // What was divided for nothing is joined again.
-    private void Append(Vec3 from, Vec3 to, Bead bead, bool ownVertex)
-    {
-        const double Same = 1e-7;
-        if (_points.Count == 0) _points.Add(from);
-        if (!ownVertex && _beads.Count > 0)
-        {
-            var last = _beads[_beads.Count - 1];
-            if (Math.Abs(last.Area - bead.Area) <= Same * bead.Area && Math.Abs(last.Height - bead.Height) <= Same * bead.Height
-                && Deviation(from, _points[_points.Count - 2], to) <= Same)
-            {
-                _points[_points.Count - 1] = to;
-                return;
-            }
-        }
-        _points.Add(to);
-        _beads.Add(bead);
+        _strand.Add(a.Part, b.Part, new Bead(area, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), keepsStart: a.Flat == _segmentStart);
     }
 
     private void End(PathStep step)
     {
-        if (_points.Count > 1) _pieces.Add(step.With(step.Path.WithGeometry(_points, _beads, closed: false)));
-        Restart();
-    }
-
-    private void Restart()
-    {
-        _points.Clear();
-        _beads.Clear();
+        if (_strand.Points.Count > 1) _pieces.Add(step.With(step.Path.WithGeometry(_strand.Points, _strand.Beads, closed: false)));
+        _strand.Clear();
     }
 
     // A closed path that was cut elsewhere goes on through its first vertex.

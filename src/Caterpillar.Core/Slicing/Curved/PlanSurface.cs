@@ -24,6 +24,14 @@ public abstract class PlanSurface
     /// <summary>The surface has no features smaller than this, mm; infinite for a plane.</summary>
     public virtual double Detail => double.PositiveInfinity;
 
+    /// <summary>How the height changes with x and with y at a place.</summary>
+    internal (double ByX, double ByY) Slope(double x, double y)
+    {
+        const double Step = 1e-4;
+        var height = Height(x, y);
+        return ((Height(x + Step, y) - height) / Step, (Height(x, y + Step) - height) / Step);
+    }
+
     /// <summary>True for a level plane.</summary>
     internal virtual bool IsLevel => false;
 

@@ -9,6 +9,8 @@ internal sealed class ShiftedField(LayerField inner, double shift) : LayerField
 
     public override bool StartsLevel => inner.StartsLevel;
 
+    internal override bool BendsPlan => inner.BendsPlan;
+
     internal override double Span(Vec3 step) => inner.Span(step);
 
     public override double Value(Vec3 point) => inner.Value(point) + shift;

@@ -51,6 +51,19 @@ internal sealed class VerticalField : LayerField
 
     public override double Height(double x, double y, double value) => HeightOf(value, _plan.Height(x, y) - _level);
 
+    public override Vec3 Normal(Vec3 point)
+    {
+        var share = 1.0;
+        if (_blend is { } blend)
+        {
+            var value = Value(point);
+            if (value <= blend.From) return Vec3.UnitZ;
+            share = Math.Min(1, (value - blend.From) / (blend.To - blend.From));
+        }
+        var (byX, byY) = _plan.Slope(point.X, point.Y);
+        return new Vec3(-byX * share, -byY * share, 1).Unit();
+    }
+
     internal override (double First, double Second) Heights(double x, double y, double first, double second)
     {
         var shift = _plan.Height(x, y) - _level;

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Threading;
 using Caterpillar.Basics;
@@ -24,6 +25,9 @@ internal sealed class Body(NamedMesh model, int number, CancellationToken cancel
             lock (Source) return _lightning ??= LightningPlan.Of(this, cancel);
         }
     }
+
+    /// <summary>The user's curves for the infill of a layer of a height, mm.</summary>
+    public Func<double, IReadOnlyList<Polyline>>? InfillCurves { get; set; }
 
     /// <summary>From the bed up.</summary>
     public LayerWork[] Layers { get; set; } = [];

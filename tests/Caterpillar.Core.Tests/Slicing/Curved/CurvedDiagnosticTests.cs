@@ -27,7 +27,21 @@ public class CurvedDiagnosticTests
         Assert.That(partial.Diagnostics.Select(d => (d.Code, d.Severity)), Does.Contain(("curved.outside_plan", Severity.Warning)));
         var points = partial.Value!.Layers.SelectMany(CurvedSolids.Points).ToArray();
         Assert.That(points.Max(p => p.X), Is.EqualTo(3).Within(0.1));
-        Assert.That(points.Min(p => p.X), Is.EqualTo(-9.6).Within(1e-3));
+        Assert.That(points.Min(p => p.X), Is.EqualTo(-9.602).Within(1e-3), "Half a strand along the slope.");
+    }
+
+    [Test]
+    public void A_plan_with_a_hole_or_beside_the_part_is_an_error_that_tells_where()
+    {
+        // A square frame: the hole is 6 mm wide.
+        Vec3[] frame =
+            [new(-20, -20), new(20, -20), new(20, 20), new(-20, 20), new(-3, -3), new(3, -3), new(3, 3), new(-3, 3)];
+        var plan = TriMesh.Create(frame, [0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7]);
+        var holed = CurvedSolids.Try(LayerField.Vertical(PlanSurface.Of(plan)), CurvedSolids.Massive, null, Part);
+        Assert.That(holed.Value, Is.Null);
+        Assert.That(holed.Diagnostics.Single().Message, Does.Contain("9 % of the part, first at x -2."));
+        var beside = CurvedSolids.Try(LayerField.Vertical(PlanSurface.Of(Plane(50, 90, 0))), CurvedSolids.Massive, null, Part);
+        Assert.That(beside.Diagnostics.Single().Message, Does.Contain("100 % of the part"));
     }
 
     [Test]

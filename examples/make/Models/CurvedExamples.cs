@@ -1,0 +1,134 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Display;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Examples;
+
+/// <summary>Examples of curved printing: each ends in a toolpath that passed the checks of the writer. Coarse, so that pictures show the strands.</summary>
+internal static class CurvedExamples
+{
+    private static readonly Vec3 Middle = new(110, 110);
+
+    private static readonly PrintSetup Plain = new()
+    {
+        Printer = new Printer { NozzleDiameter = 0.8 },
+        Settings = new PrintSettings
+        {
+            LayerHeight = 0.6, FirstLayerHeight = 0.6, LineWidth = 0.8, MinLayerTime = 0, FirstLayerSpeed = 0, CurvedMaxGap = 0.8, SkirtLoops = 0,
+        },
+    };
+
+    /// <summary>Their names, what makes them, and from where they are looked at.</summary>
+    public static IReadOnlyList<(string Name, Func<Toolpath> Make, ColorBy Color, View View)> All { get; } =
+    [
+        ("roof", Roof, ColorBy.Role, new View(-60, 22)),
+        ("between", Between, ColorBy.Layer, new View(-60, 22)),
+        ("terrain", TerrainPattern, ColorBy.Height, new View(-70, 40)),
+        ("branching", Branches, ColorBy.Layer, new View(-60, 14)),
+        ("ribs", Ribs, ColorBy.Role, new View(-60, 40)),
+        ("overhang", Overhang, ColorBy.Layer, new View(-60, -12)),
+        ("vase", VaseOnSaddle, ColorBy.Layer, new View(-50, 16)),
+    ];
+
+    /// <summary>A level start, and layers parallel to a saddle at the top.</summary>
+    public static Toolpath Roof()
+    {
+        var part = SaddleRoof.Make().Moved(Middle);
+        return Sliced(part, LayerField.Vertical(PlanSurface.Of(part), new LayerBlend(2, 18)), Plain);
+    }
+
+    /// <summary>As many layers everywhere between the bed and the saddle.</summary>
+    public static Toolpath Between()
+    {
+        var part = SaddleRoof.Make().Moved(Middle);
+        return Sliced(part, LayerField.Between(PlanSurface.Level(0), PlanSurface.Of(part)), Plain);
+    }
+
+    /// <summary>Wavy rings drawn level, printed onto terrain.</summary>
+    public static Toolpath TerrainPattern()
+    {
+        var land = Terrain.Make();
+        // Hills that the head can go around.
+        var terrain = TriMesh.Create(land.Vertices.Select(p => p.WithZ(0.25 * p.Z) + Middle).ToList(), land.Indices);
+        var bead = new Bead(0.8 * 0.5, 0.5);
+        var steps = new List<Step>();
+        for (var radius = 6; radius <= 38; radius += 4)
+        {
+            var petals = Enumerable.Range(0, 180).Select(i =>
+            {
+                var (sin, cos) = Angle.SinCos(2.0 * i);
+                var r = radius * (1 + 0.12 * Angle.Cos(12.0 * i));
+                return Middle + new Vec3(r * cos, r * sin, 0.5);
+            });
+            steps.Add(new PathStep(new PrintPath(petals.ToList(), bead, closed: true)));
+        }
+        var projected = SurfaceProjection.Project(steps, PlanSurface.Of(terrain), Steep(60), squeeze: 0.05).OrThrow();
+        return Checked(projected, Steep(60), terrain);
+    }
+
+    /// <summary>Layers that change evenly from the foot of a trunk to the ends of its branches.</summary>
+    public static Toolpath Branches()
+    {
+        var part = Welded(Branching.Make()).Moved(Middle);
+        var setup = Plain with { Settings =
+            Plain.Settings with { LayerHeight = 0.8, FirstLayerHeight = 0.8, LineWidth = 1, CurvedMaxGap = 1.2, InfillPercent = 10 } };
+        return Sliced(part, LayerField.Harmonic(MeshBoundaries.Find(part).OrThrow()), setup);
+    }
+
+    /// <summary>A shell over a saddle whose ribs follow both of its principal curvatures.</summary>
+    public static Toolpath Ribs()
+    {
+        static double Saddle(double x, double y) => 9 + ((x - 110) * (x - 110) - (y - 110) * (y - 110) / 2) / 130 + (x - 110) * (y - 110) / 220;
+        var plan = new Bounds(Middle - new Vec3(30, 24), Middle + new Vec3(30, 24));
+        var surface = PlanSurface.Of(Saddle, 4);
+        var part = CurvedPlate.Make(plan, Saddle, (x, y) => Saddle(x, y) + 3);
+        var lines = SurfaceLines.AlongCurvature(surface, plan, 5).Concat(SurfaceLines.AlongCurvature(surface, plan, 5, across: true)).ToArray();
+        var setup = Plain with { Settings = Plain.Settings with { InfillPercent = 20, TopLayers = 0, BottomLayers = 2 } };
+        return Sliced(part, LayerField.Vertical(surface), setup, new CurvedOptions { InfillLines = lines, Onto = surface },
+            CurvedPlate.Make(plan, (_, _) => 0, Saddle));
+    }
+
+    /// <summary>A hat whose brim overhangs by 70 degrees, in layers that lean on what is printed before them.</summary>
+    public static Toolpath Overhang()
+    {
+        var hat = SlicingPictures.Revolved((4, 0), (4, 6), (20, 12), (20, 14)).Moved(Middle);
+        return Sliced(hat, LayerField.Vertical(PlanSurface.AgainstOverhangs([new NamedMesh("hat", hat)], Plain).OrThrow()), Plain);
+    }
+
+    /// <summary>A vase of one spiral strand that stands on a saddle.</summary>
+    public static Toolpath VaseOnSaddle()
+    {
+        static double Saddle(double x, double y) => 5 + ((x - 110) * (x - 110) - (y - 110) * (y - 110)) / 90;
+        var vase = SlicingPictures.Revolved((2, 0), (5, 0), (8, 0), (11, 0), (14, 0), (16, 0), (18, 6), (20, 12), (17, 19), (14, 26), (16, 31), (18, 36))
+            .Moved(Middle);
+        var bent = TriMesh.Create(vase.Vertices.Select(p => p.WithZ(p.Z + Saddle(p.X, p.Y))).ToList(), vase.Indices);
+        var surface = PlanSurface.Of(Saddle, 3);
+        var setup = Plain with { Settings = Plain.Settings with { Vase = true, BottomLayers = 1 } };
+        var plan = new Bounds(Middle - new Vec3(24, 24), Middle + new Vec3(24, 24));
+        return Sliced(bent, LayerField.Vertical(surface), setup, new CurvedOptions { Onto = surface }, CurvedPlate.Make(plan, (_, _) => 0, Saddle));
+    }
+
+    private static PrintSetup Steep(double degrees) => Plain with { Settings = Plain.Settings with { CurvedMaxSlope = degrees } };
+
+    private static Toolpath Sliced(TriMesh part, LayerField field, PrintSetup setup, CurvedOptions? options = null, TriMesh? under = null)
+        => Checked(CurvedSlicer.Slice([new NamedMesh("part", part)], field, setup, options).OrThrow().ToSteps(), setup, under);
+
+    // What the writer refuses is no example.
+    private static Toolpath Checked(IReadOnlyList<Step> steps, PrintSetup setup, TriMesh? under)
+    {
+        var over = setup with { Settings = setup.Settings with { TravelLift = TravelLift.Corridor } };
+        var toolpath = Planner.Plan(steps, over, new PlanOptions { Obstacle = under }).OrThrow();
+        SafeWriter.ToDocument(toolpath, over).OrThrow();
+        return toolpath;
+    }
+
+    private static TriMesh Welded(TriMesh mesh) => MeshReader.Read(StlWriter.ToBytes(mesh, "mesh"), "mesh.stl").OrThrow()[0].Mesh;
+}

@@ -1,0 +1,61 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Drawings;
+using Caterpillar.Geometry;
+using Caterpillar.Slicing;
+
+namespace Caterpillar.Cli.Commands;
+
+/// <summary>Options for layers between boundaries of the model itself.</summary>
+internal sealed class BoundaryOptions
+{
+    private static readonly string[] CurveEndings = [".csv", ".svg", ".json"];
+
+    private readonly Option<string?> _from = new("--from")
+    {
+        Description = "With --field harmonic or geodesic: a mesh or curves (CSV, JSON, SVG, lines of OBJ) on the model where layers begin; without it they are "
+            + "found.",
+        HelpName = "FILE",
+    };
+
+    private readonly Option<string[]> _to = new("--to") { Description = "With --field harmonic or geodesic: where layers end; may be repeated.",
+        HelpName = "FILE" };
+
+    public void AddTo(Verb verb)
+    {
+        verb.Options.Add(_from);
+        verb.Options.Add(_to);
+    }
+
+    public bool IsGiven(ParseResult arguments) => arguments.GetValue(_from) is not null || arguments.GetValue(_to) is { Length: > 0 };
+
+    /// <summary>The boundaries of a model that was moved from the place in its file.</summary>
+    public MeshBoundaries Of(ParseResult arguments, TriMesh mesh, Vec3 shift, Session session)
+    {
+        if (!IsGiven(arguments)) return session.ValueOrFail(MeshBoundaries.Find(mesh, session.Cancel));
+        var from = arguments.GetValue(_from) is { } file ? Shape(file, shift, session) : null;
+        var to = (arguments.GetValue(_to) ?? []).Select(f => Shape(f, shift, session)).ToArray();
+        if (to.Length == 0) throw new CliException(ExitCode.Usage, "--from goes with --to.");
+        return session.ValueOrFail(MeshBoundaries.Near(mesh, from, to, 0, session.Cancel));
+    }
+
+    private static BoundaryShape Shape(string file, Vec3 shift, Session session)
+    {
+        var (bytes, name) = (session.ReadBytes(file), Session.NameOf(file));
+        if (!CurveEndings.Any(e => file.EndsWith(e, StringComparison.OrdinalIgnoreCase)))
+        {
+            var read = MeshReader.Read(bytes, name, null, session.Cancel);
+            var mesh = TriMesh.Merge((read.Value ?? []).Select(m => m.Mesh));
+            if (mesh.TriangleCount > 0) return BoundaryShape.Of(mesh.Moved(shift));
+            // An OBJ file may hold lines only.
+            if (!file.EndsWith(".obj", StringComparison.OrdinalIgnoreCase)) session.ValueOrFail(read);
+        }
+        var curves = session.ValueOrFail(CurveReader.Read(bytes, name, null, null, session.Cancel));
+        return BoundaryShape.Of(curves.Select(c => new Polyline(
+            CurveSubdivider.Subdivide(c.Curve, new SubdivisionOptions { ChordTolerance = 0.05 }, session.Cancel).Points.Select(p => p + shift),
+                c.Curve.IsClosed)).ToArray());
+    }
+}

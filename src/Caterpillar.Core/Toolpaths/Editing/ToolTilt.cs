@@ -1,0 +1,80 @@
+using System;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>The rotary words by which a machine tilts its tool.</summary>
+public enum TiltAxes : byte
+{
+    /// <summary>B tilts about Y, then C turns about Z: the tool points along (sin B · cos C, sin B · sin C, cos B).</summary>
+    BC,
+
+    /// <summary>A tilts about X, then C turns about Z: the tool points along (sin A · sin C, −sin A · cos C, cos A).</summary>
+    AC,
+}
+
+/// <summary>
+/// Tilts the tool along the normals of a surface: every move ends with rotary words in degrees. X, Y and Z stay those of the nozzle's tip; the controller
+/// moves the joints (tool center point control: G43.4, RTCP, TRAORI).
+/// </summary>
+/// <param name="Axes">The words.</param>
+/// <param name="MaxTilt">Largest tilt from vertical, degrees, above 0 and at most 90; steeper normals are tilted so far only.</param>
+public sealed record ToolTilt(TiltAxes Axes, double MaxTilt = 90)
+{
+    private const double ChordTolerance = 0.01;
+
+    // Degrees: where the tool is as good as upright its azimuth says nothing.
+    private const double Upright = 0.05;
+
+    /// <summary>The tilt of a normal, and the turn next to the one before.</summary>
+    /// <param name="normal">Upward; the length does not matter.</param>
+    /// <param name="lastTurn">The turn of C before, degrees.</param>
+    public (double Tilt, double Turn) Angles(Vec3 normal, double lastTurn = 0)
+    {
+        if (!(MaxTilt > 0 && MaxTilt <= 90)) throw new InvalidOperationException("The largest tilt is an angle above 0 and at most 90 degrees.");
+        var tilt = Math.Min(MaxTilt, Angle.Atan2(normal.LengthXY, normal.Z));
+        if (!(tilt > Upright)) return (0, lastTurn);
+        var azimuth = Angle.Atan2(normal.Y, normal.X) + (Axes == TiltAxes.AC ? 90 : 0);
+        return (tilt, azimuth + 360 * Math.Floor((lastTurn - azimuth) / 360 + 0.5));
+    }
+
+    /// <summary>The toolpath with rotary words; arcs become chords.</summary>
+    /// <param name="toolpath">Planned.</param>
+    /// <param name="normal">The direction of the tool at a point, mm; upward.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <exception cref="InvalidOperationException">The largest tilt is no such angle.</exception>
+    public Toolpath Apply(Toolpath toolpath, Func<Vec3, Vec3> normal, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (normal is null) throw new ArgumentNullException(nameof(normal));
+        var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start);
+        foreach (var layer in toolpath.Layers) builder.AddLayer(layer);
+        var nextEvent = 0;
+        var (tilt, turn) = (0.0, 0.0);
+        foreach (var move in toolpath.Moves())
+        {
+            if ((move.Index & 0xFFF) == 0)
+            {
+                cancel.ThrowIfCancellationRequested();
+                progress?.Report((double)move.Index / toolpath.Count);
+            }
+            for (; nextEvent < toolpath.Events.Count && toolpath.Events[nextEvent].Move <= move.Index; nextEvent++)
+                builder.AddEvent(toolpath.Events[nextEvent].Event);
+            var parts = move.Arc is { } arc ? arc.ChordCount(move.Start, ChordTolerance) : 1;
+            var last = move.Start;
+            for (var k = 1; k <= parts; k++)
+            {
+                var next = move.Arc is { } curve ? curve.PointAt(move.Start, move.End, (double)k / parts) : move.End;
+                if (next != last) (tilt, turn) = Angles(normal(next), turn);
+                builder.Add(next, move.E / parts, move.Deposited / parts, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source);
+                builder.SetRotary(Axes == TiltAxes.AC ? tilt : 0, Axes == TiltAxes.BC ? tilt : 0, turn);
+                last = next;
+            }
+        }
+        for (; nextEvent < toolpath.Events.Count; nextEvent++) builder.AddEvent(toolpath.Events[nextEvent].Event);
+        return builder.Build(toolpath.Tools);
+    }
+}

@@ -1,0 +1,58 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Toolpaths;
+
+public class ToolTiltTests
+{
+    [TestCase(TiltAxes.BC)]
+    [TestCase(TiltAxes.AC)]
+    public void The_words_turn_the_tool_onto_the_normal(TiltAxes axes)
+    {
+        for (var azimuth = -170; azimuth <= 180; azimuth += 35)
+        {
+            var normal = new Vec3(Angle.Cos(azimuth) * Angle.Sin(30), Angle.Sin(azimuth) * Angle.Sin(30), Angle.Cos(30));
+            var (tilt, turn) = new ToolTilt(axes).Angles(normal * 3);
+            double s = Angle.Sin(tilt), c = Angle.Cos(tilt);
+            var tool = axes == TiltAxes.BC ? new Vec3(s * Angle.Cos(turn), s * Angle.Sin(turn), c) : new Vec3(s * Angle.Sin(turn), -s * Angle.Cos(turn), c);
+            Assert.That(tool.DistanceTo(normal), Is.LessThan(1e-12), $"azimuth {azimuth}");
+        }
+    }
+
+    [Test]
+    public void The_turn_stays_next_to_the_one_before_and_the_tilt_within_its_limit()
+    {
+        var tilt = new ToolTilt(TiltAxes.BC, 20);
+        Assert.That(tilt.Angles(new Vec3(-1, -0.01, 1), 170).Turn, Is.EqualTo(180.57).Within(0.01));
+        Assert.That(tilt.Angles(new Vec3(1, 0, 1), 725), Is.EqualTo((20, 720)));
+        Assert.That(tilt.Angles(Vec3.UnitZ, 33), Is.EqualTo((0, 33)), "An upright tool keeps its turn.");
+        Assert.That(() => new ToolTilt(TiltAxes.BC, 0).Angles(Vec3.UnitZ), Throws.InvalidOperationException);
+    }
+
+    [Test]
+    public void Layers_of_a_tilted_plane_are_printed_with_the_tool_along_their_normal()
+    {
+        var setup = new PrintSetup().With("layer_height_mm=1", "first_layer_height_mm=1", "curved_max_gap_mm=2", "line_width_mm=2", "skirt_loops=0").OrThrow();
+        var block = TriMesh.Create(
+            [new(100, 100, 0), new(120, 100, 4), new(120, 110, 4), new(100, 110, 0), new(100, 100, 2), new(120, 100, 6), new(120, 110, 6), new(100, 110, 2)],
+            [0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7]);
+        var sliced = CurvedSlicer.Slice([new NamedMesh("block", block)], LayerField.Vertical(PlanSurface.Of((x, _) => 0.2 * (x - 100))), setup).OrThrow();
+        var planned = new ToolTilt(TiltAxes.BC).Apply(Planner.Plan(sliced.ToSteps(), setup).OrThrow(), sliced.Field!.Normal);
+        var bytes = GCodeWriter.ToBytes(planned);
+        // The tool leans to −x by the angle of the slope, 11.31 degrees.
+        Assert.That(System.Text.Encoding.ASCII.GetString(bytes), Does.Contain(" B11.31 C180"));
+        var decoded = GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes)).OrThrow().Toolpath;
+        var wanted = decoded.Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
+        Assert.That(wanted, Has.Length.EqualTo(planned.Moves().Count(m => m.Kind == MoveKind.Print)));
+        var block2 = decoded.Blocks[decoded.Blocks.Count - 1].Columns;
+        Assert.That((block2.B![block2.Count - 1], block2.C![block2.Count - 1]), Is.EqualTo((11.31, 180.0)));
+    }
+}
