@@ -107,8 +107,8 @@ internal static class CurvedExamples
     public static Toolpath VaseOnSaddle()
     {
         static double Saddle(double x, double y) => 5 + ((x - 110) * (x - 110) - (y - 110) * (y - 110)) / 90;
-        var vase = SlicingPictures.Revolved((2, 0), (5, 0), (8, 0), (11, 0), (14, 0), (16, 0), (18, 6), (20, 12), (17, 19), (14, 26), (16, 31), (18, 36))
-            .Moved(Middle);
+        var vase = SlicingPictures.Revolved((2, 0), (5, 0), (8, 0), (11, 0), (14, 0), (16, 0), (18, 6), (20, 12), (17, 19), (14, 26), (16, 31),
+            (18, 36), (15, 36), (12, 36), (9, 36), (6, 36), (3, 36)).Moved(Middle);
         var bent = TriMesh.Create(vase.Vertices.Select(p => p.WithZ(p.Z + Saddle(p.X, p.Y))).ToList(), vase.Indices);
         var surface = PlanSurface.Of(Saddle, 3);
         var setup = Plain with { Settings = Plain.Settings with { Vase = true, BottomLayers = 1 } };

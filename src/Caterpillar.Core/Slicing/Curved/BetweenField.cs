@@ -43,6 +43,8 @@ internal sealed class BetweenField : LayerField
 
     public override bool StartsLevel => _surfaces[0].IsLevel;
 
+    internal override IReadOnlyList<double> Creases => _values;
+
     internal override double Span(Vec3 step) => step.LengthXY;
 
     internal override void Check(DiagnosticList problems) => Array.ForEach(_surfaces, s => s.Check(problems));

@@ -57,6 +57,9 @@ public abstract class LayerField
     /// <summary>The part of the length of a step, mm, over which the field may change in any other than a linear manner.</summary>
     internal virtual double Span(Vec3 step) => step.Length;
 
+    /// <summary>Values at which the field has a crease: a mesh that is bent is divided along them.</summary>
+    internal virtual IReadOnlyList<double> Creases => [];
+
     /// <summary>Whether the field moves points in plan, too.</summary>
     internal virtual bool BendsPlan => false;
 

@@ -17,6 +17,7 @@ internal sealed class MeshFlattener
     // Uneven, so that waves do not hide between them.
     private static readonly double[] Tests = [0.5, 0.27, 0.81];
     private readonly LayerField _field;
+    private readonly IReadOnlyList<double> _creases;
     private readonly double _tolerance;
     private readonly ParallelOptions _options;
     private readonly List<Vec3> _part;
@@ -29,6 +30,7 @@ internal sealed class MeshFlattener
     private MeshFlattener(TriMesh mesh, LayerField field, double tolerance, ParallelOptions options)
     {
         _field = field;
+        _creases = field.Creases;
         _tolerance = tolerance;
         _options = options;
         _part = new List<Vec3>(mesh.RawVertices);
@@ -117,17 +119,38 @@ internal sealed class MeshFlattener
 
     private (bool Divide, Vec3 Part, Vec3 Flat) Test(int a, int b)
     {
-        var middle = Vec3.Lerp(_part[a], _part[b], 0.5);
+        var middle = Middle(a, b);
         var divide = _field.Span(_part[b] - _part[a]) > _field.Detail;
         var flat = _field.ToFlat(middle);
         // Shorter ones would not be seen in print.
         if (divide || _part[a].DistanceTo(_part[b]) < _tolerance) return (divide, middle, flat);
         foreach (var t in Tests)
         {
-            var image = t == 0.5 ? flat : _field.ToFlat(Vec3.Lerp(_part[a], _part[b], t));
+            var image = _field.ToFlat(Vec3.Lerp(_part[a], _part[b], t));
             if (image.DistanceTo(Vec3.Lerp(_flat[a], _flat[b], t)) > _tolerance) return (true, middle, flat);
         }
         return (false, middle, flat);
+    }
+
+    // Where an edge is divided: where it crosses a crease of the field, else in its middle.
+    private Vec3 Middle(int a, int b)
+    {
+        foreach (var crease in _creases)
+        {
+            double low = _flat[a].Z - crease, high = _flat[b].Z - crease;
+            if (low < 0 == high < 0 || Math.Min(Math.Abs(low), Math.Abs(high)) < _tolerance) continue;
+            double from = 0, to = 1, t = 0.5;
+            for (var i = 0; i < 20; i++)
+            {
+                t = from + (to - from) * low / (low - high);
+                var at = _field.Value(Vec3.Lerp(_part[a], _part[b], t)) - crease;
+                if (Math.Abs(at) < 1e-7 || double.IsNaN(at)) break;
+                if (at < 0 == low < 0) (from, low) = (t, at);
+                else (to, high) = (t, at);
+            }
+            if (t > 0.001 && t < 0.999) return Vec3.Lerp(_part[a], _part[b], t);
+        }
+        return Vec3.Lerp(_part[a], _part[b], 0.5);
     }
 
     private bool IsWhole(Face face) => State(face.A, face.B) < 0 && State(face.B, face.C) < 0 && State(face.C, face.A) < 0;
@@ -177,7 +200,7 @@ internal sealed class MeshFlattener
     private void Divide(int a, int b)
     {
         if (State(a, b) >= 0) return;
-        var middle = a < b ? Vec3.Lerp(_part[a], _part[b], 0.5) : Vec3.Lerp(_part[b], _part[a], 0.5);
+        var middle = a < b ? Middle(a, b) : Middle(b, a);
         _states[Key(a, b)] = Add(middle, _field.ToFlat(middle));
     }
 

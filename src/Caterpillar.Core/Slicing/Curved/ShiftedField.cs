@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+using System.Linq;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
@@ -8,6 +10,8 @@ internal sealed class ShiftedField(LayerField inner, double shift) : LayerField
     public override double Detail => inner.Detail;
 
     public override bool StartsLevel => inner.StartsLevel;
+
+    internal override IReadOnlyList<double> Creases { get; } = inner.Creases.Select(v => v + shift).ToArray();
 
     internal override bool BendsPlan => inner.BendsPlan;
 

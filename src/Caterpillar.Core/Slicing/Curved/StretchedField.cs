@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
 
@@ -74,6 +75,8 @@ internal sealed class StretchedField : LayerField
     public Region ToPlan(Region region, double value)
         => Region.From(region.Contours.Select(c => new Polyline(c.Points.Select(p => ToPlan(p.WithZ(value)).WithZ(0)), closed: true)).ToArray(),
             FillRule.NonZero);
+
+    internal override IReadOnlyList<double> Creases => _inner.Creases;
 
     internal override bool BendsPlan => true;
 

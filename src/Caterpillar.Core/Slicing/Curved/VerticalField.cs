@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -32,6 +33,8 @@ internal sealed class VerticalField : LayerField
     public override double Detail => _plan.Detail;
 
     public override bool StartsLevel => _blend is not null || _plan.IsLevel;
+
+    internal override IReadOnlyList<double> Creases => _blend is { } blend ? [blend.From, blend.To] : [];
 
     internal override double Span(Vec3 step) => step.LengthXY;
 
