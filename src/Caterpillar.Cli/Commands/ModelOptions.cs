@@ -71,10 +71,25 @@ internal sealed class ModelOptions
         _ = Spacing(arguments);
     }
 
+    /// <summary>The option given that does more than move all models together, or null.</summary>
+    public string? Turns(ParseResult arguments)
+        => arguments.GetValue(_scale) is not null ? "--scale" : arguments.GetValue(_rotate) is not null ? "--rotate" : MovesApart(arguments);
+
     /// <summary>The models as they are printed. What does not fit is printed as a warning.</summary>
+    /// <param name="models">The models.</param>
+    /// <param name="isPart">Which of them are printed; the others keep their places to these.</param>
+    /// <param name="arguments">The options.</param>
+    /// <param name="setup">The printer.</param>
+    /// <param name="session">Takes warnings.</param>
     /// <exception cref="CliException">There is no place for all of them, or the head cannot pass between them.</exception>
-    public IReadOnlyList<NamedMesh> Placed(IReadOnlyList<NamedMesh> models, ParseResult arguments, PrintSetup setup, Session session)
+    public IReadOnlyList<NamedMesh> Placed(
+        IReadOnlyList<NamedMesh> models, IReadOnlyList<bool> isPart, ParseResult arguments, PrintSetup setup, Session session)
     {
+        if (isPart.Contains(false) && MovesApart(arguments) is { } option)
+        {
+            var name = models[isPart.ToList().IndexOf(false)].Name;
+            throw new CliException(ExitCode.Usage, $"{option} would move {name}, which is not printed, away from its part: place the parts with --place.");
+        }
         if (arguments.GetValue(_scale) is { } scale) models = Scaled(models, scale);
         if (arguments.GetValue(_rotate) is { } rotate) models = ModelPlacement.Rotated(models, Angles(rotate));
         if (arguments.GetValue(_layFlat)) models = ModelPlacement.LaidFlat(models);
@@ -88,14 +103,21 @@ internal sealed class ModelOptions
         else if (!arguments.GetValue(_keepPosition))
         {
             var center = arguments.GetValue(_place) is { } place ? Place(place) : setup.Printer.BuildBounds.Center;
-            models = ModelPlacement.OnBed(models, center);
+            // Bodies that are not printed move along with the parts.
+            var box = ModelPlacement.BoxOf(Parts());
+            if (!box.IsEmpty) models = models.Moved(new Vec3(center.X - box.Center.X, center.Y - box.Center.Y, -box.Min.Z));
         }
-        session.Print(ModelCheck.Fit(models, setup.Printer));
+        session.Print(ModelCheck.Fit(Parts(), setup.Printer));
         if (!byObject) return models;
-        var clearance = ModelCheck.Clearance(models, setup.Printer);
+        var clearance = ModelCheck.Clearance(Parts(), setup.Printer);
         session.Print(clearance);
         return clearance.Any(d => d.Severity == Severity.Error) ? throw new CliException(ExitCode.Refused) : models;
+
+        IReadOnlyList<NamedMesh> Parts() => isPart.Contains(false) ? models.Where((_, i) => isPart[i]).ToArray() : models;
     }
+
+    private string? MovesApart(ParseResult arguments)
+        => arguments.GetValue(_arrange) ? "--arrange" : arguments.GetValue(_copies) > 1 ? "--copies" : arguments.GetValue(_layFlat) ? "--lay-flat" : null;
 
     private static IReadOnlyList<NamedMesh> Scaled(IReadOnlyList<NamedMesh> models, string text)
     {

@@ -13,7 +13,7 @@ internal sealed class ModelSettingOptions
     private readonly Option<string[]> _for = new("--for")
     {
         Description = "Settings of one of several models (its file, or its name in the file), for example lid.stl:wall_count=3; may be repeated. "
-            + "Speeds are the same for all.",
+            + "With model_use=modifier they are those of what lies inside the model.",
         HelpName = "MODEL:KEY=VALUE,...",
     };
 

@@ -25,6 +25,7 @@ internal sealed class SliceVerb : Verb
 
     private readonly ModelOptions _placing = new();
     private readonly ModelSettingOptions _own = new();
+    private readonly InfillCurveOptions _infill = new();
     private readonly CurvedOptionValues _curved = new();
     private readonly Option<bool> _json = new("--json") { Description = "Print what was planned and written as JSON." };
     private readonly SetupOptions _setup = new();
@@ -39,6 +40,7 @@ internal sealed class SliceVerb : Verb
         _setup.AddTo(this);
         _placing.AddTo(this);
         _own.AddTo(this);
+        _infill.AddTo(this);
         _curved.AddTo(this);
         Options.Add(_threads);
         Options.Add(_json);
@@ -72,12 +74,18 @@ internal sealed class SliceVerb : Verb
     private (IReadOnlyList<Step> Steps, int Layers) Sliced(
         string[] files, ParseResult arguments, PrintSetup setup, CurvedSlicing? curved, Session session)
     {
+        setup = _infill.Resolve(arguments, setup);
         var own = _own.Resolve(arguments, setup, session);
+        var curves = _infill.Read(arguments, setup, session);
+        if (curves is not null && _placing.Turns(arguments) is { } option)
+            throw new CliException(ExitCode.Usage, $"{option} does not change the curves of --infill-curves: scale and turn model and curves beforehand.");
         var sources = new List<string>();
         var read = session.ValueOrFail(session.WithProgress("Reading", progress => Meshes.Read(files, session, progress, sources)));
         var settings = own.For(read, sources);
+        var placed = _placing.Placed(read, settings.Select(s => s.ModelUse == ModelUse.Part).ToArray(), arguments, setup, session);
+        settings = InfillCurveOptions.With(settings, curves, placed[0].Mesh.Bounds.Min - read[0].Mesh.Bounds.Min);
         // Copies follow in the order of the originals.
-        var models = _placing.Placed(read, arguments, setup, session).Select((m, i) => new SliceModel(m, settings[i % settings.Count])).ToArray();
+        var models = placed.Select((m, i) => new SliceModel(m, settings[i % settings.Count])).ToArray();
         if (curved is not null) return curved.Run(read, models);
         var options = new SliceOptions { Threads = arguments.GetValue(_threads), Memory = session.Memory };
         var result = session.ValueOrFail(session.WithProgress("Slicing",

@@ -26,7 +26,9 @@ public static class PlanarSlicer
     /// <param name="cancel">Cancels.</param>
     /// <returns>The layers, and what was noticed: <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, <c>slice.layer_formula</c>,
     /// <c>slice.vase_divided</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was mended and what is left out) and
-    /// <c>slice.lost_layers</c> (an error: there are no layers then), and for each model <c>slice.too_thin</c>.</returns>
+    /// <c>slice.lost_layers</c> (an error: there are no layers then), <c>slice.no_curves</c>, for each model <c>slice.too_thin</c>, and for each modifier
+    /// without effect
+    /// <c>slice.modifier_outside</c>.</returns>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
     public static Result<SliceResult> Slice(
         IReadOnlyList<NamedMesh> models, PrintSettings settings, int threads = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -73,13 +75,17 @@ public static class PlanarSlicer
         var helpers = models.Where(m => m.Settings.ModelUse != ModelUse.Part).ToArray();
         if (helpers.Length > 0) models = models.Where(m => m.Settings.ModelUse == ModelUse.Part).ToArray();
         if (common.MergeOverlapping) models = OverlappingModels.Merge(models, threads, problems, cancel);
+        var modifiers = new Modifiers(helpers.Where(m => m.Settings.ModelUse == ModelUse.Modifier).ToArray());
         var bodies = new List<Body>();
         for (var i = 0; i < models.Count; i++)
         {
             var body = new Body(models[i].Mesh, i, cancel) { InfillCurves = options.InfillCurves };
-            Cut(body, models[i].Settings, options, affordable, problems, findings, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count), cancel);
+            Cut(body, models[i].Settings, common, options, affordable, problems, findings, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count),
+                cancel);
+            modifiers.Apply(body, common, threads, cancel);
             bodies.Add(body);
         }
+        modifiers.Report(problems);
         if (findings.Any(d => d.Severity == Severity.Error)) return new Result<SliceResult>(null, [.. problems.ToList(), .. findings]);
         var ordered = common.PrintSequence == PrintSequence.ByObject
             ? bodies.OrderBy(b => b.Model.Mesh.Bounds.Max.Z).ThenBy(b => b.Number).SelectMany(b => b.Layers).ToArray()
@@ -95,7 +101,7 @@ public static class PlanarSlicer
 
     private static string Nothing(IReadOnlyList<SliceModel> models, LayerWork[] layers)
     {
-        if (models.Count == 0) return "Nothing to print: all models are bodies for supports.";
+        if (models.Count == 0) return "Nothing to print: none of the models is a part.";
         if (layers.All(l => l.Region.IsEmpty)) return "Nothing to print: no layer of the models has a closed contour.";
         if (models.All(m => m.Settings is { WallCount: 0, InfillPercent: 0, InfillSpacing: 0, TopLayers: 0, BottomLayers: 0 }))
             return "Nothing to print: the settings ask for no walls, no infill and no top or bottom layers.";
@@ -146,7 +152,7 @@ public static class PlanarSlicer
     }
 
     private static void Cut(
-        Body body, PrintSettings settings, SliceOptions options, SliceMemory memory, DiagnosticList problems, List<Diagnostic> findings,
+        Body body, PrintSettings settings, PrintSettings common, SliceOptions options, SliceMemory memory, DiagnosticList problems, List<Diagnostic> findings,
         IProgress<double>? progress, CancellationToken cancel)
     {
         var mesh = body.Model.Mesh;
@@ -155,6 +161,11 @@ public static class PlanarSlicer
         {
             problems.Add(Severity.Warning, "slice.below_bed",
                 $"The model reaches {NumberFormatter.Format(-mesh.Bounds.Min.Z, 3)} mm below the bed; that part is not printed.", body.Source);
+        }
+        if (settings is { InfillPattern: InfillPattern.Curves, InfillCurves.Count: 0 } && (settings.InfillPercent > 0 || settings.InfillSpacing > 0))
+        {
+            problems.Add(Severity.Warning, "slice.no_curves",
+                "The infill is to be curves, but there are none (infill_curves_mm, --infill-curves FILE): the inside stays empty.", body.Source);
         }
         var planned = new LayerPlan(mesh, settings).Layers();
         foreach (var problem in planned.Diagnostics) problems.Add(problem with { Source = problem.Source ?? body.Source });
@@ -167,7 +178,7 @@ public static class PlanarSlicer
         body.Layers = new LayerWork[plan.Length];
         for (var i = 0; i < plan.Length; i++)
         {
-            if (!rules.TryGetValue(plan[i].Thickness, out var rule)) rules.Add(plan[i].Thickness, rule = SliceRules.Of(settings, plan[i].Thickness));
+            if (!rules.TryGetValue(plan[i].Thickness, out var rule)) rules.Add(plan[i].Thickness, rule = SliceRules.Of(settings, plan[i].Thickness, common));
             body.Layers[i] = new LayerWork(body, i, plan[i] with { Top = plan[i].Top + lift }, rule) { Section = sections[i] };
         }
     }

@@ -1,4 +1,6 @@
+using System.Collections.Generic;
 using Caterpillar.Expressions;
+using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
@@ -10,11 +12,23 @@ namespace Caterpillar.Slicing;
 /// <param name="Thickness">Thickness of the layer.</param>
 internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, double Thickness)
 {
+    /// <summary>The curves of the infill, at Z 0, mm.</summary>
+    public IReadOnlyList<Polyline> InfillCurves { get; init; } = [];
+
+    /// <summary>The settings of the whole print, which planning takes the usual speeds from.</summary>
+    public PrintSettings Common { get; init; } = Settings;
+
     /// <summary>The formula of the infill, where it has one.</summary>
     public Formula? InfillFormula { get; init; }
 
-    public static SliceRules Of(PrintSettings settings, double thickness) => new(settings, WallRules.Of(settings, thickness), thickness)
+    /// <param name="settings">The settings that apply.</param>
+    /// <param name="thickness">Thickness of the layer.</param>
+    /// <param name="common">Those of the whole print.</param>
+    public static SliceRules Of(PrintSettings settings, double thickness, PrintSettings? common = null)
+        => new(settings, WallRules.Of(settings, thickness), thickness)
     {
+        Common = common ?? settings,
+        InfillCurves = settings.InfillPattern == InfillPattern.Curves ? InfillPoint.Curves(settings.InfillCurves) : [],
         InfillFormula = settings.InfillFormula.Length > 0 ? Formula.Compile(settings.InfillFormula, LevelSet.Variables).Value : null,
     };
 
@@ -31,11 +45,28 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
         ? Settings.InfillSpacing / InfillFiller.Families(Settings.InfillPattern)
         : Settings.InfillPercent > 0 ? Pitch(Width) * 100 / Settings.InfillPercent : 0;
 
-    /// <summary>Whether the infill leaves no gaps.</summary>
-    public bool IsSolid => InfillSpacing > 0 && InfillSpacing <= Pitch(Width) * (1 + 1e-9);
+    /// <summary>Whether the infill leaves no gaps. What the user drew stays as it is.</summary>
+    public bool IsSolid => InfillSpacing > 0 && Settings.InfillPattern != InfillPattern.Curves && InfillSpacing <= Pitch(Width) * (1 + 1e-9);
+
+    /// <summary>Direction of the infill of a layer, degrees from +X.</summary>
+    public double InfillAngle(int layer) => Settings.InfillAngle + layer / Settings.InfillEvery * Settings.InfillTurn;
 
     /// <summary>Neighbors lie so far apart that the strands fill the layer.</summary>
     public double Pitch(double width) => Walls.Spacing(width);
+
+    /// <summary>A path with the flow of these settings, and with their speed where it is not that of the print.</summary>
+    public PrintPath Own(PrintPath path)
+    {
+        var first = path.Layer is { Index: 0 };
+        var speed = ReferenceEquals(Settings, Common) ? 0 : Settings.SpeedOf(path.Role, first);
+        if (speed == Common.SpeedOf(path.Role, first)) speed = 0;
+        if (speed == 0 && Settings.PartFlow == 1) return path;
+        return path.WithBeads(i =>
+        {
+            var bead = path.BeadOf(i);
+            return new Bead(bead.Area * Settings.PartFlow, bead.Height, bead.Speed > 0 ? bead.Speed : speed);
+        });
+    }
 
     public Bead Bead(double width) => new(Walls.Area(width), Thickness);
 }

@@ -27,7 +27,8 @@ public class PlanarFeatureTests
         Role[] Inner(int i) => Solids.Paths(layers[i]).Select(p => p.Role).Where(r => r is not (Role.OuterWall or Role.InnerWall)).Distinct().ToArray();
         Assert.That(layers, Has.Count.EqualTo(50));
         Assert.That(Inner(0), Is.EqualTo(new[] { Role.BottomSkin }));
-        Assert.That(new[] { 1, 2, 3, 46, 47, 48 }.Select(Inner), Is.All.EqualTo(new[] { Role.SolidInfill }));
+        Assert.That(new[] { 1, 2, 3, 47, 48 }.Select(Inner), Is.All.EqualTo(new[] { Role.SolidInfill }));
+        Assert.That(Inner(46), Is.EqualTo(new[] { Role.Bridge }), "over infill");
         Assert.That(Enumerable.Range(4, 42).Select(Inner), Is.All.EqualTo(new[] { Role.Infill }));
         Assert.That(Inner(49), Is.EqualTo(new[] { Role.TopSkin }));
     }

@@ -140,5 +140,6 @@ public class SkinFinderTests
         return body;
     }
 
-    private static IslandAreas Areas(Body body, int layer, Region inside) => new SkinFinder(body.Layers[layer], new RegionEngine()).Find(inside);
+    private static IslandAreas Areas(Body body, int layer, Region inside)
+        => new SkinFinder(body.Layers[layer], body.Layers[layer].Rules, new RegionEngine()).Find(inside);
 }

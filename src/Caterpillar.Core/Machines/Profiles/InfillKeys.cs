@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Caterpillar.Basics;
 using K = Caterpillar.Machines.Keys<Caterpillar.Machines.PrintSettings>;
 
 namespace Caterpillar.Machines;
@@ -19,6 +20,7 @@ internal static class InfillKeys
         ("triangles", Machines.InfillPattern.Triangles), ("cubic", Machines.InfillPattern.Cubic),
         ("gyroid", Machines.InfillPattern.Gyroid), ("honeycomb", Machines.InfillPattern.Honeycomb), ("concentric", Machines.InfillPattern.Concentric),
         ("hilbert", Machines.InfillPattern.Hilbert), ("lightning", Machines.InfillPattern.Lightning), ("formula", Machines.InfillPattern.Formula),
+        ("curves", Machines.InfillPattern.Curves),
     ];
 
     private static readonly string[] FormulaVariables = ["x", "y", "z", "layer", "spacing", "width"];
@@ -35,6 +37,13 @@ internal static class InfillKeys
         "infill_formula", new FormulaFormat(FormulaVariables), s => s.InfillFormula, (s, v) => s with { InfillFormula = v },
         "For the pattern formula: the strands run where this formula in x, y, z (mm), layer, spacing and width is zero.");
 
+    public static readonly ProfileKey<PrintSettings, ValueList<InfillPoint>> InfillCurves = new(
+        "infill_curves_mm",
+        new RowsFormat<InfillPoint>(["curve", "x", "y"], 0, 1_000_000, -100_000, 100_000, InfillPoint.Of, p => [p.Curve, p.X, p.Y]),
+        s => s.InfillCurves, (s, v) => s with { InfillCurves = v },
+        "For the pattern curves: the strands of each layer, cut at its walls; a list of points [curve, x, y] of the bed. slice --infill-curves reads them "
+            + "from a file.");
+
     public static readonly ProfileKey<PrintSettings, int> InfillEvery = K.Integer(
         "infill_every_layers", 1, 1000, s => s.InfillEvery, (s, v) => s with { InfillEvery = v },
         "The infill of so many layers is printed at once, as thick as all of them.");
@@ -45,6 +54,6 @@ internal static class InfillKeys
 
     public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [
-        InfillPattern, InfillTurn, InfillFormula, InfillEvery, InfillFirst,
+        InfillPattern, InfillTurn, InfillFormula, InfillCurves, InfillEvery, InfillFirst,
     ];
 }

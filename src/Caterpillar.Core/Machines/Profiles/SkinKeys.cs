@@ -98,6 +98,22 @@ internal static class SkinKeys
         "bridge_fan_percent", 0, 100, s => s.BridgeFanPercent, (s, v) => s with { BridgeFanPercent = v },
         "Fan while a bridge is printed.");
 
+    public static readonly ProfileKey<PrintSettings, bool> InfillBridges = K.Boolean(
+        "infill_bridges", s => s.InfillBridges, (s, v) => s with { InfillBridges = v },
+        "The first closed layer over sparse infill is printed across its lines, as bridges are.");
+
+    public static readonly ProfileKey<PrintSettings, double> InfillBridgeFlow = K.Number(
+        "infill_bridge_flow", 0.01, 10, s => s.InfillBridgeFlow, (s, v) => s with { InfillBridgeFlow = v },
+        "Material of bridges over infill, of that of the other strands.");
+
+    public static readonly ProfileKey<PrintSettings, double> InfillBridgeSpeed = K.Number(
+        "infill_bridge_speed_mm_s", 0, 10_000, s => s.InfillBridgeSpeed, (s, v) => s with { InfillBridgeSpeed = v },
+        "Speed of bridges over infill; 0 for the speed of bridges.");
+
+    public static readonly ProfileKey<PrintSettings, double> PartFlow = K.Number(
+        "part_flow", 0.01, 10, s => s.PartFlow, (s, v) => s with { PartFlow = v },
+        "Material of all strands of a part or of what a modifier covers, of the usual.");
+
     public static readonly ProfileKey<PrintSettings, ValueList<OverhangClass>> OverhangClasses = new(
         "overhang_classes",
         new RowsFormat<OverhangClass>(
@@ -110,6 +126,6 @@ internal static class SkinKeys
         TopLayers, BottomLayers, TopThickness, BottomThickness, TopPattern, BottomPattern, SkinAngle, SkinWidth,
         SkinMinWidth, SkinExpand, SolidBelow, NarrowSolid, TopSkinSpeed, SolidInfillSpeed, Ironing, IroningSpacing,
         IroningFlowPercent, IroningSpeed, Bridges, BridgeAnchor, BridgeFlow, BridgeSpeed, BridgeFanPercent,
-        OverhangClasses,
+        InfillBridges, InfillBridgeFlow, InfillBridgeSpeed, PartFlow, OverhangClasses,
     ];
 }

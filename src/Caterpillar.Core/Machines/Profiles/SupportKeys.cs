@@ -62,8 +62,10 @@ internal static class SupportKeys
 
     public static readonly ProfileKey<PrintSettings, ModelUse> ModelUse = K.Choice(
         "model_use", s => s.ModelUse, (s, v) => s with { ModelUse = v },
-        "What a model is for (--for MODEL:model_use=...): to be printed; or as a body in which nothing is supported, or everything that is seen from below.",
-        ("part", Machines.ModelUse.Part), ("support_blocker", Machines.ModelUse.SupportBlocker), ("support_enforcer", Machines.ModelUse.SupportEnforcer));
+        "What a model is for (--for MODEL:model_use=...): to be printed; or as a body in which nothing is supported, everything that is seen from below is, or "
+            + "parts have its settings.",
+        ("part", Machines.ModelUse.Part), ("support_blocker", Machines.ModelUse.SupportBlocker), ("support_enforcer", Machines.ModelUse.SupportEnforcer),
+        ("modifier", Machines.ModelUse.Modifier));
 
     public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [

@@ -72,6 +72,18 @@ public sealed partial record PrintSettings
     /// <summary>Fan while a bridge is printed, %.</summary>
     public double BridgeFanPercent { get; init => field = SkinKeys.BridgeFanPercent.Check(value); } = 100;
 
+    /// <summary>The first closed layer over sparse infill is printed across its lines, as bridges are.</summary>
+    public bool InfillBridges { get; init; } = true;
+
+    /// <summary>Material of bridges over infill, of that of the other strands.</summary>
+    public double InfillBridgeFlow { get; init => field = SkinKeys.InfillBridgeFlow.Check(value); } = 1;
+
+    /// <summary>Speed of bridges over infill, mm/s; 0 for the speed of bridges.</summary>
+    public double InfillBridgeSpeed { get; init => field = SkinKeys.InfillBridgeSpeed.Check(value); } = 40;
+
+    /// <summary>Material of all strands of a part, of the usual.</summary>
+    public double PartFlow { get; init => field = SkinKeys.PartFlow.Check(value); } = 1;
+
     /// <summary>Walls over air, classed by the percentage of their width that hangs over.</summary>
     public ValueList<OverhangClass> OverhangClasses { get; init => field = SkinKeys.OverhangClasses.Check(value); } = OverhangClass.Usual;
 }

@@ -33,4 +33,7 @@ public enum ModelUse : byte
 
     /// <summary>Inside it every surface seen from below is supported; it is not printed itself.</summary>
     SupportEnforcer,
+
+    /// <summary>What of the parts lies inside it is printed with its settings; it is not printed itself.</summary>
+    Modifier,
 }

@@ -6,12 +6,12 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Fills the areas of one island.</summary>
-internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number, LayerTools tools, List<PathStep> steps)
+/// <summary>Fills the areas of one island, or of a part of it that has settings of its own.</summary>
+internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules rules, int number, LayerTools tools, List<PathStep> steps)
 {
     private const double ArcTolerance = 0.005;
-    private readonly SliceRules _rules = layer.Rules;
-    private readonly PrintSettings _settings = layer.Rules.Settings;
+    private readonly SliceRules _rules = rules;
+    private readonly PrintSettings _settings = rules.Settings;
 
     /// <summary>Adds the steps.</summary>
     /// <param name="areas">What is filled, and how.</param>
@@ -21,7 +21,13 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
         var skin = _settings.SkinAngle + (layer.Index % 2 == 0 ? 0 : 90);
         foreach (var bridge in areas.Bridges) Solid(bridge.Area, Role.Bridge, InfillPattern.Lines, bridge.Angle, StepRank.Bottom);
         Solid(areas.Bottom, Role.BottomSkin, _settings.BottomPattern, skin, StepRank.Bottom);
-        Solid(areas.Solid, Role.SolidInfill, InfillPattern.Lines, skin, StepRank.Solid);
+        var closed = areas.Solid;
+        foreach (var bridge in InfillBridges.Find(layer, _rules, areas.Solid, tools.Engine))
+        {
+            Solid(bridge.Area, Role.Bridge, InfillPattern.Lines, bridge.Angle, StepRank.Solid, overInfill: true);
+            closed = closed.Subtract(bridge.Area, tools.Engine);
+        }
+        Solid(closed, Role.SolidInfill, InfillPattern.Lines, skin, StepRank.Solid);
         Solid(areas.Top, Role.TopSkin, _settings.TopPattern, skin, StepRank.Top);
         if (_settings.Ironing) Iron(areas.Top, skin);
         if (thick.Area.IsEmpty)
@@ -36,28 +42,28 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
     private void Sparse(Region area, double thickness)
     {
         if (area.IsEmpty || _rules.InfillSpacing <= 0) return;
-        var turns = layer.Index / _settings.InfillEvery;
-        var angle = _settings.InfillAngle + turns * _settings.InfillTurn;
+        var angle = _rules.InfillAngle(layer.Index);
         var rank = _settings.InfillFirst ? StepRank.EarlyInfill : StepRank.Infill;
         if (_rules.IsSolid && thickness == _rules.Thickness)
         {
             Solid(area, Role.SolidInfill, Closing(_settings.InfillPattern), angle, rank);
             return;
         }
-        var rules = thickness == _rules.Thickness ? _rules : _rules with { Walls = WallRules.Of(_settings, thickness), Thickness = thickness };
+        var thick = thickness == _rules.Thickness ? _rules : _rules with { Walls = WallRules.Of(_settings, thickness), Thickness = thickness };
         var pattern = layer.Body.InfillCurves is null ? _settings.InfillPattern : InfillPattern.Curves;
         var request = Request(area, pattern, _rules.InfillSpacing, _rules.Width, angle, solid: false);
-        Add(tools.Infill.Fill(request), rules.Bead(_rules.Width), Role.Infill, rank);
+        Add(tools.Infill.Fill(request), thick.Bead(_rules.Width), Role.Infill, rank);
     }
 
-    private void Solid(Region area, Role role, InfillPattern pattern, double angle, int rank)
+    private void Solid(Region area, Role role, InfillPattern pattern, double angle, int rank, bool overInfill = false)
     {
         if (role == Role.SolidInfill && pattern == InfillPattern.Lines) area = NarrowParts(area, rank);
         if (area.IsEmpty) return;
-        var width = role == Role.SolidInfill ? _rules.Width : _rules.SkinWidth;
-        var bead = _rules.Bead(width);
+        var width = role == Role.SolidInfill || overInfill ? _rules.Width : _rules.SkinWidth;
+        var bead = overInfill ? _rules.Bead(width).WithSpeed(_settings.InfillBridgeSpeed) : _rules.Bead(width);
+        var share = overInfill ? _settings.InfillBridgeFlow : role == Role.Bridge ? _settings.BridgeFlow : 1;
         var lines = tools.Infill.Fill(Request(area, pattern, _rules.Pitch(width), width, angle, solid: true));
-        var flow = Balance(lines, area.Area * _rules.Thickness, bead) * (role == Role.Bridge ? _settings.BridgeFlow : 1);
+        var flow = Balance(lines, area.Area * _rules.Thickness, bead) * share;
         Add(lines, bead.WithArea(bead.Area * flow), role, rank);
     }
 
@@ -77,7 +83,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
         foreach (var wall in new WallBuilder(_rules.Walls, tools.Engine).Fill(Region.Own(narrow.ToArray())).Paths)
         {
             var path = wall.ToPath(layer.Plan.Top, _rules.Walls).With(Role.SolidInfill, layer.Layer);
-            steps.Add(new PathStep(path, group) { Region = island.Region });
+            steps.Add(new PathStep(_rules.Own(path), group) { Region = island.Region });
         }
         return Region.Own(wide.ToArray());
     }
@@ -103,7 +109,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
             Curves = pattern switch
             {
                 InfillPattern.Lightning => layer.Body.Lightning[layer.Index],
-                InfillPattern.Curves => layer.Body.InfillCurves?.Invoke(layer.Plan.Top) ?? [],
+                InfillPattern.Curves => layer.Body.InfillCurves?.Invoke(layer.Plan.Top) ?? _rules.InfillCurves,
                 _ => null,
             },
         };
@@ -143,7 +149,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, int number,
                 for (var i = 0; i < beads.Length; i++) beads[i] = bead.WithArea(bead.Area * line.Flow[i]);
             }
             var path = PrintPath.Own(line.Points, beads, line.Closed).With(role, layer.Layer, overrides: fan);
-            steps.Add(new PathStep(path, new StepGroup(layer.Number, number, keep ? rank++ : rank)) { Region = island.Region, KeepStart = keep });
+            steps.Add(new PathStep(_rules.Own(path), new StepGroup(layer.Number, number, keep ? rank++ : rank)) { Region = island.Region, KeepStart = keep });
         }
     }
 }

@@ -14,6 +14,10 @@ internal static class BridgeFinder
     // Strands held at both ends must be this share of the length in the air; else nothing spans the area.
     private const double Held = 0.5;
 
+    // Shares as good as equal; of such directions only one with clearly shorter spans is better than one along the sides.
+    private const double Same = 0.02;
+    private const double Shorter = 0.95;
+
     /// <summary>The best direction in degrees from +X, or null where no direction holds the area.</summary>
     /// <param name="area">The bridge with the anchors into which it reaches.</param>
     /// <param name="below">What the layer below covers.</param>
@@ -22,23 +26,22 @@ internal static class BridgeFinder
     {
         var box = area.Bounds;
         var spacing = Math.Max(width, Math.Max(box.Size.X, box.Size.Y) / 60);
-        var best = -1.0;
+        double bestHeld = 0, bestSpan = double.PositiveInfinity;
         double? angle = null;
         var longest = LongestEdge(area);
         for (var i = 0; i < Directions + 2; i++)
         {
             // Along the longest edge first: the sides of most gaps are parallel to something.
             var direction = i == 0 ? longest : i == 1 ? longest + 90 : 180.0 / Directions * (i - 2);
-            var score = Score(area, below, direction, spacing);
-            if (score <= best + 1e-6) continue;
-            best = score;
-            angle = direction;
+            var (share, span) = Spans(area, below, direction, spacing);
+            if (share <= Held || share < bestHeld - Same || (share < bestHeld + Same && span > Shorter * bestSpan)) continue;
+            (bestHeld, bestSpan, angle) = (share, span, direction);
         }
-        return best > 0 ? angle : null;
+        return angle;
     }
 
-    // The share of the length over air that is held at both ends, and, less important, short spans.
-    private static double Score(Region area, Region below, double angle, double spacing)
+    // The share of the length over air that is held at both ends, and the mean of its spans, long ones counting most.
+    private static (double Share, double Span) Spans(Region area, Region below, double angle, double spacing)
     {
         double held = 0, loose = 0, spans = 0;
         foreach (var line in area.HatchLines(angle, spacing, spacing / 2))
@@ -59,10 +62,7 @@ internal static class BridgeFinder
                 }
             }
         }
-        var all = held + loose;
-        if (!(held > Held * all)) return 0;
-        var mean = spans / held;
-        return held / all + 0.5 / (1 + mean);
+        return held > 0 ? (held / (held + loose), spans / held) : (0, 0);
     }
 
     private static double LongestEdge(Region area)

@@ -8,14 +8,14 @@ namespace Caterpillar.Slicing;
 /// Divides the inside of islands into skins and infill: what the layers above (or below) do not all cover is near a surface. Neighbors that surround the inside
 /// with their boundaries apart, as they do wherever walls are steep, cost no region operation.
 /// </summary>
-internal sealed class SkinFinder(LayerWork layer, RegionEngine engine)
+internal sealed class SkinFinder(LayerWork layer, SliceRules rules, RegionEngine engine)
 {
-    private readonly SliceRules _rules = layer.Rules;
-    private readonly int _above = Reach(layer);
-    private readonly int _below = Count(layer, -1, layer.Rules.Settings.BottomLayers, layer.Rules.Settings.BottomThickness);
+    private readonly SliceRules _rules = rules;
+    private readonly int _above = Reach(layer, rules);
+    private readonly int _below = Count(layer, -1, rules.Settings.BottomLayers, rules.Settings.BottomThickness);
 
     /// <summary>How many upper neighbors the skins of a layer depend on.</summary>
-    public static int Reach(LayerWork layer) => Count(layer, 1, layer.Rules.Settings.TopLayers, layer.Rules.Settings.TopThickness);
+    public static int Reach(LayerWork layer, SliceRules rules) => Count(layer, 1, rules.Settings.TopLayers, rules.Settings.TopThickness);
 
     public IslandAreas Find(Region inside)
     {

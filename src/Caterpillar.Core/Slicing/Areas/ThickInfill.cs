@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
@@ -39,12 +40,17 @@ internal readonly record struct ThickInfill(Region Area, double Thickness)
         return common.IsEmpty || first == last ? None : new ThickInfill(common, layer.Index == last ? thickness : 0);
     }
 
-    /// <summary>The infill of all islands of a layer.</summary>
-    public static Region SparseOf(LayerWork layer, RegionEngine engine)
+    /// <summary>The infill of all islands of a layer, or that of one pattern.</summary>
+    public static Region SparseOf(LayerWork layer, RegionEngine engine, InfillPattern? pattern = null)
     {
-        var finder = new SkinFinder(layer, engine);
         var paths = new List<GridPoint[]>();
-        foreach (var island in layer.Islands) paths.AddRange(finder.Find(island.Inside).Sparse.Paths);
+        foreach (var island in layer.Islands)
+        {
+            foreach (var inside in island.Insides)
+            {
+                if (pattern is null || inside.Rules.Settings.InfillPattern == pattern) paths.AddRange(inside.AreasOf(layer, engine).Sparse.Paths);
+            }
+        }
         return Region.Own(paths.ToArray());
     }
 }

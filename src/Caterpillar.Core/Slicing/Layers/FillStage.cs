@@ -15,14 +15,25 @@ internal static class FillStage
     public static int LastNeeded(LayerWork layer)
     {
         // Trees grow from the top down.
-        if (layer.Rules.Settings.InfillPattern == InfillPattern.Lightning) return layer.Body.Layers.Length - 1;
-        var last = layer.Index + SkinFinder.Reach(layer);
+        if (HasTrees(layer)) return layer.Body.Layers.Length - 1;
+        var last = layer.Index + Reach(layer);
         if (layer.Rules.Settings.InfillEvery > 1)
         {
             var top = layer.Body.Layers[ThickInfill.Group(layer).Last];
-            last = Math.Max(last, top.Index + SkinFinder.Reach(top));
+            last = Math.Max(last, top.Index + Reach(top));
         }
         return Math.Min(last, layer.Body.Layers.Length - 1);
+    }
+
+    private static bool HasTrees(LayerWork layer)
+        => layer.Rules.Settings.InfillPattern == InfillPattern.Lightning
+            || layer.Modifiers.Exists(m => m.Rules.Settings.InfillPattern == InfillPattern.Lightning);
+
+    private static int Reach(LayerWork layer)
+    {
+        var reach = SkinFinder.Reach(layer, layer.Rules);
+        foreach (var (rules, _) in layer.Modifiers) reach = Math.Max(reach, SkinFinder.Reach(layer, rules));
+        return reach;
     }
 
     public static SlicedLayer Run(LayerWork layer, LayerTools tools)
@@ -30,13 +41,13 @@ internal static class FillStage
         var steps = new List<PathStep>();
         var chains = new List<WallChain>();
         if (layer.VaseLoop is not null) return new SlicedLayer(layer.Layer, layer.Region, steps);
-        var skins = new SkinFinder(layer, tools.Engine);
         var thick = ThickInfill.Of(layer, tools.Engine);
         for (var i = 0; i < layer.Islands.Length; i++)
         {
             var island = layer.Islands[i];
             WallSteps.Add(layer, island, i, tools.Engine, steps, chains);
-            new AreaFiller(layer, island, i, tools, steps).Fill(skins.Find(island.Inside), thick);
+            foreach (var inside in island.Insides)
+                new AreaFiller(layer, island, inside.Rules, i, tools, steps).Fill(inside.AreasOf(layer, tools.Engine), thick);
         }
         if (layer.OpenLines.Count > 0) WallSteps.AddOpen(layer, steps);
         return new SlicedLayer(layer.Layer, layer.Region, steps) { Chains = chains };

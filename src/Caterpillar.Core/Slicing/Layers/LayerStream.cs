@@ -59,10 +59,10 @@ internal sealed class LayerStream
         }
     }
 
-    // The next layers need the regions of those below them; their islands only where infill is printed for several layers at once.
+    // The next layers need the regions of those below them; the islands of the last one, or of those whose infill is printed at once.
     private static void Release(LayerWork layer)
     {
-        var at = layer.Index + 1 - layer.Rules.Settings.InfillEvery;
+        var at = layer.Index - layer.Rules.Settings.InfillEvery;
         if (at >= 0) layer.Body.Layers[at].Islands = [];
     }
 

@@ -24,6 +24,9 @@ internal sealed class LayerWork(Body body, int index, PlannedLayer plan, SliceRu
 
     public Layer Layer { get; } = new(index, plan.Top, plan.Thickness, body.Model.Name);
 
+    /// <summary>Bodies in which other settings apply, as this layer cuts them.</summary>
+    public List<(SliceRules Rules, Region Area)> Modifiers { get; } = [];
+
     /// <summary>What the plane cuts out of the mesh; let go once the region is there.</summary>
     public Section? Section { get; set; }
 
@@ -47,15 +50,45 @@ internal sealed class LayerWork(Body body, int index, PlannedLayer plan, SliceRu
         var at = Index + offset;
         return at >= 0 && at < Body.Layers.Length ? Body.Layers[at].Region : Region.Empty;
     }
+
+    /// <summary>What the layer below covers near an island of this one, or null where nothing of the island hangs over it.</summary>
+    public Region? BelowHanging(Region island)
+    {
+        if (Index == 0) return null;
+        var below = RegionAt(-1);
+        if (below.IsEmpty || below.SameAs(Region)) return null;
+        // Where the lower layer reaches beyond the island all around, all its walls lie on it.
+        return below.Surrounds(island) ? null : below.Near(island.Box);
+    }
 }
 
 /// <summary>A connected piece of a layer.</summary>
-internal sealed class IslandWork(Region region)
+/// <param name="region">What it covers.</param>
+/// <param name="rules">The settings of its walls.</param>
+internal sealed class IslandWork(Region region, SliceRules rules)
 {
     public Region Region { get; } = region;
+
+    public SliceRules Rules { get; } = rules;
 
     public IReadOnlyList<WallPath> Walls { get; set; } = [];
 
     /// <summary>What the walls leave.</summary>
-    public Region Inside { get; set; } = Region.Empty;
+    public IReadOnlyList<InsideWork> Insides { get; set; } = [];
+}
+
+/// <summary>A part of what the walls of an island leave, filled by one set of settings.</summary>
+internal sealed class InsideWork(SliceRules rules, Region region)
+{
+    private IslandAreas? _areas;
+
+    public SliceRules Rules { get; } = rules;
+
+    public Region Region { get; } = region;
+
+    /// <summary>How it is filled. Found when it is first asked for, by when the neighbors of the layer have their outlines.</summary>
+    public IslandAreas AreasOf(LayerWork layer, RegionEngine engine)
+    {
+        lock (this) return _areas ??= new SkinFinder(layer, Rules, engine).Find(Region);
+    }
 }

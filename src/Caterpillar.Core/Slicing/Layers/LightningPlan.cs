@@ -1,6 +1,8 @@
+using System;
 using System.Collections.Generic;
 using System.Threading;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
@@ -12,16 +14,26 @@ internal static class LightningPlan
         var engine = new RegionEngine();
         var areas = new Region[body.Layers.Length];
         var heights = new double[areas.Length];
+        var spacing = 0.0;
         for (var i = 0; i < areas.Length; i++)
         {
             cancel.ThrowIfCancellationRequested();
             var layer = body.Layers[i];
             heights[i] = layer.Plan.Top;
-            areas[i] = AreaFiller.CenterLines(ThickInfill.SparseOf(layer, engine), layer.Rules, layer.Rules.Width, engine);
+            var rules = RulesOf(layer);
+            if (rules.InfillSpacing > 0) spacing = Math.Max(spacing, rules.InfillSpacing);
+            areas[i] = AreaFiller.CenterLines(ThickInfill.SparseOf(layer, engine, InfillPattern.Lightning), rules, rules.Width, engine);
         }
         var tops = new Region[areas.Length];
         for (var i = 0; i < tops.Length; i++) tops[i] = i + 1 < tops.Length ? areas[i].Subtract(areas[i + 1], engine) : areas[i];
-        var spacing = body.Layers.Length > 0 ? body.Layers[0].Rules.InfillSpacing : 0;
         return spacing > 0 ? Lightning.Grow(areas, tops, spacing, heights, cancel) : new IReadOnlyList<Polyline>[areas.Length];
+    }
+
+    // Those of a modifier where only its infill is trees.
+    private static SliceRules RulesOf(LayerWork layer)
+    {
+        if (layer.Rules.Settings.InfillPattern == InfillPattern.Lightning) return layer.Rules;
+        var at = layer.Modifiers.FindIndex(m => m.Rules.Settings.InfillPattern == InfillPattern.Lightning);
+        return at < 0 ? layer.Rules : layer.Modifiers[at].Rules;
     }
 }

@@ -20,15 +20,18 @@ internal static class OutlineStage
             layer.VaseLoop = VaseSpiral.Loop(layer, engine);
             if (layer.VaseLoop is not null) return;
         }
-        var islands = layer.Region.Islands;
-        var builder = new WallBuilder(layer.Rules.Walls, engine);
-        layer.Islands = new IslandWork[islands.Count];
-        for (var i = 0; i < islands.Count; i++)
+        var islands = new List<IslandWork>();
+        foreach (var zone in LayerZones.Of(layer, engine))
         {
-            var walls = builder.Build(islands[i]);
-            layer.TooThin.AddRange(walls.TooThin);
-            layer.Islands[i] = new IslandWork(islands[i]) { Walls = walls.Paths, Inside = walls.Inside };
+            var builder = new WallBuilder(zone.Rules.Walls, engine);
+            foreach (var island in zone.Region.Islands)
+            {
+                var walls = builder.Build(island);
+                layer.TooThin.AddRange(walls.TooThin);
+                islands.Add(new IslandWork(island, zone.Rules) { Walls = walls.Paths, Insides = zone.Divide(walls.Inside, engine) });
+            }
         }
+        layer.Islands = islands.ToArray();
     }
 
     // Outlines and holes moved by the compensations of the settings.

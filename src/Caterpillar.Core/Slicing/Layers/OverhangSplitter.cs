@@ -23,25 +23,22 @@ internal sealed class OverhangSplitter
     private readonly LineClipper?[] _clippers;
     private readonly List<(double From, double To)> _parts = [];
 
-    private OverhangSplitter(LayerWork layer, Region below, RegionEngine engine)
+    private OverhangSplitter(SliceRules rules, Region below, RegionEngine engine)
     {
-        _settings = layer.Rules.Settings;
+        _settings = rules.Settings;
         _classes = _settings.OverhangClasses;
         _below = below;
-        _width = layer.Rules.Width;
+        _width = rules.Width;
         _engine = engine;
         _clippers = new LineClipper?[_classes.Count];
     }
 
-    /// <summary>The splitter of an island, or null where nothing of it hangs over.</summary>
-    public static OverhangSplitter? For(LayerWork layer, IslandWork island, RegionEngine engine)
-    {
-        if (layer.Index == 0 || layer.Rules.Settings.OverhangClasses.Count == 0) return null;
-        var below = layer.RegionAt(-1);
-        if (below.IsEmpty || below.SameAs(layer.Region)) return null;
-        // Where the lower layer reaches beyond this island all around, all its walls lie on it.
-        return below.Surrounds(island.Region) ? null : new OverhangSplitter(layer, below.Near(island.Region.Box), engine);
-    }
+    /// <summary>The splitter of an island, or null where overhangs are printed like all else.</summary>
+    /// <param name="rules">Those of its walls.</param>
+    /// <param name="below">What is below the island.</param>
+    /// <param name="engine">Offsets it.</param>
+    public static OverhangSplitter? For(SliceRules rules, Region below, RegionEngine engine)
+        => rules.Settings.OverhangClasses.Count == 0 ? null : new OverhangSplitter(rules, below, engine);
 
     /// <summary>The path, with other segments and beads where it hangs over.</summary>
     public PrintPath Split(PrintPath path)

@@ -85,7 +85,7 @@ internal sealed class VaseSpiral
             beads[i] = bead.WithArea(bead.Area * flow((at + length / 2) / all));
             at += length;
         }
-        var path = PrintPath.Own(points, beads, closed: false).With(Role.OuterWall, work.Layer);
+        var path = work.Rules.Own(PrintPath.Own(points, beads, closed: false).With(Role.OuterWall, work.Layer));
         return new PathStep(path, new StepGroup(work.Number, 0, StepRank.Walls)) { KeepStart = true, Region = work.Region };
     }
 

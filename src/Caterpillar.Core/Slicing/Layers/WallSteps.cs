@@ -10,38 +10,43 @@ internal static class WallSteps
 {
     public static void Add(LayerWork layer, IslandWork island, int number, RegionEngine engine, List<PathStep> steps, List<WallChain> chains)
     {
-        var settings = layer.Rules.Settings;
-        var overhangs = OverhangSplitter.For(layer, island, engine);
+        var settings = island.Rules.Settings;
+        var below = layer.BelowHanging(island.Region);
+        var overhangs = below is null ? null : OverhangSplitter.For(island.Rules, below, engine);
+        var air = below is null ? null : new LineClipper(below.Index, outside: true);
         var group = new StepGroup(layer.Number, number, StepRank.Walls);
         for (var i = 0; i < island.Walls.Count; i++)
         {
             if (WallChains.IsLoop(island.Walls[i])) continue;
-            var path = Path(layer, island.Walls[i], i);
-            steps.Add(new PathStep(overhangs?.Split(path) ?? path, group) { Region = island.Region });
+            var path = Path(layer, island.Rules, island.Walls[i], i);
+            steps.Add(new PathStep(island.Rules.Own(overhangs?.Split(path) ?? path), group) { Region = island.Region });
         }
         foreach (var chain in WallChains.Find(island.Walls))
         {
             var hangsOver = false;
             var paths = new PrintPath[chain.Count];
+            var supports = air is null ? null : new LoopSupport?[chain.Count];
             for (var i = 0; i < paths.Length; i++)
             {
-                var path = Path(layer, island.Walls[chain[i]], chain[i]);
-                paths[i] = overhangs?.Split(path) ?? path;
-                hangsOver |= !ReferenceEquals(paths[i], path);
+                var path = Path(layer, island.Rules, island.Walls[chain[i]], chain[i]);
+                var split = overhangs?.Split(path) ?? path;
+                hangsOver |= !ReferenceEquals(split, path);
+                paths[i] = island.Rules.Own(split);
             }
             var outerFirst = WallChains.OuterFirst(settings, layer.Index, hangsOver);
-            chains.Add(new WallChain(steps.Count, paths.Length, outerFirst ? steps.Count : steps.Count + paths.Length - 1));
-            for (var i = 0; i < paths.Length; i++)
-                steps.Add(new PathStep(paths[outerFirst ? i : paths.Length - 1 - i], group) { Region = island.Region, Joined = i > 0 });
+            if (!outerFirst) Array.Reverse(paths);
+            for (var i = 0; supports is not null && i < paths.Length; i++) supports[i] = LoopSupport.Of(paths[i].RawPoints, air!);
+            chains.Add(new WallChain(steps.Count, paths.Length, outerFirst ? steps.Count : steps.Count + paths.Length - 1, supports));
+            for (var i = 0; i < paths.Length; i++) steps.Add(new PathStep(paths[i], group) { Region = island.Region, Joined = i > 0 });
         }
     }
 
-    private static PrintPath Path(LayerWork layer, WallPath wall, int number)
+    private static PrintPath Path(LayerWork layer, SliceRules rules, WallPath wall, int number)
     {
-        var settings = layer.Rules.Settings;
+        var settings = rules.Settings;
         if (settings.FuzzySkin > 0 && wall is { Index: 0, Closed: true } && layer.Index > 0) wall = FuzzySkin.Apply(wall, settings, layer.Number, number);
         var role = wall.Index == 0 ? Role.OuterWall : wall.IsStrand ? Role.GapFill : Role.InnerWall;
-        return wall.ToPath(layer.Plan.Top, layer.Rules.Walls).With(role, layer.Layer);
+        return wall.ToPath(layer.Plan.Top, rules.Walls).With(role, layer.Layer);
     }
 
     /// <summary>Contours that do not close, as single walls.</summary>
@@ -53,7 +58,7 @@ internal static class WallSteps
             var line = layer.OpenLines[i];
             if (line.Count < 2 || line.Length < layer.Rules.Width) continue;
             var path = PrintPath.Own(Lifted(line.Raw, layer.Plan.Top), [bead], closed: false).With(Role.OuterWall, layer.Layer);
-            steps.Add(new PathStep(path, new StepGroup(layer.Number, layer.Islands.Length, StepRank.Walls)));
+            steps.Add(new PathStep(layer.Rules.Own(path), new StepGroup(layer.Number, layer.Islands.Length, StepRank.Walls)));
         }
     }
 

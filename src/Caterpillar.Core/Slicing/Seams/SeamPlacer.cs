@@ -31,7 +31,7 @@ internal sealed class SeamPlacer(Body body)
         var places = new LoopPlace?[chains.Count];
         var loops = new Vec3[chains.Count][];
         for (var i = 0; i < loops.Length; i++) loops[i] = layer.Steps[chains[i].Outer].Path.RawPoints;
-        Choose(loops, places, work);
+        Choose(loops, chains, places, work);
         var steps = new List<PathStep>(layer.Steps);
         for (var i = 0; i < places.Length; i++)
         {
@@ -40,7 +40,10 @@ internal sealed class SeamPlacer(Body body)
             for (var k = chain.First; k < chain.First + chain.Count; k++)
             {
                 // Inner walls begin beside the seam: the travel over them is hardly longer than one to the seam alone.
-                var path = k == chain.Outer ? place.Start(steps[k].Path) : LoopPlace.Nearest(steps[k].Path.RawPoints, place.Point).Start(steps[k].Path);
+                var path = steps[k].Path;
+                var start = k == chain.Outer ? place : LoopPlace.Nearest(path.RawPoints, place.Point);
+                if (k != chain.Outer && chain.SupportOf(k) is { } support) start = support.Near(path.RawPoints, start);
+                path = start.Start(path);
                 if (k == chain.Outer && work.Index > 0) path = ScarfSeam.Apply(path, work.Plan.Thickness, settings);
                 steps[k] = new PathStep(path, steps[k].Group) { KeepStart = true, Joined = steps[k].Joined, Region = steps[k].Region };
             }
@@ -48,7 +51,7 @@ internal sealed class SeamPlacer(Body body)
         return layer with { Steps = steps };
     }
 
-    private void Choose(Vec3[][] loops, LoopPlace?[] places, LayerWork work)
+    private void Choose(Vec3[][] loops, IReadOnlyList<WallChain> chains, LoopPlace?[] places, LayerWork work)
     {
         var settings = work.Rules.Settings;
         var arm = 2 * work.Rules.Width;
@@ -58,15 +61,18 @@ internal sealed class SeamPlacer(Body body)
         {
             var loop = loops[i];
             Vec3? below = matches is not null && matches[i] >= 0 ? _below[matches[i]].Point : null;
-            places[i] = Painted(loop, work) ?? settings.SeamPosition switch
+            var support = chains[i].SupportOf(chains[i].Outer);
+            var painted = Painted(loop, work);
+            places[i] = painted ?? settings.SeamPosition switch
             {
-                SeamPosition.Nearest => null,
+                SeamPosition.Nearest => support is null ? null : LoopPlace.AtVertex(loop, 0),
                 SeamPosition.Rear => LoopPlace.Nearest(loop, Rear()),
                 SeamPosition.Point => LoopPlace.Nearest(loop, settings.SeamPoint),
                 SeamPosition.Random => Anywhere(loop, settings.SeamSeed, work.Index, i),
                 SeamPosition.Corner => BestCorner(loop, below, arm),
                 _ => below is { } seam ? Above(loop, seam, arm) : BestCorner(loop, null, arm),
             };
+            if (support is not null && places[i] is { } chosen && painted is null) places[i] = support.Near(loop, chosen);
             if (places[i] is { } place) seams.Add(new Seam(place.Point, IsHole(loop)));
         }
         _below = seams;

@@ -9,7 +9,12 @@ namespace Caterpillar.Slicing;
 /// <param name="First">Number of the first step.</param>
 /// <param name="Count">Number of loops.</param>
 /// <param name="Outer">Number of the step of the outer wall.</param>
-internal readonly record struct WallChain(int First, int Count, int Outer);
+/// <param name="Supports">For each loop the parts that lie over air, or null where none does.</param>
+internal readonly record struct WallChain(int First, int Count, int Outer, LoopSupport?[]? Supports = null)
+{
+    /// <summary>The support of the loop of a step.</summary>
+    public LoopSupport? SupportOf(int step) => Supports?[step - First];
+}
 
 /// <summary>Finds which loops belong to one contour: each inner loop to the nearest loop around it.</summary>
 internal static class WallChains

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
@@ -61,6 +62,29 @@ public class SeamTests
         Assert.That(seams.Distinct().Count(), Is.GreaterThan(15));
         foreach (var side in new[] { seams.Count(s => s.X < 1), seams.Count(s => s.X > 19), seams.Count(s => s.Y < 1), seams.Count(s => s.Y > 19) })
             Assert.That(side, Is.GreaterThan(0), "every side has some");
+    }
+
+    [Test]
+    public void No_seam_lies_over_air([Values(SeamPosition.Aligned, SeamPosition.Corner, SeamPosition.Rear, SeamPosition.Point, SeamPosition.Random,
+        SeamPosition.Nearest)] SeamPosition position)
+    {
+        // The slab reaches 10 mm over the block on two sides; three of its corners are in the air.
+        var settings = At(position) with { SeamPoint = new Vec3(50, 50) };
+        var layers = Solids.Slice(settings, Solids.Block(0, 0, 0, 20, 20, 2), Solids.Block(0, 0, 2, 30, 30, 4));
+        var first = layers[10].Steps.Select(s => s.Path).Where(p => p.IsClosed).ToArray();
+        Assert.That(first, Has.Length.EqualTo(2), "two walls");
+        foreach (var wall in first)
+            Assert.That(Math.Max(wall.Start.X, wall.Start.Y), Is.LessThanOrEqualTo(19 + 1e-6), $"{wall.Role} begins at {wall.Start}");
+    }
+
+    [Test]
+    public void A_loop_all_in_the_air_and_a_painted_one_begin_as_usual()
+    {
+        var ring = Solids.Slice(At(SeamPosition.Rear), Solids.Block(5, 5, 0, 15, 15, 2), Solids.Block(0, 0, 2, 20, 20, 4));
+        Assert.That(Seams([ring[10]]).Min(s => s.DistanceTo(new Vec3(10, 19.8))), Is.LessThan(1e-2));
+        var marks = new ValueList<SeamMark>(new SeamMark(new Vec3(30, 12, 2.1), 1));
+        var painted = Solids.Slice(At(SeamPosition.Rear) with { SeamMarks = marks }, Solids.Block(0, 0, 0, 20, 20, 2), Solids.Block(0, 0, 2, 30, 30, 4));
+        Assert.That(Seams([painted[10]]).Min(s => s.DistanceTo(new Vec3(29.8, 12))), Is.LessThan(1e-2));
     }
 
     [Test]

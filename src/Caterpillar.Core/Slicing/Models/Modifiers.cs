@@ -1,0 +1,59 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Bodies inside which other settings apply: cuts them at the heights of a part's layers.</summary>
+internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
+{
+    private readonly bool[] _used = new bool[models.Count];
+
+    /// <summary>Gives the layers of a body what the modifiers cover in them.</summary>
+    /// <param name="body">A body with its layers.</param>
+    /// <param name="common">The settings of the print.</param>
+    /// <param name="threads">Degree of parallelism, 0 for all cores.</param>
+    /// <param name="cancel">Cancels.</param>
+    public void Apply(Body body, PrintSettings common, int threads, CancellationToken cancel)
+    {
+        var heights = Array.ConvertAll(body.Layers, l => l.Plan.Cut);
+        for (var m = 0; m < models.Count; m++)
+        {
+            var mesh = models[m].Mesh.Mesh;
+            if (body.Layers.Length == 0 || !Overlap(mesh.Bounds, body.Model.Mesh.Bounds)) continue;
+            var sections = MeshSections.At(mesh, heights, new SectionOptions { Threads = threads }, null, cancel).Value!;
+            var rules = new Dictionary<double, SliceRules>();
+            for (var i = 0; i < heights.Length; i++)
+            {
+                var area = Region.From(sections[i].Loops);
+                if (area.IsEmpty) continue;
+                _used[m] = true;
+                var layer = body.Layers[i];
+                if (!rules.TryGetValue(layer.Plan.Thickness, out var own))
+                {
+                    // What layers have in common stays that of the part.
+                    var settings = models[m].Settings with { InfillEvery = layer.Rules.Settings.InfillEvery, OpenMeshes = layer.Rules.Settings.OpenMeshes };
+                    rules.Add(layer.Plan.Thickness, own = SliceRules.Of(settings, layer.Plan.Thickness, common));
+                }
+                layer.Modifiers.Add((own, area));
+            }
+        }
+    }
+
+    /// <summary>Warns of modifiers that lie in no part.</summary>
+    public void Report(DiagnosticList problems)
+    {
+        for (var m = 0; m < models.Count; m++)
+        {
+            if (!_used[m])
+                problems.Add(Severity.Warning, "slice.modifier_outside", $"The modifier {models[m].Mesh.Name} lies in no part, so it changes nothing.");
+        }
+    }
+
+    private static bool Overlap(Bounds a, Bounds b)
+        => !a.IsEmpty && !b.IsEmpty && a.Min.X < b.Max.X && b.Min.X < a.Max.X && a.Min.Y < b.Max.Y && b.Min.Y < a.Max.Y && a.Min.Z < b.Max.Z
+            && b.Min.Z < a.Max.Z;
+}

@@ -1,0 +1,78 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Which parts of a loop lie over air. A seam there would be a free end that sags.</summary>
+internal sealed class LoopSupport
+{
+    // mm that a seam keeps from the air, where there is so much.
+    private const double Margin = 1;
+    private readonly List<(double From, double To)> _air;
+    private readonly double _length;
+
+    private LoopSupport(List<(double From, double To)> air, double length)
+    {
+        _air = air;
+        _length = length;
+    }
+
+    /// <summary>The parts of a loop, or null where all of it, or nothing, is supported.</summary>
+    /// <param name="loop">The loop.</param>
+    /// <param name="below">Cuts lines to what is outside of the layer below.</param>
+    public static LoopSupport? Of(Vec3[] loop, LineClipper below)
+    {
+        var air = new List<(double From, double To)>();
+        var parts = new List<(double From, double To)>();
+        double done = 0, over = 0;
+        for (var i = 0; i < loop.Length; i++)
+        {
+            Vec3 a = loop[i], b = loop[i + 1 == loop.Length ? 0 : i + 1];
+            var length = (b - a).LengthXY;
+            parts.Clear();
+            if (length > 0) below.Parts(a, b, parts);
+            foreach (var (from, to) in parts)
+            {
+                var start = done + from * length;
+                over += (to - from) * length;
+                if (air.Count > 0 && start - air[air.Count - 1].To < 1e-6) air[air.Count - 1] = (air[air.Count - 1].From, done + to * length);
+                else air.Add((start, done + to * length));
+            }
+            done += length;
+        }
+        return air.Count == 0 || over > done - 1e-6 ? null : new LoopSupport(air, done);
+    }
+
+    /// <summary>The place nearest to another, along the loop, from which the strand lies on something on both sides.</summary>
+    public LoopPlace Near(Vec3[] loop, LoopPlace wanted)
+    {
+        var at = wanted.T * (loop[wanted.Segment + 1 == loop.Length ? 0 : wanted.Segment + 1] - loop[wanted.Segment]).LengthXY;
+        for (var i = 0; i < wanted.Segment; i++) at += (loop[i + 1] - loop[i]).LengthXY;
+        double best = at, bestMargin = -1, bestMoved = 0;
+        for (var i = 0; i < _air.Count; i++)
+        {
+            // From the end of one part in the air to the beginning of the next.
+            var from = _air[i].To;
+            var length = (i + 1 < _air.Count ? _air[i + 1].From : _air[0].From + _length) - from;
+            var margin = Math.Min(Margin, length / 2);
+            var place = at < from ? at + _length : at;
+            if (place > from + length - margin)
+            {
+                // The nearer end, around the loop.
+                var past = place - (from + length - margin);
+                var before = from + _length + margin - place;
+                place = past <= before ? from + length - margin : from + margin;
+            }
+            else if (place < from + margin)
+            {
+                place = from + margin;
+            }
+            var moved = Math.Abs(place - at) % _length;
+            moved = Math.Min(moved, _length - moved);
+            if (margin < bestMargin || (margin == bestMargin && moved >= bestMoved)) continue;
+            (best, bestMargin, bestMoved) = (place, margin, moved);
+        }
+        return bestMoved < 1e-6 ? wanted : LoopPlace.AtLength(loop, best % _length);
+    }
+}
