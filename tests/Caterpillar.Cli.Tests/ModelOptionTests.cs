@@ -53,6 +53,9 @@ public class ModelOptionTests : CliFixture
     [TestCase("--arrange", "--keep-position")]
     [TestCase("--center", "--place", "5,5")]
     [TestCase("--spacing", "-1")]
+    [TestCase("--arrange", "--for", "part.stl:model_use=modifier")]
+    [TestCase("--lay-flat", "--for", "part.stl:model_use=support_blocker")]
+    [TestCase("--infill-curves", "missing.svg", "--rotate", "x")]
     [TestCase("--for", "part.stl")]
     [TestCase("--for", "lid.stl:wall_count=2")]
     [TestCase("--for", "part.stl:wall_count=many")]
@@ -95,4 +98,27 @@ public class ModelOptionTests : CliFixture
     }
 
     private static int Layers(CliRun run) => System.Text.Json.JsonDocument.Parse(run.Output).RootElement.GetProperty("layers").GetInt32();
+
+    [Test]
+    public void Modifiers_move_along_with_the_part_and_are_not_printed()
+    {
+        File.WriteAllText("big.stl", Box(60, 60, 40));
+        var run = Run(["slice", "part.stl", "big.stl", "--place", "30,40", "--for", "big.stl:model_use=modifier,wall_count=3", .. Walls]);
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        var lines = File.ReadAllLines("part.gcode");
+        Assert.That(lines.Count(l => l.StartsWith(";LAYER_CHANGE", System.StringComparison.Ordinal)), Is.EqualTo(10), "only the part is printed");
+        Assert.That(lines, Has.Some.Contains(" Y35.225"), "in the middle is the part");
+        Assert.That(lines, Has.Some.EqualTo(";TYPE:Perimeter"), "inner walls, which only the modifier asks for");
+    }
+
+    [Test]
+    public void Curves_of_a_file_are_the_infill_where_the_model_stands()
+    {
+        File.WriteAllText("web.csv", "x,y\n-100,3\n100,3\n");
+        var run = Run(["slice", "part.stl", "--infill-curves", "web.csv", "--place", "30,40", .. Walls, "--set", "infill_percent=20"]);
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        var lines = File.ReadAllLines("part.gcode");
+        Assert.That(lines.Count(l => l == ";TYPE:Internal infill"), Is.EqualTo(10));
+        Assert.That(lines, Has.Some.Contains(" Y38 "), "3 mm above the lower edge, which is at 35 mm");
+    }
 }
