@@ -33,8 +33,8 @@ internal static class PrintTimes
     {
         LayerHeight = 0.2, FirstLayerHeight = 0.2, LineWidth = 0.45, WallCount = 2, InfillPercent = 20, TopLayers = 4, BottomLayers = 4,
         TopThickness = 0, BottomThickness = 0, PrintSpeed = 60, OuterWallSpeed = 40, InfillSpeed = 80, SolidInfillSpeed = 60, TopSkinSpeed = 60,
-        BridgeSpeed = 60, FirstLayerSpeed = 25, TravelSpeed = 150, RetractionMinTravel = 1.5, TravelLift = TravelLift.None, MinLayerTime = 0,
-        OverhangClasses = ValueList<OverhangClass>.Empty,
+        BridgeSpeed = 60, InfillBridgeSpeed = 60, FirstLayerSpeed = 25, TravelSpeed = 150, RetractionMinTravel = 1.5, TravelLift = TravelLift.None,
+        MinLayerTime = 0, OverhangClasses = ValueList<OverhangClass>.Empty,
     };
 
     /// <summary>A table in Markdown for the meshes of a folder.</summary>

@@ -1,3 +1,4 @@
+using System.Globalization;
 using BenchmarkDotNet.Running;
 
 namespace Caterpillar.Bench;
@@ -8,6 +9,9 @@ namespace Caterpillar.Bench;
 /// <c>dotnet run -c Release --project bench -- coverage MODEL FILE.gcode...</c>: what the beads of solid prints leave open and cover twice (bench/coverage.sh).
 /// <c>dotnet run -c Release --project bench -- targets PROGRAM BIG.gcode MESHES</c>: every target of speed that can be measured without other programs, with
 /// the published PROGRAM, as a table and a chart (bench/targets.sh).
+/// <c>dotnet run -c Release --project bench -- stages MODEL...</c>: the stages of a slice.
+/// <c>dotnet run -c Release --project bench -- mesh TRIANGLES FILE.stl</c>: a bumpy sphere of about so many triangles.
+/// <c>dotnet run -c Release --project bench -- stl MODEL FILE.stl</c>: a model as binary STL, which all slicers read.
 /// </summary>
 internal static class Program
 {
@@ -16,6 +20,9 @@ internal static class Program
         if (arguments is ["times", var folder]) PrintTimes.Run(folder);
         else if (arguments is ["coverage", _, _, ..]) Coverage.Run(arguments[1..]);
         else if (arguments is ["targets", var program, var gcode, var meshes]) Targets.Run(program, gcode, meshes);
+        else if (arguments is ["stl", var model, var stl]) Samples.WriteStl(model, stl);
+        else if (arguments is ["stages", _, ..]) Stages.Run(arguments[1..]);
+        else if (arguments is ["mesh", var triangles, var target]) Samples.WriteSphere(int.Parse(triangles, CultureInfo.InvariantCulture), target);
         else BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(arguments);
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -51,6 +52,17 @@ internal static class Samples
         }
         return TriMesh.Create(points, triangles);
     }
+
+    /// <summary>The bumpy sphere with about so many triangles, as a file.</summary>
+    public static void WriteSphere(int triangles, string file)
+    {
+        var rings = (int)Math.Sqrt(triangles / 4.0);
+        File.WriteAllBytes(file, StlWriter.ToBytes(BumpySphere(2 * rings, rings)));
+    }
+
+    /// <summary>A model of any format as binary STL.</summary>
+    public static void WriteStl(string model, string file)
+        => File.WriteAllBytes(file, StlWriter.ToBytes(TriMesh.Merge(MeshReader.Read(model).Value!.Select(m => m.Mesh).ToArray())));
 
     /// <summary>A print of wavy contours with a travel and a retraction after each 300 moves.</summary>
     public static Toolpath Print(int moves)

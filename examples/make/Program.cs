@@ -15,6 +15,7 @@ internal static class Program
         {
             TracePictures.Write(arguments[1]);
             SlicingPictures.Write(arguments[1]);
+            SeamPictures.Write(arguments[1]);
             InfillPictures.Write(arguments[1]);
             CurvedPictures.Write(arguments[1]);
             if (ModelsFolder() is { } models) ModelPictures.Write(models, arguments[1]);

@@ -55,7 +55,6 @@ public class ModelOptionTests : CliFixture
     [TestCase("--spacing", "-1")]
     [TestCase("--arrange", "--for", "part.stl:model_use=modifier")]
     [TestCase("--lay-flat", "--for", "part.stl:model_use=support_blocker")]
-    [TestCase("--infill-curves", "missing.svg", "--rotate", "x")]
     [TestCase("--for", "part.stl")]
     [TestCase("--for", "lid.stl:wall_count=2")]
     [TestCase("--for", "part.stl:wall_count=many")]

@@ -65,7 +65,7 @@ internal static class SlicingPictures
     private static Vec3[] Circle(double radius)
         => Enumerable.Range(0, 120).Select(i => Angle.SinCos(3.0 * i)).Select(a => new Vec3(radius * a.Cos, radius * a.Sin)).ToArray();
 
-    private static TriMesh Lofted((double Z, Vec3[] Ring)[] rings)
+    internal static TriMesh Lofted((double Z, Vec3[] Ring)[] rings)
     {
         var n = rings[0].Ring.Length;
         var points = rings.SelectMany(r => r.Ring.Select(p => p.WithZ(r.Z))).ToList();

@@ -21,6 +21,8 @@ internal sealed class SupportBuilder
     private const double Least = 0.005;
     // mm; supports need not follow the part more closely.
     private const double Coarse = 0.06;
+    // mm; overhangs less than twice this apart are held by one piece.
+    private const double Joined = 1;
     private readonly SupportStack _stack;
     private readonly PrintSettings _settings;
     private readonly SupportLevel[] _levels;
@@ -111,9 +113,13 @@ internal sealed class SupportBuilder
         }
         Parallel.For(0, _levels.Length, _options, i =>
         {
-            if (contacts[i] is { } list) _levels[i].Contact = Region.Union(list);
+            if (contacts[i] is { } list) _levels[i].Contact = JoinedPieces(Region.Union(list), new RegionEngine());
         });
     }
+
+    // Many small pieces would be printed one by one, and fall over.
+    private static Region JoinedPieces(Region pieces, RegionEngine engine)
+        => pieces.Offset(Joined, JoinStyle.Round, 2, Coarse, engine).Offset(-Joined, JoinStyle.Miter, 2, Coarse, engine).Simplified(Coarse, engine);
 
     // Columns: from each overhang straight down until the part begins.
     private void Drop()
@@ -124,7 +130,7 @@ internal sealed class SupportBuilder
         {
             _options.CancellationToken.ThrowIfCancellationRequested();
             var level = _levels[i];
-            if (!level.Contact.IsEmpty) needed = needed.Union(level.Contact, engine);
+            if (!level.Contact.IsEmpty) needed = JoinedPieces(needed.Union(level.Contact, engine), engine);
             if (needed.IsEmpty) continue;
             needed = needed.Subtract(level.Part, engine).Simplified(Coarse, engine);
             level.Support = needed;

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -18,19 +17,18 @@ internal static class SupportFiller
     {
         var engine = tools.Engine;
         var width = settings.LineWidth;
+        // Where a support is thin, a single strand: two walls would lie in each other's place.
+        var builder = new WallBuilder(level.Work.Rules.Walls with { Count = 1, VariableWidth = true }, engine);
         var islands = level.Support.Islands;
         for (var i = 0; i < islands.Count; i++)
         {
             var island = islands[i];
             var line = new SupportLine(level, island, FirstIsland + i, steps);
-            var wall = island.Offset(-width / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
+            var walls = builder.Build(island);
             var near = level.Interface.IsEmpty ? Region.Empty : island.Intersect(level.Interface, engine);
             var role = near.Area > island.Area / 2 ? Role.SupportInterface : Role.Support;
-            foreach (var contour in wall.Contours)
-            {
-                if (contour.Length > 2 * width) line.Add(contour.Raw, closed: true, role, 0);
-            }
-            var inside = island.Offset(-width, JoinStyle.Miter, 2, ArcTolerance, engine);
+            foreach (var wall in walls.Paths) line.Add(wall.ToPath(level.Top, level.Work.Rules.Walls), role, 0);
+            var inside = walls.Inside;
             var dense = near.IsEmpty ? near : inside.Intersect(near, engine);
             if (!dense.IsEmpty) Lines(dense, settings.SupportInterfacePercent, 90, Role.SupportInterface, 2);
             if (settings.Support == SupportKind.Grid) Lines(dense.IsEmpty ? inside
@@ -45,7 +43,7 @@ internal static class SupportFiller
                 var request = new InfillRequest(lines, InfillPattern.Lines, spacing, width) { Angle = angle, Z = level.Top, Layer = level.Work.Index };
                 foreach (var found in tools.Infill.Fill(request))
                 {
-                    if (found.Points.Length > 1) line.Add(found.Points, found.Closed, role, rank);
+                    if (found.Points.Length > 1) line.Add(PrintPath.Own(found.Points, [level.Work.Rules.Bead(width)], found.Closed), role, rank);
                 }
             }
         }
@@ -53,12 +51,7 @@ internal static class SupportFiller
 
     private readonly record struct SupportLine(SupportLevel Level, Region Island, int Number, List<PathStep> Steps)
     {
-        public void Add(Vec3[] points, bool closed, Role role, int rank)
-        {
-            var z = Level.Top;
-            var work = Level.Work;
-            var path = PrintPath.Own(Array.ConvertAll(points, p => p.WithZ(z)), [work.Rules.Bead(work.Rules.Width)], closed).With(role, work.Layer);
-            Steps.Add(new PathStep(path, new StepGroup(work.Number, Number, rank)) { Region = Island });
-        }
+        public void Add(PrintPath path, Role role, int rank)
+            => Steps.Add(new PathStep(path.With(role, Level.Work.Layer), new StepGroup(Level.Work.Number, Number, rank)) { Region = Island });
     }
 }

@@ -19,6 +19,9 @@ internal sealed class TreeSupport
     private const double Taper = 0.06;
     private const double Joined = 0.15;
 
+    // The nearest edge of the shadow is looked for again after so many levels.
+    private const int TargetLevels = 10;
+
     private readonly PrintSettings _settings;
     private readonly SupportLevel[] _levels;
     private readonly ParallelOptions _options;
@@ -37,7 +40,7 @@ internal sealed class TreeSupport
     }
 
     // A branch where it passes a level.
-    private readonly record struct Branch(Vec3 Place, double Depth, int Tips);
+    private readonly record struct Branch(Vec3 Place, double Depth, int Tips, Vec3? Target = null);
 
     /// <summary>Fills the supports of the levels, without regard to gaps and to what carries them.</summary>
     public void Grow()
@@ -49,15 +52,15 @@ internal sealed class TreeSupport
         {
             _options.CancellationToken.ThrowIfCancellationRequested();
             var level = _levels[i];
-            var shadow = _branches.Count > 0 ? shadows[i].Offset(_settings.SupportXyGap + _width, JoinStyle.Round, 2, ArcTolerance, _engine) : Region.Empty;
-            Move(level, shadow);
+            if (_branches.Count > 0) Move(level, shadows[i]);
             if (!level.Contact.IsEmpty) waiting = waiting.Union(level.Contact, _engine);
             if (!waiting.IsEmpty)
             {
                 waiting = waiting.Subtract(level.Part, _engine).Simplified(0.05, _engine);
                 var ready = waiting.Subtract(level.Forbidden, _engine).Offset(-_width / 20, JoinStyle.Miter, 2, ArcTolerance, _engine);
                 AddTips(ready);
-                waiting = waiting.Subtract(ready, _engine);
+                // With the seam around it that was left away above: it would be looked at again on every level.
+                if (!ready.IsEmpty) waiting = waiting.Subtract(ready.Offset(_width, JoinStyle.Miter, 2, ArcTolerance, _engine), _engine);
             }
             if (_branches.Count > 0) at[i] = [.. _branches];
         }
@@ -70,7 +73,7 @@ internal sealed class TreeSupport
         });
     }
 
-    // What the part covers up to each level, seen from below.
+    // What the part covers up to each level, seen from below, with the distance that branches keep.
     private Region[] Shadows()
     {
         var shadows = new Region[_levels.Length];
@@ -80,7 +83,15 @@ internal sealed class TreeSupport
             if (!shadow.Surrounds(_levels[i].Part)) shadow = shadow.Union(_levels[i].Part, _engine).Simplified(0.1, _engine);
             shadows[i] = shadow;
         }
+        var top = Array.FindLastIndex(_levels, l => !l.Contact.IsEmpty);
+        Parallel.For(0, top + 1, _options, i => shadows[i] = Around(shadows[i]));
         return shadows;
+    }
+
+    private Region Around(Region shadow)
+    {
+        var engine = new RegionEngine();
+        return shadow.Offset(_settings.SupportXyGap + _width, JoinStyle.Round, 2, ArcTolerance, engine).Simplified(ArcTolerance, engine);
     }
 
     private void Move(SupportLevel level, Region shadow)
@@ -97,7 +108,10 @@ internal sealed class TreeSupport
             var next = place;
             if (shadow.Contains(place.X, place.Y))
             {
-                var (edge, distance) = Edge(shadow, place);
+                // Lower shadows are no larger: a place outside stays outside.
+                if (branch.Target is null || level.Work.Index % TargetLevels == 0) branch = branch with { Target = Edge(shadow, place) };
+                var edge = branch.Target!.Value;
+                var distance = edge.DistanceTo(place);
                 if (distance <= reach) next = Toward(place, edge, Math.Min(step, distance + 0.01));
                 else if (_settings.SupportPlace == SupportPlace.Bed) continue;
                 // Never through a wall.
@@ -198,7 +212,7 @@ internal sealed class TreeSupport
         return Region.From(discs);
     }
 
-    private static (Vec3 Place, double Distance) Edge(Region region, Vec3 from)
+    private static Vec3 Edge(Region region, Vec3 from)
     {
         var best = from;
         var least = double.PositiveInfinity;
@@ -210,7 +224,7 @@ internal sealed class TreeSupport
             least = distance;
             best = place;
         }
-        return (best, least);
+        return best;
     }
 
     private static Vec3 Toward(Vec3 from, Vec3 to, double step)

@@ -60,8 +60,11 @@ public class SupportTests
             var paths = Solids.Paths(layers[i], Roles);
             if (paths.Length == 0) continue;
             lengths += paths.Sum(p => p.Length);
-            var near = layers[i].Region.IsEmpty ? Region.Empty : layers[i].Region.Offset(settings.SupportXyGap + Width / 2 - 0.03, JoinStyle.Round);
-            Assert.That(near.ClipLines(paths.Select(Line)).Sum(l => l.Length), Is.LessThan(0.01), $"too near to the part at {layers[i].Layer.Z}");
+            foreach (var (half, lines) in ByHalfWidth(paths, settings.BeadShape))
+            {
+                var near = layers[i].Region.IsEmpty ? Region.Empty : layers[i].Region.Offset(settings.SupportXyGap + half - 0.03, JoinStyle.Round);
+                Assert.That(near.ClipLines(lines).Sum(l => l.Length), Is.LessThan(0.1), $"too near to the part at {layers[i].Layer.Z}");
+            }
             for (var k = i + 1; k < layers.Count && layers[k].Layer.Z - layers[k].Layer.Thickness < layers[i].Layer.Z + settings.SupportTopGap - 1e-6; k++)
                 Assert.That(layers[k].Region.ClipLines(paths.Select(Line)).Sum(l => l.Length), Is.LessThan(0.01), $"touches what is above {layers[i].Layer.Z}");
             if (i == 0) continue;
@@ -78,6 +81,18 @@ public class SupportTests
             Assert.That(loose, Is.LessThan(0.01), $"hangs in the air at {layers[i].Layer.Z}");
         }
         Assert.That(lengths, Is.GreaterThan(50));
+    }
+
+    // Segments by half of their width, rounded down to 0.05 mm. Strands end at the edge of their place.
+    private static IEnumerable<(double Half, List<Polyline> Lines)> ByHalfWidth(PrintPath[] paths, BeadShape shape)
+        => paths.SelectMany(p => Enumerable.Range(0, p.SegmentCount).Select(i => (Path: p, Segment: i)))
+            .GroupBy(s => IsEnd(s.Path, s.Segment) ? 0 : Math.Floor(Math.Min(s.Path.BeadOf(s.Segment).Width(shape), Width) / 2 / 0.05 + 1e-6) * 0.05)
+            .Select(g => (g.Key, g.Select(s => new Polyline([s.Path.Points[s.Segment], s.Path.EndOf(s.Segment)])).ToList()));
+
+    private static bool IsEnd(PrintPath path, int segment)
+    {
+        var middle = Vec3.Lerp(path.Points[segment], path.EndOf(segment), 0.5);
+        return !path.IsClosed && Math.Min(middle.DistanceTo(path.Start), middle.DistanceTo(path.End)) < Width;
     }
 
     private static Polyline Line(PrintPath path) => new(path.Points, path.IsClosed);
