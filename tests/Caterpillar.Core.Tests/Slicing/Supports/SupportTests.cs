@@ -62,7 +62,7 @@ public class SupportTests
             lengths += paths.Sum(p => p.Length);
             foreach (var (half, lines) in ByHalfWidth(paths, settings.BeadShape))
             {
-                var near = layers[i].Region.IsEmpty ? Region.Empty : layers[i].Region.Offset(settings.SupportXyGap + half - 0.03, JoinStyle.Round);
+                var near = layers[i].Region.IsEmpty ? Region.Empty : layers[i].Region.Offset(settings.SupportXyGap + half - 0.1, JoinStyle.Round);
                 Assert.That(near.ClipLines(lines).Sum(l => l.Length), Is.LessThan(0.1), $"too near to the part at {layers[i].Layer.Z}");
             }
             for (var k = i + 1; k < layers.Count && layers[k].Layer.Z - layers[k].Layer.Thickness < layers[i].Layer.Z + settings.SupportTopGap - 1e-6; k++)
@@ -83,7 +83,7 @@ public class SupportTests
         Assert.That(lengths, Is.GreaterThan(50));
     }
 
-    // Segments by half of their width, rounded down to 0.05 mm. Strands end at the edge of their place.
+    // Segments by half of their width, rounded down to 0.05 mm. Strands end at the edge of their place, and are no thinner than a bead can be.
     private static IEnumerable<(double Half, List<Polyline> Lines)> ByHalfWidth(PrintPath[] paths, BeadShape shape)
         => paths.SelectMany(p => Enumerable.Range(0, p.SegmentCount).Select(i => (Path: p, Segment: i)))
             .GroupBy(s => IsEnd(s.Path, s.Segment) ? 0 : Math.Floor(Math.Min(s.Path.BeadOf(s.Segment).Width(shape), Width) / 2 / 0.05 + 1e-6) * 0.05)
