@@ -13,14 +13,6 @@ internal sealed class CommentScale
 {
     private const double NoChange = 1e-6;
     private const int LongestComment = 120;
-    private const string Number = @"(-?\d*\.?\d+)\s*$";
-    private static readonly Regex Height = new(@"^;\s*(?:Z|Z_HEIGHT):\s*" + Number, RegexOptions.CultureInvariant);
-    private static readonly Regex Thickness = new(@"^;\s*(?:HEIGHT|LAYER_HEIGHT):\s*" + Number, RegexOptions.CultureInvariant);
-    private static readonly Regex Width = new(@"^;\s*(?:WIDTH|LINE_WIDTH):\s*" + Number, RegexOptions.CultureInvariant);
-    private static readonly Regex NumberedHeight = new(@"^;\s*(?:layer|Layer|LAYER) -?\d+, Z = " + Number, RegexOptions.CultureInvariant);
-    private static readonly Regex ObjectHeight = new(@"^;\s*BEGIN_LAYER_OBJECT.* z=(-?\d*\.?\d+)", RegexOptions.CultureInvariant);
-    private static readonly Regex ObjectThickness = new(@"^;\s*BEGIN_LAYER_OBJECT.* z_thickness=(-?\d*\.?\d+)", RegexOptions.CultureInvariant);
-    private static readonly Regex BareHeight = new("^;" + Number, RegexOptions.CultureInvariant);
 
     private readonly Toolpath _before;
     private readonly Toolpath _after;
@@ -58,17 +50,26 @@ internal sealed class CommentScale
         _afterChange = text is ";BEFORE_LAYER_CHANGE" or ";AFTER_LAYER_CHANGE";
         if (_old.After(number) is not { } strand) return text;
         var layer = strand.Layer >= 0 ? (Before: _before.Layers[strand.Layer], After: _after.Layers[strand.Layer]) : default;
-        if (layer.Before is not null)
+        if (layer.Before is not null && !IsSame(layer.Before, layer.After))
         {
-            text = Replace(text, Height, z => NewZ(z, layer.Before, layer.After));
-            text = Replace(text, NumberedHeight, z => NewZ(z, layer.Before, layer.After));
-            text = Replace(text, ObjectHeight, z => NewZ(z, layer.Before, layer.After));
-            if (bare) text = Replace(text, BareHeight, z => NewZ(z, layer.Before, layer.After));
-            text = Replace(text, Thickness, h => h * Ratio(layer.Before, layer.After));
-            text = Replace(text, ObjectThickness, h => h * Ratio(layer.Before, layer.After));
+            double Z(double z) => NewZ(z, layer.Before, layer.After);
+            double Height(double h) => h * Ratio(layer.Before, layer.After);
+            if (Has(text, "Z")) text = Replace(text, Patterns.Height, Z);
+            if (Has(text, ", Z = ")) text = Replace(text, Patterns.NumberedHeight, Z);
+            if (Has(text, "BEGIN_LAYER_OBJECT")) text = Replace(text, Patterns.ObjectHeight, Z);
+            if (bare) text = Replace(text, Patterns.BareHeight, Z);
+            if (Has(text, "HEIGHT:")) text = Replace(text, Patterns.Thickness, Height);
+            if (Has(text, "BEGIN_LAYER_OBJECT")) text = Replace(text, Patterns.ObjectThickness, Height);
         }
-        return Replace(text, Width, w => w * WidthFactor(strand, number, layer.Before is null ? 1 : Ratio(layer.Before, layer.After)));
+        if (!Has(text, "WIDTH:")) return text;
+        var factor = WidthFactor(strand, number, layer.Before is null ? 1 : Ratio(layer.Before, layer.After));
+        return factor == 1 ? text : Replace(text, Patterns.Width, w => w * factor);
     }
+
+    // Most edits keep most heights, and most comments have none: patterns are slow.
+    private static bool Has(string text, string word) => text.IndexOf(word, StringComparison.Ordinal) >= 0;
+
+    private static bool IsSame(Layer before, Layer after) => before.Z == after.Z && Math.Abs(Ratio(before, after) - 1) <= 1e-15;
 
     private static double NewZ(double z, Layer before, Layer after)
         => Math.Abs(Ratio(before, after) - 1) <= NoChange || !(before.Z > 0) ? z + after.Z - before.Z : z * after.Z / before.Z;
@@ -101,5 +102,18 @@ internal sealed class CommentScale
         while (at < line.End && line.Text[at] is (byte)' ' or (byte)';') at++;
         if (at == line.End) return false;
         return line.Text[at] is (byte)'Z' or (byte)'H' or (byte)'W' or (byte)'L' or (byte)'l' or (byte)'B' or (byte)'A' || _afterChange;
+    }
+
+    // Apart, so that they are made when they are needed first.
+    private static class Patterns
+    {
+        private const string Number = @"(-?\d*\.?\d+)\s*$";
+        public static readonly Regex Height = new(@"^;\s*(?:Z|Z_HEIGHT):\s*" + Number, RegexOptions.CultureInvariant);
+        public static readonly Regex Thickness = new(@"^;\s*(?:HEIGHT|LAYER_HEIGHT):\s*" + Number, RegexOptions.CultureInvariant);
+        public static readonly Regex Width = new(@"^;\s*(?:WIDTH|LINE_WIDTH):\s*" + Number, RegexOptions.CultureInvariant);
+        public static readonly Regex NumberedHeight = new(@"^;\s*(?:layer|Layer|LAYER) -?\d+, Z = " + Number, RegexOptions.CultureInvariant);
+        public static readonly Regex ObjectHeight = new(@"^;\s*BEGIN_LAYER_OBJECT.* z=(-?\d*\.?\d+)", RegexOptions.CultureInvariant);
+        public static readonly Regex ObjectThickness = new(@"^;\s*BEGIN_LAYER_OBJECT.* z_thickness=(-?\d*\.?\d+)", RegexOptions.CultureInvariant);
+        public static readonly Regex BareHeight = new("^;" + Number, RegexOptions.CultureInvariant);
     }
 }
