@@ -3,9 +3,11 @@ using System.Globalization;
 
 namespace Caterpillar.Bench;
 
-/// <summary>A job with the time (or amount) it may take, and what it took. Smaller is better.</summary>
+/// <summary>A job with the time (or amount) it may take (NaN where only other programs say), and what it took. Smaller is better.</summary>
 internal sealed record Target(string Job, string Unit, double Allowed, double Measured, string Remark = "")
 {
+    public bool HasTarget => !double.IsNaN(Allowed);
+
     public bool IsMet => Measured <= Allowed;
 
     /// <summary>How much of what is allowed was taken.</summary>
