@@ -8,10 +8,15 @@ namespace Caterpillar.Bench;
 /// <c>dotnet run -c Release --project bench -- times FOLDER</c>: print times against other slicers for the meshes of a folder.
 /// <c>dotnet run -c Release --project bench -- coverage MODEL FILE.gcode...</c>: what the beads of solid prints leave open and cover twice (bench/coverage.sh).
 /// <c>dotnet run -c Release --project bench -- targets PROGRAM BIG.gcode MESHES</c>: every target of speed that can be measured without other programs, with
+<<<<<<< HEAD
 /// the published PROGRAM, as a table and a chart (bench/targets.sh).
 /// <c>dotnet run -c Release --project bench -- stages MODEL...</c>: the stages of a slice.
 /// <c>dotnet run -c Release --project bench -- mesh TRIANGLES FILE.stl</c>: a bumpy sphere of about so many triangles.
 /// <c>dotnet run -c Release --project bench -- stl MODEL FILE.stl</c>: a model as binary STL, which all slicers read.
+=======
+/// the published PROGRAM, as a table (bench/targets.sh).
+/// <c>dotnet run -c Release --project bench -- chart bench/RESULTS.md</c>: the chart of that table.
+>>>>>>> 5cb3e79 (A table and a chart of the targets of speed)
 /// </summary>
 internal static class Program
 {
@@ -19,6 +24,7 @@ internal static class Program
     {
         if (arguments is ["times", var folder]) PrintTimes.Run(folder);
         else if (arguments is ["coverage", _, _, ..]) Coverage.Run(arguments[1..]);
+        else if (arguments is ["chart", var results]) Chart.Make(results);
         else if (arguments is ["targets", var program, var gcode, var meshes]) Targets.Run(program, gcode, meshes);
         else if (arguments is ["stl", var model, var stl]) Samples.WriteStl(model, stl);
         else if (arguments is ["stages", _, ..]) Stages.Run(arguments[1..]);

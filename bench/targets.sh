@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every target of speed that needs no other program, whole processes and library calls, in one run of some minutes: a table on standard output and targets.svg.
+# Every target of speed that needs no other program, whole processes and library calls, in one run of some minutes: a table on standard output.
 #   bench/targets.sh BIG.gcode FOLDER_OF_MESHES
 # Needs GNU time. BIG.gcode is the file of make_big_gcode.sh.
 set -eu

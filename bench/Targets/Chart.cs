@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.IO;
+using System.Linq;
 using System.Text;
 
 namespace Caterpillar.Bench;
@@ -16,7 +18,15 @@ internal static class Chart
     private const double Least = 0.02;
     private const double Most = 10;
 
-    public static string Of(IReadOnlyList<Target> targets)
+    /// <summary>Makes the chart of the table of targets in a file of results, beside it.</summary>
+    public static void Make(string results)
+    {
+        var table = File.ReadLines(results).SkipWhile(l => l != "## Targets").Skip(1).TakeWhile(l => !l.StartsWith("## ", StringComparison.Ordinal));
+        var targets = table.Select(Target.OfRow).OfType<Target>().Where(t => t.HasTarget).ToArray();
+        File.WriteAllText(Path.Combine(Path.GetDirectoryName(Path.GetFullPath(results))!, "targets.svg"), Of(targets));
+    }
+
+    private static string Of(IReadOnlyList<Target> targets)
     {
         var height = Top + Step * targets.Count + 20;
         var svg = new StringBuilder();

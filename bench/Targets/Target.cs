@@ -18,4 +18,19 @@ internal sealed record Target(string Job, string Unit, double Allowed, double Me
 
     public string ToRow() => $"| {Job} | {Text(Allowed)} | {Text(Measured)} | "
         + $"{(IsMet ? "met" : $"**{Math.Round(Share, 1).ToString(CultureInfo.InvariantCulture)} ×**")} | {Remark} |";
+
+    /// <summary>Reads a row again; null for other lines.</summary>
+    public static Target? OfRow(string row)
+    {
+        var cells = row.Split('|');
+        if (cells.Length < 5 || Number(cells[3], out var unit) is not { } measured) return null;
+        return new Target(cells[1].Trim(), unit, Number(cells[2], out _) ?? double.NaN, measured);
+    }
+
+    private static double? Number(string cell, out string unit)
+    {
+        var words = cell.Trim().Split(' ');
+        unit = words.Length == 2 ? words[1] : "";
+        return words.Length == 2 && double.TryParse(words[0], NumberStyles.Float, CultureInfo.InvariantCulture, out var value) ? value : null;
+    }
 }

@@ -13,7 +13,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Bench;
 
-/// <summary>Every target of speed that needs no other program, measured in one run: a table for RESULTS.md and a chart.</summary>
+/// <summary>Every target of speed that needs no other program, measured in one run: a table for RESULTS.md.</summary>
 internal static class Targets
 {
     public static void Run(string program, string gcode, string meshes)
@@ -33,7 +33,6 @@ internal static class Targets
             Console.WriteLine("| job | at most | measured | | |");
             Console.WriteLine("|---|---|---|---|---|");
             foreach (var target in targets) Console.WriteLine(target.ToRow());
-            File.WriteAllText("targets.svg", Chart.Of(targets.FindAll(t => t.HasTarget)));
         }
         finally
         {
