@@ -8,7 +8,7 @@ namespace Caterpillar.Slicing;
 internal sealed class SurfaceSlope
 {
     private readonly List<(double Slope, double Rise, double Area, Vec3 Place)> _faces = [];
-    private double _area;
+    private readonly double _area;
 
     public SurfaceSlope(TriMesh mesh, double[] values)
     {
