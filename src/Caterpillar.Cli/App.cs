@@ -90,13 +90,24 @@ internal static partial class App
     {
         if (parsed.Errors.Count == 0 && parsed.Action is not null)
         {
-            session.WriteText("-", text => parsed.Invoke(new InvocationConfiguration { Output = text, Error = session.Messages }));
+            session.WriteText("-", text =>
+            {
+                parsed.Invoke(new InvocationConfiguration { Output = text, Error = session.Messages });
+                if (parsed.Action is HelpAction && parsed.CommandResult.Command is Verb explained) WriteExamples(explained, text);
+            });
             return ExitCode.Done;
         }
         foreach (var error in UsageMessages.Of(parsed, root)) session.Messages.WriteLine(LongWords.Shorten(error));
         var verb = parsed.CommandResult.Command is Verb v ? " " + v.Name : "";
         session.Messages.WriteLine($"See: caterpillar{verb} --help");
         return ExitCode.Usage;
+    }
+
+    private static void WriteExamples(Verb verb, TextWriter text)
+    {
+        text.WriteLine("Examples:");
+        foreach (var (line, does) in verb.Examples) text.WriteLine($"  # {does}\n  caterpillar {line}");
+        text.WriteLine();
     }
 
     // The runtime's messages give the full path; users know the one they typed as an argument.

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.CommandLine.Completions;
 using System.Linq;
 using Caterpillar.Dialects;
 using Caterpillar.Expressions;
@@ -20,7 +21,14 @@ internal static class CommonOptions
     }
 
     public static Option<string?> Dialect()
-        => new("--dialect") { Description = "Firmware whose rules apply; detected from the file by default.", HelpName = "NAME" };
+        => WithDialects(new("--dialect") { Description = "Firmware whose rules apply; detected from the file by default.", HelpName = "NAME" });
+
+    /// <summary>Shells complete the names of dialects.</summary>
+    public static Option<string?> WithDialects(Option<string?> option)
+    {
+        option.CompletionSources.Add(_ => DialectTable.All.Select(d => new CompletionItem(d.Name)));
+        return option;
+    }
 
     /// <exception cref="CliException">There is no such dialect.</exception>
     public static DialectRules? DialectOf(string? name)

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.CommandLine;
+using System.CommandLine.Completions;
 using System.Linq;
 using Caterpillar.Machines;
 
@@ -22,6 +23,11 @@ internal sealed class SetupOptions
 
     public void AddTo(Verb verb)
     {
+        Printer.CompletionSources.Add(_ => new ProfileLibrary().PrinterNames.Select(n => new CompletionItem(n)));
+        Material.CompletionSources.Add(_ => new ProfileLibrary().MaterialNames.Select(n => new CompletionItem(n)));
+        Settings.CompletionSources.Add(_ => new ProfileLibrary().SettingsNames.Select(n => new CompletionItem(n)));
+        Set.CompletionSources.Add(_ => ProfileKeys.Printer.Concat(ProfileKeys.Material).Concat(ProfileKeys.Settings)
+            .Select(k => new CompletionItem(k.Name + "=")));
         verb.Options.Add(Printer);
         verb.Options.Add(Material);
         verb.Options.Add(Settings);

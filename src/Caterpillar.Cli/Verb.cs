@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.CommandLine;
 using Caterpillar.Cli.Batches;
 
@@ -6,6 +7,9 @@ namespace Caterpillar.Cli;
 /// <summary>A verb of the program. Its file in <c>Commands/</c> declares its arguments and options and does its work; <see cref="Verbs"/> lists it.</summary>
 internal abstract class Verb(string name, string description) : Command(name, description)
 {
+    /// <summary>Command lines for the help, each with what it does.</summary>
+    public abstract IReadOnlyList<(string Line, string Does)> Examples { get; }
+
     /// <summary>What kinds of files it writes, in the words of <see cref="OutputGuard"/>.</summary>
     public virtual string[] Writes => [];
 

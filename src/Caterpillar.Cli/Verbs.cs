@@ -21,6 +21,7 @@ internal static class Verbs
         new ViewVerb(),
         new CheckVerb(),
         new PrintersVerb(),
+        new CompletionsVerb(),
     ];
 
     /// <summary>A new verb of a name that is one.</summary>

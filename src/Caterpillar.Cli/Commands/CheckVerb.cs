@@ -31,6 +31,11 @@ internal sealed class CheckVerb : Verb
         AllowBatches();
     }
 
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("check part.gcode --printer ender3", "what a printer cannot or must not do"),
+    ];
+
     public override int Run(ParseResult arguments, Session session)
     {
         var setup = _setup.Resolve(arguments, session);

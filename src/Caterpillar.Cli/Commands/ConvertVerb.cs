@@ -26,9 +26,10 @@ internal sealed class ConvertVerb : Verb
 
     private readonly Option<bool> _inPlace = new("--in-place") { Description = "Replace the input itself, instead of --output." };
 
-    private readonly Option<string?> _from = new("--from") { Description = "Firmware the file was made for; detected from the file by default.",
-        HelpName = "DIALECT" };
-    private readonly Option<string?> _to = new("--dialect") { Description = "Firmware to write for.", HelpName = "DIALECT" };
+    private readonly Option<string?> _from =
+        CommonOptions.WithDialects(new("--from") { Description = "Firmware the file was made for; detected from the file by default.",
+        HelpName = "DIALECT" });
+    private readonly Option<string?> _to = CommonOptions.WithDialects(new("--dialect") { Description = "Firmware to write for.", HelpName = "DIALECT" });
     private readonly Option<string?> _e = new("--e") { Description = "Relative (M83) or absolute (M82) E.", HelpName = "relative|absolute" };
     private readonly Option<string?> _unit = new("--e-unit") { Description = "E in mm of filament or in mm³.", HelpName = "mm|mm3" };
     private readonly Option<double?> _diameter = new("--filament-diameter") { Description = "Filament diameter, if the file does not state it.",
@@ -61,6 +62,14 @@ internal sealed class ConvertVerb : Verb
         _arcs.AcceptOnlyFromAmong("fit", "expand");
         AllowBatches();
     }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("convert part.gcode -o slow.gcode --speed 70% --role \"outer wall\"", "slower outer walls"),
+        ("convert part.gcode -o nut.gcode --pause-at-layer 3", "a pause at a layer"),
+        ("convert part.gcode -o klipper.gcode --dialect klipper --e relative", "for other firmware"),
+        ("convert part.gcode -o twisted.gcode --deform \"r, theta + 2*z, z\" --axis middle", "twisted about its middle"),
+    ];
 
     public override string[] Writes => ["G-code"];
 

@@ -63,6 +63,12 @@ internal sealed class CurvesVerb : Verb
         AllowBatches();
     }
 
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("curves curves.csv -o curves.gcode", "the curves of a table, in their order"),
+        ("curves drawing.svg --printer pen_plotter --move center -o drawing.gcode", "a drawing for a pen"),
+    ];
+
     public override string[] Writes => ["G-code"];
 
     public override string? Ending => ".gcode";

@@ -51,6 +51,13 @@ internal sealed class DecodeVerb : Verb
         });
     }
 
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("decode part.gcode", "what the file prints"),
+        ("decode part.gcode --stats", "times, material and layers"),
+        ("decode part.gcode --csv > moves.csv", "a row for each move"),
+    ];
+
     public override int Run(ParseResult arguments, Session session)
     {
         var options = new DecodeOptions

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Linq;
@@ -47,6 +48,12 @@ internal sealed class PictureVerb : Verb
         Options.Add(_width);
         AllowBatches();
     }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("picture part.gcode -o part.png", "all layers"),
+        ("picture part.gcode --layer 3 --view top --color speed -o layer.png", "one layer from above, colored by speed"),
+    ];
 
     public override string[] Writes => ["a picture"];
 

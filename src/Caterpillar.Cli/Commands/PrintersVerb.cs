@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.CommandLine;
+using System.CommandLine.Completions;
 using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
@@ -38,6 +39,7 @@ internal sealed class PrintersVerb : Verb
     public PrintersVerb()
         : base("printers", "List or make profiles of printers, materials and settings.")
     {
+        _name.CompletionSources.Add(_ => new ProfileLibrary().PrinterNames.Select(n => new CompletionItem(n)));
         Arguments.Add(_name);
         Options.Add(_keys);
         Options.Add(_import);
@@ -45,6 +47,13 @@ internal sealed class PrintersVerb : Verb
         Options.Add(_output);
         Options.Add(_material);
     }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("printers", "all profiles"),
+        ("printers ender3 -o mine.json", "a profile to start from"),
+        ("printers --keys", "all keys with their range and meaning"),
+    ];
 
     public override string[] Writes => ["JSON", "a table"];
 

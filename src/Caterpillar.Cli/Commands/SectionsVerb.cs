@@ -52,6 +52,11 @@ internal sealed class SectionsVerb : Verb
         Options.Add(_output);
     }
 
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("sections part.stl --heights 0.1,0.5 --json", "length, area and loops of two sections"),
+    ];
+
     public override string[] Writes => ["JSON", "a table"];
 
     public override int Run(ParseResult arguments, Session session)

@@ -38,6 +38,12 @@ internal sealed class SimulateVerb : Verb
         Options.Add(_threads);
     }
 
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("simulate part.gcode --at 42%", "the machine after 42 % of the time"),
+        ("simulate part.gcode --at line:100 --at layer:3 --json", "at a line and at a layer, as data"),
+    ];
+
     public override int Run(ParseResult arguments, Session session)
     {
         var moments = (arguments.GetValue(_at) is { Length: > 0 } given ? given : ["0%"]).Select(Moment.Parse).ToArray();

@@ -47,6 +47,15 @@ internal sealed class SliceVerb : Verb
         AllowBatches();
     }
 
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("slice part.stl --printer ender3 -o part.gcode", "a part for a printer"),
+        ("slice part.stl --set layer_height_mm=0.15 --set infill_percent=35 --set support=tree", "with other settings"),
+        ("slice a.stl b.stl --arrange --copies 2 -o plate.gcode", "two of each, arranged on the bed"),
+        ("slice part.stl --surface roof.stl -o curved.gcode", "layers that follow a surface"),
+        ("slice --each 'models/*.stl' -o 'out/{name}.gcode' --summary summary.csv", "each model of a folder"),
+    ];
+
     public override string[] Writes => ["G-code"];
 
     public override string? Ending => ".gcode";

@@ -53,6 +53,14 @@ internal sealed class TurtleVerb : Verb
         AllowBatches();
     }
 
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("turtle star.turtle -o star.gcode", "a turtle program"),
+        ("turtle star.turtle --var layers=4 --plan printer -o star4.gcode", "with a value of a parameter, retraction and lifts"),
+        ("turtle star.turtle --table values.csv -o 'out/{row}.gcode' --summary study.csv", "a study: one print for each row of a table"),
+        ("turtle --commands", "the commands of the language"),
+    ];
+
     public override string[] Writes => ["G-code"];
 
     public override string? Ending => ".gcode";

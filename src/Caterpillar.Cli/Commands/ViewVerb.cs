@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
 using System.Diagnostics;
 using System.IO;
@@ -49,6 +50,12 @@ internal sealed class ViewVerb : Verb
         });
         AllowBatches();
     }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("view part.gcode -o part.html", "one page to look at or to send"),
+        ("view part.gcode --printer ender3", "with the bed of a printer, and what its checks find"),
+    ];
 
     public override string[] Writes => ["a page"];
 

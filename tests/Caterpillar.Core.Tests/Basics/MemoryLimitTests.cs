@@ -28,7 +28,8 @@ public class MemoryLimitTests
     [TestCase(15.4 * 1024 * 1024 * 1024, "15 GB")]
     [TestCase(999.0, "999 bytes")]
     [TestCase(1000.0, "1 KB")]
-    public void Sizes_are_in_powers_of_1024_and_have_a_decimal_below_10_only(double bytes, string text) => Assert.That(MemoryLimit.Text(bytes), Is.EqualTo(text));
+    public void Sizes_are_in_powers_of_1024_and_have_a_decimal_below_10_only(double bytes, string text)
+        => Assert.That(MemoryLimit.Text(bytes), Is.EqualTo(text));
 
     [Test]
     public void The_remedy_follows()

@@ -23,9 +23,9 @@ public static class ProfileManual
             (`~/.config/Caterpillar/printers` in the terminal; `%APPDATA%\Caterpillar\printers` on Windows).
 
             ```
-            caterpillar printers                     all profiles
-            caterpillar printers ender3              one of them with all its keys, a starting point for your own
-            caterpillar printers --import HEADER FOOTER -o mine.json     a printer from two files of G-code, such as those of ExtruderTurtle
+            caterpillar printers                    # all profiles
+            caterpillar printers ender3             # one of them with all its keys, a starting point for your own
+            caterpillar printers --import HEADER FOOTER -o mine.json    # a printer from two files of G-code, such as those of ExtruderTurtle
             caterpillar slice part.stl --printer ender3 --material petg --settings fine --set layer_height_mm=0.15
             ```
 

@@ -1,0 +1,46 @@
+using System.IO;
+using System.Linq;
+
+namespace Caterpillar.Cli.Completions;
+
+/// <summary>Completions of bash 4 and later.</summary>
+internal static class BashCompletions
+{
+    public static void Write(TextWriter text, CompletionTable table)
+    {
+        text.WriteLine("# bash completions of caterpillar: source this file, or put it into ~/.local/share/bash-completion/completions/caterpillar");
+        text.WriteLine("_caterpillar() {");
+        text.WriteLine("  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} verb='' word");
+        text.WriteLine("  for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do");
+        text.WriteLine("    case $word in -*) ;; *) verb=$word; break ;; esac");
+        text.WriteLine("  done");
+        text.WriteLine("  COMPREPLY=()");
+        text.WriteLine("  [ \"$cur\" = = ] && cur=''");
+        text.WriteLine("  case $verb in");
+        foreach (var verb in table.Verbs)
+        {
+            text.WriteLine($"  {verb.Name})");
+            text.WriteLine("    case $prev in");
+            foreach (var option in verb.Options.Where(o => o.Takes.Length > 0))
+            {
+                text.Write($"    {string.Join("|", option.Names)}) ");
+                if (option.Continues) text.Write("compopt -o nospace 2>/dev/null; ");
+                if (option.TakesFiles) text.Write("compopt -o filenames 2>/dev/null; ");
+                var words = option.Words.Count > 0 ? $" -W '{string.Join(" ", option.Words)}'" : "";
+                text.WriteLine(words.Length > 0 || option.TakesFiles
+                    ? $"mapfile -t COMPREPLY < <(compgen{(option.TakesFiles ? " -f" : "")}{words} -- \"$cur\"); return ;;" : "return ;;");
+            }
+            text.WriteLine("    esac");
+            text.WriteLine("    case $cur in");
+            text.WriteLine($"    -*) mapfile -t COMPREPLY < <(compgen -W '{string.Join(" ", verb.Options.SelectMany(o => o.Names))}' -- \"$cur\"); return ;;");
+            text.WriteLine("    esac");
+            if (verb.Words.Count > 0) text.WriteLine($"    mapfile -t COMPREPLY < <(compgen -W '{string.Join(" ", verb.Words)}' -- \"$cur\")");
+            if (verb.TakesFiles) text.WriteLine("    compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -f -- \"$cur\")");
+            text.WriteLine("    return ;;");
+        }
+        text.WriteLine("  esac");
+        text.WriteLine($"  mapfile -t COMPREPLY < <(compgen -W '{string.Join(" ", table.Verbs.Select(v => v.Name))} --help --version' -- \"$cur\")");
+        text.WriteLine("}");
+        text.WriteLine("complete -F _caterpillar caterpillar");
+    }
+}

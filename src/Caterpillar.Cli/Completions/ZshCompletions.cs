@@ -1,0 +1,63 @@
+using System;
+using System.IO;
+using System.Linq;
+
+namespace Caterpillar.Cli.Completions;
+
+/// <summary>Completions of zsh.</summary>
+internal static class ZshCompletions
+{
+    public static void Write(TextWriter text, CompletionTable table)
+    {
+        text.WriteLine("#compdef caterpillar");
+        text.WriteLine("# zsh completions of caterpillar: put this file into a folder of $fpath under the name _caterpillar");
+        text.WriteLine("_caterpillar() {");
+        text.WriteLine("  local context state line");
+        text.WriteLine("  typeset -A opt_args");
+        text.WriteLine("  _arguments -C '1: :->verb' '*:: :->rest' && return");
+        text.WriteLine("  case $state in");
+        text.WriteLine("  verb)");
+        text.WriteLine("    local -a verbs=(");
+        foreach (var verb in table.Verbs) text.WriteLine($"      {Quoted(verb.Name + ":" + verb.Description)}");
+        text.WriteLine("    )");
+        text.WriteLine("    _describe verb verbs ;;");
+        text.WriteLine("  rest)");
+        text.WriteLine("    case $line[1] in");
+        foreach (var verb in table.Verbs)
+        {
+            text.WriteLine($"    {verb.Name})");
+            text.Write("      _arguments -s");
+            foreach (var option in verb.Options)
+            {
+                foreach (var name in option.Names) text.Write($" \\\n        {Quoted("*" + name + "[" + Plain(option.Description) + "]" + Value(option))}");
+            }
+            var rest = verb.TakesFiles ? "*:file:_files" : verb.Words.Count > 0 ? $"*:value:({string.Join(" ", verb.Words)})" : "";
+            text.WriteLine(rest.Length > 0 ? $" \\\n        {Quoted(rest)} ;;" : " ;;");
+        }
+        text.WriteLine("    esac ;;");
+        text.WriteLine("  esac");
+        text.WriteLine("}");
+        text.WriteLine("if [ \"$funcstack[1]\" = _caterpillar ]; then _caterpillar \"$@\"; else compdef _caterpillar caterpillar; fi");
+    }
+
+    private static string Value(CompletedOption option)
+    {
+        if (option.Takes.Length == 0) return "";
+        var words = string.Join(" ", option.Words);
+        var action = (option.Words.Count > 0, option.TakesFiles) switch
+        {
+            (true, true) => $"{{_alternative \"names:name:({words})\" \"files:file:_files\"}}",
+            (true, false) when option.Continues => $"{{compadd -S \"\" {words}}}",
+            (true, false) => $"({words})",
+            (false, true) => "_files",
+            _ => " ",
+        };
+        return ":" + Plain(option.Takes) + ":" + action;
+    }
+
+    // Brackets and colons have a meaning in specifications.
+    private static string Plain(string description)
+        => description.Replace("\\", "", StringComparison.Ordinal).Replace("[", "(").Replace("]", ")").Replace(":", "\\:").Replace("\"", "");
+
+    private static string Quoted(string word) => "'" + word.Replace("'", "'\\''") + "'";
+}

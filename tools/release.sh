@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Builds what a release consists of: NuGet packages (the library, the tool), an archive of the program for each system, and checksums.
+#   tools/release.sh FOLDER [RUNTIME...]     for example linux-x64 win-x64 osx-arm64; by default all
+set -eu
+cd "$(dirname "$0")/.."
+[ $# -ge 1 ] || { echo "usage: $0 FOLDER [RUNTIME...]" >&2; exit 2; }
+mkdir -p "$1"
+out=$(cd "$1" && pwd)
+shift
+[ $# -gt 0 ] || set -- linux-x64 linux-arm64 osx-x64 osx-arm64 win-x64
+version=$(sed -n 's:.*<Version>\(.*\)</Version>.*:\1:p' Directory.Build.props)
+
+dotnet pack src/Caterpillar.Core -c Release -o "$out" --nologo -v quiet
+dotnet pack src/Caterpillar.Cli -c Release -o "$out" --nologo -v quiet
+
+for runtime in "$@"; do
+  name=caterpillar-$version-$runtime
+  rm -rf "${out:?}/$name" && mkdir "$out/$name"
+  dotnet publish src/Caterpillar.Cli -c Release -r "$runtime" --self-contained -p:PublishSingleFile=true -p:DebugType=none -o "$out/$name/build" --nologo -v quiet
+  case $runtime in
+    win-*) mv "$out/$name/build/Caterpillar.Cli.exe" "$out/$name/caterpillar.exe" ;;
+    *) mv "$out/$name/build/Caterpillar.Cli" "$out/$name/caterpillar" ;;
+  esac
+  rm -r "$out/$name/build"
+  cp README.md LICENSE CHANGELOG.md "$out/$name/"
+  case $runtime in
+    win-*) (cd "$out" && zip -qr "$name.zip" "$name") ;;
+    *) tar -C "$out" -czf "$out/$name.tar.gz" "$name" ;;
+  esac
+  rm -r "${out:?}/$name"
+done
+cd "$out" && sha256sum -- *.nupkg *.snupkg *.tar.gz *.zip 2>/dev/null >SHA256SUMS || true
+cat SHA256SUMS
