@@ -18,7 +18,7 @@ internal static class SampleFolder
         foreach (var name in new[] { "a", "b", "box", "lid", "pawn" }) File.WriteAllText(name + ".stl", box(8, 6, 2));
         File.WriteAllText("part.stl", box(8, 6, 13));
         File.WriteAllText("roof.stl", box(6, 5, 20));
-        foreach (var name in new[] { "hat", "scan" }) File.WriteAllText(name + ".stl", box(8, 6, 4));
+        foreach (var name in new[] { "hat", "scan", "branching" }) File.WriteAllText(name + ".stl", box(8, 6, 4));
         File.WriteAllText("logo.stl", box(5, 4, 0.8));
         Directory.CreateDirectory("models");
         File.WriteAllText("models/a.stl", box(8, 8, 1));
@@ -27,7 +27,8 @@ internal static class SampleFolder
         File.WriteAllText("values.csv", "layers,side\n1,15\n2,20\n3,25\n");
         File.WriteAllText("heights.csv", "name,layer_height_mm,infill_percent,--rotate\ncoarse,0.28,15,0\nfine,0.12,15,0\nturned,0.2,30,45\n");
         File.WriteAllText("curves.csv", "x,y,z\n10,10,0.2\n30,10,0.2\n30,50,0.2\n");
-        File.WriteAllText("drawing.svg", "<svg width=\"40mm\" height=\"40mm\" viewBox=\"0 0 40 40\"><path d=\"M5 5L30 5L30 30\"/></svg>");
+        File.WriteAllText("drawing.svg", Svg(40, 40, "M5 5L30 5L30 30"));
+        File.WriteAllText("pattern.svg", Svg(8, 6, "M2 2L6 2L6 4"));
         File.WriteAllText("header.gcode", "G21\nG90\nM82\nM104 S200\nG28\nM109 S200\nG92 E0\n");
         File.WriteAllText("footer.gcode", "M104 S0\nM140 S0\nG28 X0\nM84\n");
         run(["slice", "part.stl", "-o", "part.gcode"]);
@@ -35,6 +36,9 @@ internal static class SampleFolder
         run(["slice", Path.Combine(TestData.Repository, "examples", "models", "bracket.stl"), "-o", "bracket.gcode"]);
         CopyExamples();
     }
+
+    private static string Svg(int width, int height, string path)
+        => $"<svg width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\"><path d=\"{path}\"/></svg>";
 
     private static void CopyExamples()
     {
