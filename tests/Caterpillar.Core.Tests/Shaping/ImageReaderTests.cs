@@ -64,7 +64,8 @@ public class ImageReaderTests
             for (var i = 0; i < 3; i++) broken[8 + random.Next(broken.Length - 8)] = (byte)random.Next(256);
             Assert.That(() => ImageReader.Read(broken, "a.png"), Throws.Nothing);
         }
-        foreach (var text in new[] { "P2 3", "P2 0 5 10 ", "P2 2 2 10 1 2 3", "P5 100000 100000 255 ", "P2 1 1 0 0", "P1 1 1 7", "P1 40 2 1", "P2 1 1 5 6", "GIF89a" })
+        foreach (var text in new[] { "P2 3", "P2 0 5 10 ", "P2 2 2 10 1 2 3", "P5 100000 100000 255 ", "P2 1 1 0 0", "P1 1 1 7", "P1 40 2 1", "P2 1 1 5 6",
+            "GIF89a" })
             Assert.That(ImageReader.Read(Encoding.ASCII.GetBytes(text + new string(' ', 40)), "a.pgm").Value, Is.Null, text);
     }
 
