@@ -7,14 +7,12 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// Nozzle, head and gantry against what is printed before and what stands on the bed, along any path. A slope is divided until its pieces are almost level,
-/// each taken at its lower end: nothing is missed.
+/// Nozzle, head and gantry against what is printed before and what stands on the bed, along any path.
 /// </summary>
 internal sealed class CollisionCheck
 {
     /// <summary>What a travel may touch, mm: slicers travel across what they have just printed.</summary>
     public const double Flush = 0.05;
-    private const double Level = 0.02;
     private const double Everywhere = 1e6;
     private const double ClipLine = 0.25;
     private readonly PrintedSoFar _printed;
@@ -74,21 +72,19 @@ internal sealed class CollisionCheck
         if (_clips is not null) hit |= Clips(move, a, b);
         var low = Math.Min(a.Z, b.Z) + tolerance;
         var deposit = _printed.Deposit;
-        if (deposit.Highest > low && Meets(deposit, a, b, tolerance, false, out _))
+        if (deposit.Highest > low)
         {
-            if (Meets(deposit, a, b, tolerance, true, out var strand))
+            var contact = deposit.Meets(a, b, tolerance, _printed.Head, _digs is not null, out var strand);
+            if (contact == HeadContact.Digs) _digs = (a, b);
+            if (contact == HeadContact.Hits)
             {
                 hit = true;
                 Report(prints ? CheckCodes.NozzleHits : CheckCodes.TravelHits, move, a, b, tolerance, strand);
             }
-            else
-            {
-                _digs ??= (a, b);
-            }
         }
         foreach (var (box, code) in _boxes)
         {
-            if (!(deposit.Highest > low + box.Min.Z) || !MeetsBox(deposit, a, b, tolerance, box, out var tag)) continue;
+            if (!(deposit.Highest > low + box.Min.Z) || !deposit.MeetsBox(a, b, tolerance, box, out var tag)) continue;
             hit = true;
             ReportBox(code, move, a, tag);
         }
@@ -99,35 +95,16 @@ internal sealed class CollisionCheck
     {
         var low = Math.Min(a.Z, b.Z);
         if (!(_clips!.Highest > low)) return false;
-        var part = Meets(_clips, a, b, 0, false, out var clip) ? "nozzle" : "";
+        var part = _clips.Meets(a, b, 0, _printed.Head, false, out var clip) != HeadContact.None ? "nozzle" : "";
         foreach (var (box, code) in _boxes)
         {
-            if (part.Length == 0 && MeetsBox(_clips, a, b, 0, box, out clip)) part = code == CheckCodes.HeadHits ? "head" : "gantry";
+            if (part.Length == 0 && _clips.MeetsBox(a, b, 0, box, out clip)) part = code == CheckCodes.HeadHits ? "head" : "gantry";
         }
         if (part.Length == 0) return false;
         _findings.Add(CheckCodes.ClipHit, move.Index,
             () => $"The {part} hits clip {NumberFormatter.Format(clip + 1)} of the bed between {a} and {b}.");
         return true;
     }
-
-    private bool Meets(Deposit deposit, Vec3 a, Vec3 b, double tolerance, bool lenient, out int tag)
-    {
-        if (!deposit.Meets(a, b, Math.Min(a.Z, b.Z) + tolerance, _printed.Head, lenient, out tag)) return false;
-        if (IsLevel(deposit, a, b)) return true;
-        var middle = Vec3.Lerp(a, b, 0.5);
-        return Meets(deposit, a, middle, tolerance, lenient, out tag) || Meets(deposit, middle, b, tolerance, lenient, out tag);
-    }
-
-    private static bool MeetsBox(Deposit deposit, Vec3 a, Vec3 b, double tolerance, Bounds box, out int tag)
-    {
-        if (!deposit.MeetsBox(a, b, Math.Min(a.Z, b.Z) + tolerance + box.Min.Z, box, out tag)) return false;
-        if (IsLevel(deposit, a, b)) return true;
-        var middle = Vec3.Lerp(a, b, 0.5);
-        return MeetsBox(deposit, a, middle, tolerance, box, out tag) || MeetsBox(deposit, middle, b, tolerance, box, out tag);
-    }
-
-    // Straight up and down the lower end decides.
-    private static bool IsLevel(Deposit deposit, Vec3 a, Vec3 b) => Math.Abs(a.Z - b.Z) <= Level || (b - a).LengthXY <= deposit.Cell / 8;
 
     private void Report(string code, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, int strand)
         => _findings.Add(code, move.Index, () =>
@@ -155,7 +132,7 @@ internal sealed class CollisionCheck
         while (a.DistanceTo(b) > _printed.Deposit.Cell)
         {
             var middle = Vec3.Lerp(a, b, 0.5);
-            if (Meets(_printed.Deposit, a, middle, tolerance, true, out _)) b = middle;
+            if (_printed.Deposit.Meets(a, middle, tolerance, _printed.Head, true, out _) == HeadContact.Hits) b = middle;
             else a = middle;
         }
         return new Vec3(Math.Round(a.X, 2), Math.Round(a.Y, 2), Math.Round(a.Z, 2));

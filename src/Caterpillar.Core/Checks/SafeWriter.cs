@@ -1,6 +1,5 @@
 using System;
 using System.IO;
-using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using Caterpillar.Basics;
@@ -146,7 +145,7 @@ public static class SafeWriter
         if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal(written.Diagnostics)), 0);
         if (guard.Overridden > 0)
         {
-            foreach (var comment in guard.Comments().Reverse()) edited = edited.Insert(0, new CommentEvent(comment));
+            foreach (var comment in guard.Comments()) edited = edited.Insert(0, new CommentEvent(comment));
             written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0.8, 1), cancel);
         }
         progress?.Report(1);

@@ -57,6 +57,70 @@ public class CollisionFreeOrderTests
         Assert.That((orders, blocked), Is.GreaterThan((5, 0)));
     }
 
+    // Every order of up to six paths, each in the direction in which it was found or given, checked as a whole.
+    [Test]
+    public void An_order_is_found_where_brute_force_finds_one()
+    {
+        var random = new Random(11);
+        var (free, blocked) = (0, 0);
+        for (var n = 0; n < 24; n++)
+        {
+            var paths = Enumerable.Range(0, 2 + n % 3 + (n % 8 == 0 ? 2 : 0))
+                .Select(_ => new PrintPath([Point(random), Point(random)], new Bead(0.08, 0.2))).ToArray();
+            var top = paths.Max(p => p.Bounds.Max.Z) + Math.Max(Setup.Printer.LiftClearance, 1);
+            var trial = new OrderTrial(Setup, top);
+            var turned = paths.Select(p => trial.Collides(p) ? p.Reversed() : p).ToArray();
+            var exists = Orders(turned.Length).Any(o => IsFree(trial.Steps(o.Select(i => turned[i]))));
+            var found = CollisionFreeOrder.Find(paths, Setup);
+            Assert.That(found.Value is not null, Is.EqualTo(exists), $"case {n}: {string.Join("; ", found.Diagnostics)}");
+            if (exists) free++;
+            else blocked++;
+        }
+        Assert.That((free, blocked), Is.GreaterThan((3, 0)));
+        Assert.That(blocked, Is.Positive);
+    }
+
+    [Test]
+    public void Progress_rises_to_1_and_a_cancel_is_heard()
+    {
+        var paths = Enumerable.Range(1, 6).Select(k => Line(20 * k, 50, 20 * k + 10, 50, 3)).ToArray();
+        var seen = new Progress();
+        CollisionFreeOrder.Find(paths, Setup, seen);
+        Assert.That(seen.All, Is.Ordered);
+        Assert.That(seen.All, Is.All.InRange(0, 1));
+        Assert.That(seen.All, Has.Member(1.0).And.Some.InRange(0.4, 0.6));
+        using var cancel = new System.Threading.CancellationTokenSource();
+        cancel.Cancel();
+        Assert.That(() => CollisionFreeOrder.Find(paths, Setup, null, cancel.Token), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(() => CollisionFreeOrder.Find(null!, Setup), Throws.ArgumentNullException);
+        Assert.That(() => CollisionFreeOrder.Find(paths, null!), Throws.ArgumentNullException);
+        Assert.That(() => CollisionFreeOrder.Find([null!], Setup), Throws.InstanceOf<Exception>());
+    }
+
+    // The head is 20 mm wide at each side, 12 mm above the tip.
+    [TestCase(15, true)]
+    [TestCase(25, false)]
+    public void The_whole_head_decides_which_is_first(double aside, bool turned)
+    {
+        var paths = new[] { Line(50, 50, 70, 50, 30), Line(50, 50 + aside, 70, 50 + aside, 3) };
+        var found = CollisionFreeOrder.Find(paths, Setup).OrThrow().OfType<PathStep>().Select(s => s.Path.Start.Z);
+        Assert.That(found, Is.EqualTo(turned ? new[] { 3.0, 30 } : new[] { 30.0, 3 }));
+    }
+
+    [Test]
+    public void Paths_that_each_come_before_the_next_in_a_circle_are_named()
+    {
+        // Three lines, each of which passes over the end of the next.
+        var paths = new[] { (0, 120), (120, 240), (240, 360) }.Select(t =>
+        {
+            var (s0, c0) = Angle.SinCos(t.Item1 - 15);
+            var (s1, c1) = Angle.SinCos(t.Item2 + 15);
+            return new PrintPath([new Vec3(100 + 8 * c0, 100 + 8 * s0, 1), new Vec3(100 + 8 * c1, 100 + 8 * s1, 7)], new Bead(0.08, 0.2));
+        }).ToArray();
+        var problem = CollisionFreeOrder.Find(paths, Setup).Diagnostics;
+        Assert.That(problem.Select(d => d.Code), Is.All.EqualTo(CollisionFreeOrder.Blocked).And.Not.Empty);
+    }
+
     [Test]
     public void Two_that_block_each_other_are_named()
     {
@@ -86,9 +150,24 @@ public class CollisionFreeOrderTests
     private static PrintPath Line(double x0, double y0, double x1, double y1, double z)
         => new([new Vec3(x0, y0, z), new Vec3(x1, y1, z)], new Bead(0.08, 0.2));
 
-    private static void Free(IReadOnlyList<Step> steps)
+    private static void Free(IReadOnlyList<Step> steps) => Assert.That(Collisions(steps), Is.Empty);
+
+    private static bool IsFree(IReadOnlyList<Step> steps) => !Collisions(steps).Any();
+
+    private static IEnumerable<Diagnostic> Collisions(IReadOnlyList<Step> steps)
     {
         var plan = Planner.Plan(steps, Setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).OrThrow();
-        Assert.That(PrintCheck.Run(plan, Setup).Where(d => d.Code.StartsWith("collision.", StringComparison.Ordinal)), Is.Empty);
+        return PrintCheck.Run(plan, Setup).Where(d => d.Code.StartsWith("collision.", StringComparison.Ordinal));
+    }
+
+    private static IEnumerable<int[]> Orders(int count)
+        => count == 0 ? [[]] : Orders(count - 1)
+            .SelectMany(o => Enumerable.Range(0, count).Select(at => o.Take(at).Append(count - 1).Concat(o.Skip(at)).ToArray()));
+
+    private sealed class Progress : IProgress<double>
+    {
+        public List<double> All { get; } = [];
+
+        public void Report(double value) => All.Add(value);
     }
 }

@@ -19,6 +19,7 @@ internal sealed class SmallPrint
     public static readonly double FilamentArea = Math.PI / 4 * 1.75 * 1.75;
     private readonly ToolpathBuilder _builder;
     private int _step;
+    private int _layer = -1;
 
     public SmallPrint(double x = 10, double y = 10, double z = 0.2) => _builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(x, y, z));
 
@@ -36,8 +37,15 @@ internal sealed class SmallPrint
     /// <summary>Up, over and down, above everything.</summary>
     public SmallPrint Over(double x, double y, double z) => Go(At.X, At.Y, 200).Go(x, y, 200).Go(x, y, z);
 
-    public SmallPrint Print(double x, double y, double z, double area = Area, Role role = Role.Unspecified)
-        => Add(new Vec3(x, y, z), new Vec3(x, y, z).DistanceTo(At) * area, MoveKind.Print, role);
+    public SmallPrint Print(double x, double y, double z, double area = Area, Role role = Role.Unspecified, double speed = 50, int tool = 0)
+        => Add(new Vec3(x, y, z), new Vec3(x, y, z).DistanceTo(At) * area, MoveKind.Print, role, speed, tool);
+
+    /// <summary>The moves that follow are in a layer.</summary>
+    public SmallPrint InLayer(Layer layer)
+    {
+        _layer = _builder.AddLayer(layer);
+        return this;
+    }
 
     public SmallPrint Arc(double x, double y, double z, Vec3 center, double sweep, double area = 0)
     {
@@ -99,9 +107,9 @@ internal sealed class SmallPrint
     public static DecodedGCode Decode(byte[] text, PrintSetup setup)
         => GCodeDecoder.Decode(text, new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = 1.75 }).Value!;
 
-    private SmallPrint Add(Vec3 end, double volume, MoveKind kind, Role role = Role.Unspecified)
+    private SmallPrint Add(Vec3 end, double volume, MoveKind kind, Role role = Role.Unspecified, double speed = 50, int tool = 0)
     {
-        _builder.Add(end, volume / FilamentArea, volume / FilamentArea, 50, kind, role, -1, 0, _step++);
+        _builder.Add(end, volume / FilamentArea, volume / FilamentArea, speed, kind, role, _layer, tool, _step++);
         return this;
     }
 }

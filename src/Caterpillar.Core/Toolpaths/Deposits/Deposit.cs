@@ -14,7 +14,7 @@ public sealed partial class Deposit
     // Deviation of the chords of an arc, mm.
     private const double ArcTolerance = 0.02;
 
-    // Bins on each side of the origin: 4 m with the usual cell. Everything farther out has one height.
+    // Bins on each side of the origin: 2 m with the usual cell. Everything farther out has one height.
     private const int MaxBins = 1024;
     private readonly double _cell;
     private readonly double _keepDepth;
@@ -175,8 +175,7 @@ public sealed partial class Deposit
     {
         for (var i = bin.Count - 1; i >= 0; i--)
         {
-            ref var strand = ref _store[bin.Strands[i]];
-            if (strand.Top > best) best = Math.Max(best, strand.TopWithin(a, b, radius));
+            if (bin.Tops[i] > best) best = Math.Max(best, _store[bin.Strands[i]].TopWithin(a, b, radius));
         }
         if (bin.Dropped <= best) return best;
         var reach = radius + _cell * 0.7072;

@@ -5,9 +5,11 @@ namespace Caterpillar.Toolpaths;
 /// <summary>A square of cells of a <see cref="Deposit"/>, with the strands that overlap it.</summary>
 internal sealed class DepositBin
 {
-    public const int Bits = 4;
+    public const int Bits = 3;
     public const int Side = 1 << Bits;
-    private const int FirstCompaction = 64;
+    public const int BlockBits = 4;
+    public const int Block = 1 << BlockBits;
+    private const int FirstCompaction = 32;
 
     /// <summary>Highest top in each cell, mm; negative infinity in empty cells.</summary>
     public readonly double[] Cells = new double[Side * Side];
@@ -15,7 +17,14 @@ internal sealed class DepositBin
     /// <summary>In each cell the highest top that is clearly below the highest, mm; negative infinity if there is none.</summary>
     public readonly double[] Under = new double[Side * Side];
 
+    /// <summary>Numbers of the strands, in the order in which they were added.</summary>
     public int[] Strands = new int[4];
+
+    /// <summary>Their tops, beside each other: most strands lie lower than what is asked for.</summary>
+    public double[] Tops = new double[4];
+
+    /// <summary>The highest top of each block of <see cref="Block"/> strands: layers far below are skipped by blocks.</summary>
+    public double[] BlockTops = new double[1];
 
     public int Count;
 
@@ -36,9 +45,14 @@ internal sealed class DepositBin
     {
         if (Count > 0 && Strands[Count - 1] == strand) return;
         if (Count == _compactAt) Compact(store, keepDepth);
-        if (Count == Strands.Length) Array.Resize(ref Strands, Count * 2);
-        Strands[Count++] = strand;
-        store[strand].Users++;
+        if (Count == Strands.Length)
+        {
+            Array.Resize(ref Strands, Count * 2);
+            Array.Resize(ref Tops, Count * 2);
+        }
+        ref var added = ref store[strand];
+        added.Users++;
+        Put(Count++, strand, added.Top);
     }
 
     private void Compact(StrandStore store, double keepDepth)
@@ -46,16 +60,24 @@ internal sealed class DepositBin
         var kept = 0;
         for (var i = 0; i < Count; i++)
         {
-            var top = store[Strands[i]].Top;
-            if (top >= Top - keepDepth)
+            if (Tops[i] >= Top - keepDepth)
             {
-                Strands[kept++] = Strands[i];
+                Put(kept++, Strands[i], Tops[i]);
                 continue;
             }
-            Dropped = Math.Max(Dropped, top);
+            Dropped = Math.Max(Dropped, Tops[i]);
             store.Release(Strands[i]);
         }
         Count = kept;
         _compactAt = Math.Max(FirstCompaction, kept * 2);
+    }
+
+    private void Put(int at, int strand, double top)
+    {
+        Strands[at] = strand;
+        Tops[at] = top;
+        var block = at >> BlockBits;
+        if (block == BlockTops.Length) Array.Resize(ref BlockTops, block * 2);
+        BlockTops[block] = (at & (Block - 1)) == 0 ? top : Math.Max(BlockTops[block], top);
     }
 }

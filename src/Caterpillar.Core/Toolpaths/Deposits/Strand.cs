@@ -38,7 +38,7 @@ internal struct Strand
         for (var i = 0; i < 32; i++)
         {
             var reach = head.AxisReach(excess, Half, lenient);
-            if (!(reach >= 0)) return false;
+            if (!(reach >= 0) || IsBeyond(a, b, reach)) return false;
             var top = TopWithin(a, b, reach - Half) - z;
             if (top >= excess - 1e-9) return true;
             if (double.IsNegativeInfinity(top)) return false;
@@ -46,6 +46,11 @@ internal struct Strand
         }
         return true;
     }
+
+    // Their rectangles are farther apart: cheaper than to clip.
+    private readonly bool IsBeyond(Vec3 a, Vec3 b, double reach)
+        => Math.Abs(Ax + Bx - a.X - b.X) > Math.Abs(Bx - Ax) + Math.Abs(b.X - a.X) + 2 * reach
+        || Math.Abs(Ay + By - a.Y - b.Y) > Math.Abs(By - Ay) + Math.Abs(b.Y - a.Y) + 2 * reach;
 
     /// <summary>Top at its point nearest to a point seen from above, if that is within a distance of its footprint; else negative infinity.</summary>
     public readonly double TopAt(Vec3 p, double distance)
