@@ -36,7 +36,7 @@ public class CheckCodeTests
         var written = Write(code, "error", Reason);
         Assert.That(written.Diagnostics.Where(d => d.Code == code).Select(d => d.Severity), Is.EqualTo(new[] { Severity.Warning }));
         var lines = Encoding.ASCII.GetString(written.Value!.ToBytes()).Split('\n');
-        var at = Array.FindIndex(lines, l => l.Contains("Reason: " + Reason, StringComparison.Ordinal));
+        var at = Array.FindIndex(lines, l => l.IndexOf("Reason: " + Reason, StringComparison.Ordinal) >= 0);
         Assert.That(at, Is.InRange(0, 5));
         Assert.That(lines.Skip(at + 1).Take(8), Has.Some.StartsWith(";").And.Some.Contains("error " + code));
     }
