@@ -44,7 +44,8 @@ public class CheckDetailTests
         var setup = SmallPrint.Setup(p => p with { ExtrusionMode = mode });
         var print = new SmallPrint().Print(30, 10, 0.2).Event(new RawEvent(raw)).Print(60, 10, 0.2).Build();
         var found = SafeWriter.ToDocument(print, setup).Diagnostics.Where(d => d.Code == CheckCodes.FileModes).ToArray();
-        Assert.That(found.Select(d => d.Message.Substring(0, d.Message.IndexOf(". Modes", StringComparison.Ordinal))), Is.EqualTo(word is null ? [] : new[] { "A raw line switches to " + word }));
+        Assert.That(found.Select(d => d.Message.Substring(0, d.Message.IndexOf(". Modes", StringComparison.Ordinal))),
+            Is.EqualTo(word is null ? [] : new[] { "A raw line switches to " + word }));
     }
 
     [Test]
