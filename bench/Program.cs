@@ -8,15 +8,11 @@ namespace Caterpillar.Bench;
 /// <c>dotnet run -c Release --project bench -- times FOLDER</c>: print times against other slicers for the meshes of a folder.
 /// <c>dotnet run -c Release --project bench -- coverage MODEL FILE.gcode...</c>: what the beads of solid prints leave open and cover twice (bench/coverage.sh).
 /// <c>dotnet run -c Release --project bench -- targets PROGRAM BIG.gcode MESHES</c>: every target of speed that can be measured without other programs, with
-<<<<<<< HEAD
-/// the published PROGRAM, as a table and a chart (bench/targets.sh).
+/// the published PROGRAM, as a table (bench/targets.sh).
+/// <c>dotnet run -c Release --project bench -- chart bench/RESULTS.md</c>: the chart of that table.
 /// <c>dotnet run -c Release --project bench -- stages MODEL...</c>: the stages of a slice.
 /// <c>dotnet run -c Release --project bench -- mesh TRIANGLES FILE.stl</c>: a bumpy sphere of about so many triangles.
 /// <c>dotnet run -c Release --project bench -- stl MODEL FILE.stl</c>: a model as binary STL, which all slicers read.
-=======
-/// the published PROGRAM, as a table (bench/targets.sh).
-/// <c>dotnet run -c Release --project bench -- chart bench/RESULTS.md</c>: the chart of that table.
->>>>>>> 5cb3e79 (A table and a chart of the targets of speed)
 /// </summary>
 internal static class Program
 {
