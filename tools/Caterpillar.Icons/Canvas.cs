@@ -22,6 +22,7 @@ internal readonly record struct Ink(byte R, byte G, byte B)
 internal sealed class Canvas
 {
     public const int Size = 24;
+    public const int LargeSize = 64;
     private const int Samples = 8;
     private const int Fine = Size * Samples;
 
@@ -89,6 +90,28 @@ internal sealed class Canvas
             var alpha = cover[pixel] + shadow * (1 - cover[pixel]);
             for (var c = 0; c < 3 && alpha > 0; c++) rgba[pixel * 4 + c] = (byte)Math.Round(rgba[pixel * 4 + c] * cover[pixel] / alpha);
             rgba[pixel * 4 + 3] = (byte)Math.Round(alpha * 255);
+        }
+        return rgba;
+    }
+
+    /// <summary>RGBA of the same picture with 64 × 64 pixels, without a shadow.</summary>
+    public byte[] FinishLarge()
+    {
+        const int Step = Fine / LargeSize;
+        var rgba = new byte[LargeSize * LargeSize * 4];
+        for (var pixel = 0; pixel < LargeSize * LargeSize; pixel++)
+        {
+            double r = 0, g = 0, b = 0, n = 0;
+            for (var s = 0; s < Step * Step; s++)
+            {
+                if (_fine[(pixel / LargeSize * Step + s / Step) * Fine + pixel % LargeSize * Step + s % Step] is not { } ink) continue;
+                (r, g, b, n) = (r + ink.R, g + ink.G, b + ink.B, n + 1);
+            }
+            if (n == 0) continue;
+            rgba[pixel * 4] = (byte)Math.Round(r / n);
+            rgba[pixel * 4 + 1] = (byte)Math.Round(g / n);
+            rgba[pixel * 4 + 2] = (byte)Math.Round(b / n);
+            rgba[pixel * 4 + 3] = (byte)Math.Round(255 * n / (Step * Step));
         }
         return rgba;
     }

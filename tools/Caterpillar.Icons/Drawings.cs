@@ -70,6 +70,8 @@ internal static class Drawings
             .Polygon(Ink.Light, 3, 21, 3, 18, 8, 15, 12, 16, 16, 18, 21, 15.5, 21, 21).Polyline(2, Ink.Green, 3.5, 17, 8, 14.2, 12, 15.2, 16, 17.2, 20.5, 15),
         ["ArrangeModels"] = c => c.Polygon(Ink.Light, 3, 20, 7, 9, 21, 9, 17, 20).Rect(8, 10.5, 11.5, 14, Ink.Green).Rect(13.5, 10.5, 17, 14, Ink.Green)
             .Rect(6.5, 15, 10, 18.5, Ink.Orange).Rect(12, 15, 15.5, 18.5, Ink.Blue),
+        ["ReadModel"] = c => { Page(c); c.Polygon(Ink.Green, 12, 6.5, 17, 9.5, 17, 15.5, 12, 18.5, 7, 15.5, 7, 9.5)
+            .Polyline(1.1, Ink.Dark, 7, 9.5, 12, 12.5, 17, 9.5).Line(12, 12.5, 12, 18.5, 1.1, Ink.Dark); },
         ["LayFlat"] = c => c.Polygon(Ink.Gray, 5, 9, 10, 3.5, 16, 9, 11, 14).Line(3, 20.5, 21, 20.5, 1.8, Ink.Dark).Rect(7, 15, 19, 19.5, Ink.Green)
             .Polygon(Ink.Orange, 17, 8.5, 21, 8.5, 19, 12.5),
         ["LayerFieldParam"] = c => c.Hexagon().Polyline(1.6, Ink.Green, 7, 9.5, 10, 8, 14, 10, 17, 8.5)

@@ -14,6 +14,8 @@ foreach (var (name, draw) in Drawings.All)
     var canvas = new Canvas();
     draw(canvas);
     File.WriteAllBytes(Path.Combine(args[0], name + ".png"), Png.Encode(canvas.Finish(), Canvas.Size));
+    // The package manager shows a larger one.
+    if (name == "Plugin") File.WriteAllBytes(Path.Combine(args[0], "..", "package.png"), Png.Encode(canvas.FinishLarge(), Canvas.LargeSize));
 }
 Console.WriteLine($"{Drawings.All.Count} icons in {args[0]}");
 return 0;

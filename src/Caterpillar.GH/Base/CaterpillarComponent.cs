@@ -30,7 +30,7 @@ public abstract class CaterpillarComponent : GH_Component
         Exposure = exposure;
     }
 
-    public sealed override GH_Exposure Exposure { get; }
+    public override GH_Exposure Exposure { get; }
 
     /// <summary>True if an output can be previewed.</summary>
     public sealed override bool IsPreviewCapable => Params.Output.OfType<IGH_PreviewObject>().Any(p => p.IsPreviewCapable) || DrawsItself;

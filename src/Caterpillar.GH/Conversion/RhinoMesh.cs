@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.GH.Base;
 using Caterpillar.Geometry;
@@ -66,6 +67,19 @@ internal static class RhinoMesh
             }
         }
         return TriMesh.Create(vertices, triangles);
+    }
+
+    /// <summary>A mesh of triangles in mm as one of Rhino in document units.</summary>
+    public static Rg.Mesh FromTriangles(TriMesh triangles, DocumentUnits units)
+    {
+        var mesh = new Rg.Mesh();
+        mesh.Vertices.UseDoublePrecisionVertices = true;
+        mesh.Vertices.AddVertices(triangles.Vertices.Select(v => RhinoGeometry.ToPoint(v, units)));
+        var faces = new Rg.MeshFace[triangles.TriangleCount];
+        for (var i = 0; i < faces.Length; i++)
+            faces[i] = new Rg.MeshFace(triangles.Indices[3 * i], triangles.Indices[3 * i + 1], triangles.Indices[3 * i + 2]);
+        mesh.Faces.AddFaces(faces);
+        return mesh;
     }
 
     /// <summary>Several surfaces as one; null for none.</summary>

@@ -32,8 +32,10 @@ internal static class Icons
     /// <summary>
     /// Name of the icon of a component or parameter: its class name without the suffix; a parameter shares the icon of what it holds.
     /// </summary>
-    internal static string NameOf(Type type)
-        => type.Name.EndsWith("Component", StringComparison.Ordinal) ? type.Name.Substring(0, type.Name.Length - "Component".Length) : type.Name;
+    internal static string NameOf(Type type) => Without(Without(type.Name, "_OBSOLETE"), "Component");
+
+    private static string Without(string name, string suffix)
+        => name.EndsWith(suffix, StringComparison.Ordinal) ? name.Substring(0, name.Length - suffix.Length) : name;
 
     /// <summary>The PNG of a class, or null if it has none of its own.</summary>
     internal static Stream? Open(string name) => typeof(Icons).Assembly.GetManifestResourceStream($"icons/{name}.png");

@@ -1,20 +1,25 @@
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.Geometry;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
+using Caterpillar.Turtles;
 
 namespace Caterpillar.GH.Preview;
 
-/// <summary>The head of a printer as rings and edges, and its profile, at any place.</summary>
+/// <summary>The head of a printer as rings and edges, its profile, and the turtle that shows where it goes, at any place.</summary>
 internal sealed class HeadOutline
 {
     private const int Corners = 24;
+    private const double TurtleSize = 2;
+    private readonly DocumentUnits _units;
     private readonly Rg.Line[] _lines;
     private readonly Rg.Line[] _moved;
     private readonly Rg.Point3d[] _profile;
 
     public HeadOutline(Printer printer, DocumentUnits units)
     {
+        _units = units;
         var s = units.FromMillimeters;
         var lines = new List<Rg.Line>();
         var profile = new List<Rg.Point3d> { Rg.Point3d.Origin };
@@ -38,7 +43,7 @@ internal sealed class HeadOutline
                 lines.Add(new Rg.Line(c[a], c[b]));
         }
         _lines = lines.ToArray();
-        _moved = new Rg.Line[_lines.Length];
+        _moved = new Rg.Line[_lines.Length + 3];
         _profile = profile.ToArray();
 
         Rg.Point3d At(HeadPoint ring, int corner)
@@ -48,9 +53,13 @@ internal sealed class HeadOutline
         }
     }
 
-    /// <summary>The head with the nozzle at a point; the array is used again.</summary>
-    public Rg.Line[] At(Rg.Point3d tip)
+    /// <summary>The head with the nozzle at the origin of a frame, and a triangle with its sharp corner forward; the array is used again.</summary>
+    public Rg.Line[] At(Frame pose)
     {
+        var tip = RhinoGeometry.ToPoint(pose.Origin, _units);
+        var triangle = Turtle.TriangleOf(pose, TurtleSize);
+        for (var i = 0; i < 3; i++)
+            _moved[_lines.Length + i] = new Rg.Line(RhinoGeometry.ToPoint(triangle[i], _units), RhinoGeometry.ToPoint(triangle[(i + 1) % 3], _units));
         var by = new Rg.Vector3d(tip.X, tip.Y, tip.Z);
         for (var i = 0; i < _lines.Length; i++) _moved[i] = new Rg.Line(_lines[i].From + by, _lines[i].To + by);
         return _moved;

@@ -2,13 +2,16 @@ using System;
 using System.Collections.Generic;
 using System.Drawing;
 using Caterpillar.Display;
+using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;
 using Rhino.Display;
 
 namespace Caterpillar.GH.Preview;
 
-/// <summary>A toolpath ready to be drawn: one array of lines for each color, one for travels, points of retractions, and meshes of beads.</summary>
+/// <summary>
+/// A toolpath ready to be drawn: one array of lines for each color, one for travels, one for the printer, points of retractions and seams, and meshes of beads.
+/// </summary>
 internal sealed class ToolpathScene
 {
     /// <summary>Beads of more moves than this are drawn as lines.</summary>
@@ -16,12 +19,17 @@ internal sealed class ToolpathScene
 
     private const int MovesPerMesh = 50_000;
     private static readonly Color TravelColor = Color.FromArgb(Palette.Travel.R, Palette.Travel.G, Palette.Travel.B);
+    private static readonly Color SeamColor = Color.FromArgb(220, 40, 120);
+    private static readonly Color VolumeColor = Color.FromArgb(150, 155, 160);
     private readonly List<(Rg.Line[] Lines, Color Color)> _bands = [];
     private readonly List<Rg.Mesh> _meshes = [];
     private readonly Rg.Line[] _travels;
     private readonly Rg.Point3d[] _retractions;
+    private readonly Rg.Point3d[] _seams;
+    private readonly Rg.Line[] _volume;
 
-    public ToolpathScene(Toolpath toolpath, Func<int, bool> shown, PreviewColors colors, bool beads, bool travels, DocumentUnits units)
+    public ToolpathScene(Toolpath toolpath, Func<int, bool> shown, PreviewColors colors, bool beads, bool travels, DocumentUnits units,
+        bool seams, Rg.Line[] volume)
     {
         var bands = new List<Rg.Line>[colors.Colors.Count];
         for (var b = 0; b < bands.Length; b++) bands[b] = [];
@@ -53,6 +61,9 @@ internal sealed class ToolpathScene
         }
         _travels = moved.ToArray();
         _retractions = retracted.ToArray();
+        _volume = volume;
+        foreach (var line in volume) box.Union(line.BoundingBox);
+        _seams = seams ? Seams(toolpath, shown, units) : [];
         Box = box;
         if (beads) AddBeads(toolpath, shown, colors, units);
     }
@@ -68,12 +79,26 @@ internal sealed class ToolpathScene
             foreach (var (lines, color) in _bands) display.DrawLines(lines, only ?? color, 2);
         }
         if (_travels.Length > 0) display.DrawLines(_travels, only ?? TravelColor, 1);
+        if (_volume.Length > 0) display.DrawLines(_volume, only ?? VolumeColor, 1);
+        if (_seams.Length > 0) display.DrawPoints(_seams, PointStyle.Simple, 4, only ?? SeamColor);
         if (_retractions.Length > 0) display.DrawPoints(_retractions, PointStyle.Simple, 2, only ?? TravelColor);
     }
 
     public void DrawMeshes(DisplayPipeline display)
     {
         foreach (var mesh in _meshes) display.DrawMeshFalseColors(mesh);
+    }
+
+    // Where strands of walls begin.
+    private static Rg.Point3d[] Seams(Toolpath toolpath, Func<int, bool> shown, DocumentUnits units)
+    {
+        var points = new List<Rg.Point3d>();
+        foreach (var strand in ToolpathStrands.Of(toolpath))
+        {
+            if (toolpath[strand.First].Role is Role.OuterWall or Role.InnerWall && shown(strand.First))
+                points.Add(RhinoGeometry.ToPoint(toolpath[strand.First].Start, units));
+        }
+        return points.ToArray();
     }
 
     private void AddBeads(Toolpath toolpath, Func<int, bool> shown, PreviewColors colors, DocumentUnits units)

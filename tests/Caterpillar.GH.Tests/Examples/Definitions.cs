@@ -5,6 +5,7 @@ using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Components.Path;
 using Caterpillar.GH.Components.Setup;
 using Caterpillar.GH.Components.Simulate;
+using Caterpillar.GH.Components.Slice;
 using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Tests.Examples;
@@ -29,6 +30,14 @@ internal static class Definitions
         ["simulate"] = Simulate,
         ["turtle_commands"] = TurtleCommands,
         ["turtle_star"] = TurtleStar,
+        ["planar_slice"] = PlanarSlice,
+        ["vase"] = Vase,
+        ["curved_roof"] = CurvedRoof,
+        ["between_boundaries"] = BetweenBoundaries,
+        ["print_on_terrain"] = PrintOnTerrain,
+        ["globe_from_image"] = GlobeFromImage,
+        ["user_curves"] = UserCurves,
+        ["check_and_mend"] = CheckAndMend,
     };
 
     private static GH_Document TurtleStar(string name)
@@ -171,6 +180,106 @@ internal static class Definitions
         return Write(s, 5, plan);
     }
 
+    private static GH_Document PlanarSlice(string name)
+    {
+        var s = new Sketch(name, "A model from a file, laid flat, arranged on the bed and sliced into planar layers.");
+        var (models, settings) = Model(s, "../models/bracket.stl", 0.3, "infill_percent=15");
+        var slices = s.Component<PlanarSlicerComponent>(4, ("Geometry", models), ("Settings", settings));
+        return Print(s, 5, slices, settings);
+    }
+
+    private static GH_Document Vase(string name)
+    {
+        var s = new Sketch(name, "A vase as one continuous wall that rises all the time: spiral mode is a setting of the planar slicer.");
+        var (models, settings) = Model(s, "../models/vase.stl", 0.6, "vase=true", "line_width_mm=0.8");
+        var slices = s.Component<PlanarSlicerComponent>(4, ("Geometry", models), ("Settings", settings));
+        return Print(s, 5, slices, settings, "nozzle_diameter_mm=0.8");
+    }
+
+    private static GH_Document CurvedRoof(string name)
+    {
+        var s = new Sketch(name, "Layers that follow the roof of the model: level on the bed, parallel to the roof from the height Blend To on.");
+        var (models, settings) = Model(s, "../models/saddle_roof.stl", 0.6, "infill_percent=10", "line_width_mm=0.8", "skirt_loops=0");
+        var field = s.Component<LayerFieldComponent>(4, ("Surfaces", models), ("Blend From", s.Slider(3, "Level up to", 2, 0, 20)),
+            ("Blend To", s.Slider(3, "Curved from", 18, 1, 40)));
+        var slices = s.Component<CurvedSlicerComponent>(5, ("Geometry", models), ("Field", field), ("Settings", settings),
+            ("Printer", Nozzle(s, 4, "nozzle_diameter_mm=0.8")));
+        return Print(s, 6, slices, settings, "nozzle_diameter_mm=0.8");
+    }
+
+    private static GH_Document BetweenBoundaries(string name)
+    {
+        var s = new Sketch(name, "As many layers everywhere between the bed and the roof: they are thick where the part is high, and each bead has its own "
+            + "volume.");
+        var (models, settings) = Model(s, "../models/saddle_roof.stl", 0.6, "infill_percent=10", "line_width_mm=0.8", "skirt_loops=0");
+        var field = s.Component<LayerFieldComponent>(4, ("Kind", s.Text(3, "Kind", "Between")), ("Surfaces", models));
+        var slices = s.Component<CurvedSlicerComponent>(5, ("Geometry", models), ("Field", field), ("Settings", settings),
+            ("Printer", Nozzle(s, 4, "nozzle_diameter_mm=0.8")));
+        return Print(s, 6, slices, settings, "nozzle_diameter_mm=0.8");
+    }
+
+    private static GH_Document PrintOnTerrain(string name)
+    {
+        var s = new Sketch(name, "A drawing on a piece of terrain that lies on the bed: the paths follow its surface, travels stay above it.");
+        var terrain = Placed(s, "../models/terrain.stl");
+        var spiral = s.Component<SpiralTraceComponent>(2, ("Radius", s.Slider(1, "Radius", 6, 2, 50, 0)), ("Pitch", s.Slider(1, "Pitch", 3, 0.5, 10)));
+        var project = s.Component<ProjectPathsComponent>(4, ("Print Paths", Moved(s, 3, spiral)), ("Geometry", terrain),
+            ("Offset", s.Slider(3, "Offset", -0.05, -0.5, 1)),
+                ("Partial", s.Add(3, new Grasshopper.Kernel.Special.GH_BooleanToggle { NickName = "Partial", Value = true })));
+        var plan = s.Component<PlanToolpathComponent>(5, ("Steps", project), ("Printer", s.Text(4, "Printer", "generic")), ("Obstacles", terrain));
+        return Write(s, 6, plan);
+    }
+
+    private static GH_Document GlobeFromImage(string name)
+    {
+        var s = new Sketch(name, "A globe: where the picture is white the strand is slower and so thinner. The sphere is a helix that is deformed.");
+        var helix = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 10, 5, 50, 0)), ("Height", s.Slider(0, "Height", 12, 1, 40, 1)),
+            ("Pitch", s.Slider(0, "Pitch", 1, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 48, 12, 144, 0)));
+        var sphere = s.Component<DeformComponent>(2, ("Print Paths", helix), ("System", s.Text(1, "System", "Cylindrical")),
+            ("X", s.Text(1, "New radius", "sqrt(64 - (z - 6) ^ 2) + r - 10")));
+        var image = s.Component<ModulateComponent>(3, ("Print Paths", sphere), ("Image", s.Text(2, "Image", "../turtle/world_map.pbm")),
+            ("Mode", s.Text(2, "Mode", "Flow")), ("Low", s.Slider(2, "Black", 1, 0.1, 2)), ("High", s.Slider(2, "White", 0.65, 0.1, 2)),
+            ("Mapping", s.Text(2, "Mapping", "Globe")));
+        return Print(s, 5, Moved(s, 4, image));
+    }
+
+    private static GH_Document UserCurves(string name)
+    {
+        var s = new Sketch(name, "Curves from a file, printed exactly as drawn and in their order, without anything that is not drawn.");
+        var curves = s.Component<ReadCurvesComponent>(1, ("File", s.Text(0, "File", "../curves/calligraphy.svg")));
+        var plan = s.Component<PlanToolpathComponent>(3, ("Steps", (curves, "Steps")), ("Printer", s.Text(2, "Printer", "pen_plotter")),
+            ("Policy", s.Text(2, "Policy", "As Drawn")));
+        return Write(s, 4, plan);
+    }
+
+    private static GH_Document CheckAndMend(string name)
+    {
+        var s = new Sketch(name, "A file of another program is checked. Its last layer is too fast for the printer: set Speed to 1 and Check turns red. "
+            + "Slowed down, it passes.");
+        var code = s.Text(0, "G-code",
+            "; generated by a slicer\nG28\nG90\nM83\nM109 S200\n;LAYER:0\nG1 X60 Y60 Z0.2 F6000\nG1 X100 Y60 E1.5 F1800\nG1 X100 Y100 E1.5\n"
+            + ";LAYER:1\nG1 X60 Y60 Z0.4 F6000\nG1 X100 Y60 E1.5 F90000\nG1 X100 Y100 E1.5\nM104 S0\n");
+        var decode = s.Component<DecodeGCodeComponent>(1, ("G-code", code));
+        var printer = s.Component<PrinterComponent>(2, ("Name", s.Text(1, "Printer", "generic")));
+        var mended = s.Component<EditToolpathComponent>(2, ("Toolpath", decode), ("First Layer", s.Slider(1, "From layer", 1, 0, 10, 0)),
+            ("Speed Factor", s.Slider(1, "Speed", 0.02, 0.01, 2)));
+        var check = s.Component<CheckComponent>(3, ("Toolpath", mended), ("Printer", printer));
+        return Write(s, 4, check, printer);
+    }
+
+    private static ArrangeModelsComponent Placed(Sketch s, string file)
+        => s.Component<ArrangeModelsComponent>(2, ("Geometry", s.Component<ReadModelComponent>(1, ("File", s.Text(0, "File", file)))));
+
+    private static (ArrangeModelsComponent Models, ConstructPrintSettingsComponent Settings) Model(Sketch s, string file, double layer, params string[] values)
+    {
+        var models = Placed(s, file);
+        return (models, s.Component<ConstructPrintSettingsComponent>(3, ("Layer Height", s.Slider(2, "Layer", layer, 0.05, 1)),
+            ("Overrides", s.Text(2, "Values", string.Join("\n", values), lines: true))));
+    }
+
+    private static ConstructPrinterComponent Nozzle(Sketch s, int column, string limits)
+        => s.Component<ConstructPrinterComponent>(column, ("Limits", s.Text(column - 1, "Limits", limits, lines: true)));
+
     private static PlanToolpathComponent Ring(Sketch s)
     {
         var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 12, 5, 50, 0)), ("Height", s.Slider(0, "Height", 1, 1, 40, 1)),
@@ -184,6 +293,12 @@ internal static class Definitions
 
     private static GH_Document Print(Sketch s, int column, object steps)
         => Write(s, column + 1, s.Component<PlanToolpathComponent>(column, ("Steps", steps), ("Printer", s.Text(column - 1, "Printer", "generic"))));
+
+    private static GH_Document Print(Sketch s, int column, GH_Component slices, GH_Component settings, string? limits = null)
+    {
+        object printer = limits is null ? s.Text(column - 1, "Printer", "generic") : Nozzle(s, column - 1, limits);
+        return Write(s, column + 1, s.Component<PlanToolpathComponent>(column, ("Steps", slices), ("Printer", printer), ("Settings", settings)));
+    }
 
     private static GH_Document Write(Sketch s, int column, GH_Component toolpath, GH_Component? printer = null)
     {

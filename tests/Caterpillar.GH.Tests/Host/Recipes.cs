@@ -67,6 +67,7 @@ internal static class Recipes
         ["ProjectPathsComponent.Geometry"] = () => [Shapes.Box(40, 40, 60)],
         ["Field"] = () => ["z"],
         ["LayerFieldComponent.Expressions"] = () => ["1 + x / 20"],
+        ["ReadModelComponent.File"] = () => [System.IO.Path.Combine(Caterpillar.Tests.TestData.Repository, "examples", "models", "bracket.stl")],
         ["ReadCurvesComponent.File"] = () => [CurveFile.Value],
         ["ModulateComponent.Expression"] = () => ["0.5"],
     };

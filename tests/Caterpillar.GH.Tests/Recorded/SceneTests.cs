@@ -62,6 +62,30 @@ public sealed class SceneTests
     }
 
     [Test]
+    public void Seams_and_the_printer_are_one_call_each()
+    {
+        var canvas = new Canvas<ToolpathPreviewComponent>().Feed("Toolpath", Planned()).Feed("Seam", true).Feed("Printer", "generic").Solve();
+        Assert.That(canvas.Errors, Is.Empty);
+        var calls = Draw(canvas.Component);
+        Assert.That(calls.Select(c => c.What), Is.EqualTo(new[] { "lines", "lines", "lines", "points" }));
+        Assert.That(((Rg.Line[])calls[2].Item), Has.Length.EqualTo(12), "The edges of the build volume.");
+        Assert.That(canvas.Component.ClippingBox.Max, Is.EqualTo(new Rg.Point3d(220, 220, 250)));
+        // Half of the forty lines are walls.
+        Assert.That(((IEnumerable<Rg.Point3d>)calls[3].Item).Count(), Is.EqualTo(20));
+    }
+
+    [Test]
+    public void A_turtle_points_where_the_head_goes()
+    {
+        var canvas = new Canvas<SimulateComponent>().Feed("Toolpath", Planned(1)).Feed("By", "Length").Feed("Position", 0.99).Solve();
+        var head = (Rg.Line[])Draw(canvas.Component)[1].Item;
+        var corners = head.Skip(head.Length - 3).Select(l => l.From).ToArray();
+        var tip = canvas.One<Rg.Plane>("Plane");
+        Assert.That(corners.Select(c => Math.Round((c - tip.Origin).Length, 6)), Is.EqualTo(new[] { 2.0, 2, 5 }));
+        Assert.That((corners[2] - tip.Origin) * tip.XAxis, Is.EqualTo(5).Within(1e-9), "The sharp corner is forward.");
+    }
+
+    [Test]
     public void A_simulation_draws_blocks_and_the_head()
     {
         var canvas = new Canvas<SimulateComponent>().Feed("Toolpath", Planned()).Feed("Position", 0.5).Solve();

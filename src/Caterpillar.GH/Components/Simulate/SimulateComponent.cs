@@ -26,7 +26,8 @@ public enum PositionBy
 
 /// <summary>Shows the machine at a moment of a print.</summary>
 public sealed class SimulateComponent() : CaterpillarComponent(
-    "Simulate", "Sim", "Shows the machine at a moment of a print: the head, and what is printed by then. Connect a slider or Play to the position.",
+    "Simulate", "Sim", "Shows the machine at a moment of a print: the head, a turtle that points where it goes, and what is printed by then. Connect a "
+        + "slider or Play to the position.",
         Panel.Simulate)
 {
     private static readonly Color Printed = Color.FromArgb(240, 136, 62);
@@ -100,7 +101,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         lines.ShowUntil(state.Move, state.Done);
         var outline = run.Cached([setup.Printer, units.ToMillimeters], () => new HeadOutline(setup.Printer, units));
         var tip = RhinoGeometry.ToPoint(state.Position, units);
-        var head = outline.At(tip);
+        var head = outline.At(state.Frame.WithOrigin(state.Position));
         var box = lines.Box;
         foreach (var line in head) box.Union(line.BoundingBox);
         _shown.Add(new Shown(lines, head, box));

@@ -63,7 +63,11 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
         ports.OptionalInteger("Last Layer", "L", "Number of the last layer, from 0, as in the file; all by default.");
         ports.Boolean("Solid", "B", "True shows strands of true width and height, false lines.", false);
         ports.Boolean("Travel", "Tr", "True shows travels and the places of retractions, too.", false);
-        SetupPorts.Printer(ports);
+        ports.Add(new PrinterParam(), "Printer", "P",
+            "Printer, or the name of its profile, whose bed and build volume are shown, and whose limits give the times; by default none is shown, and times "
+                + "are "
+                + "those of the printer it was planned for.", optional: true);
+        ports.Boolean("Seam", "Se", "True marks where the walls of each layer begin.", false);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -92,13 +96,16 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
             return toolpath.NumberOfLayer(toolpath[i]) is { } number && !(number < first) && !(number > last);
         }
         bool Prints(int i) => toolpath[i].Kind == MoveKind.Print && Shown(i);
-        var colors = run.Cached([toolpath, by, first, last, goo.Setup], () => run.Work("Coloring", (progress, cancel) =>
+        var printer = run.Maybe<Machines.Printer>(6);
+        var seams = run.Get<bool>(7);
+        var colors = run.Cached([toolpath, by, first, last, goo.Setup, by == PreviewColor.Time ? printer : null],
+            () => run.Work("Coloring", (progress, cancel) =>
         {
-            var setup = by == PreviewColor.Time ? SetupPorts.Of(run, goo, run.Maybe<Machines.Printer>(6)) : null;
+            var setup = by == PreviewColor.Time ? SetupPorts.Of(run, goo, printer) : null;
             return PreviewColors.Of(toolpath, Prints, by, setup is null ? null : Timeline.Of(toolpath, setup, progress, cancel));
         }));
-        _scenes.Add(run.Cached([colors, beads, travels, units.ToMillimeters],
-            () => run.Work("Drawing", (_, _) => new ToolpathScene(toolpath, Shown, colors, beads, travels, units))));
+        _scenes.Add(run.Cached([colors, beads, travels, seams, printer, units.ToMillimeters], () => run.Work("Drawing", (_, _) =>
+            new ToolpathScene(toolpath, Shown, colors, beads, travels, units, seams, printer is null ? [] : VolumeOutline.Of(printer, units)))));
         run.SetList(0, colors.Texts);
         run.SetList(1, colors.Colors.Select(c => new GH_Colour { Value = c }));
     }

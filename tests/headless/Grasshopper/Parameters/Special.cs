@@ -125,7 +125,7 @@ namespace Grasshopper.Kernel.Special
     }
 
     /// <summary>A frame around objects, with a title.</summary>
-    internal sealed class GH_Group : GH_DocumentObject
+    public class GH_Group : GH_DocumentObject
     {
         public GH_Group() : base("Group", "", "A group of Grasshopper objects", "Params", "Util")
         {
@@ -134,6 +134,13 @@ namespace Grasshopper.Kernel.Special
         public override Guid ComponentGuid => new Guid("c552a431-af5b-46a9-a8a4-0fcbc27ef596");
 
         public List<Guid> ObjectIDs { get; } = new List<Guid>();
+
+        public void AddObject(Guid id)
+        {
+            if (!ObjectIDs.Contains(id)) ObjectIDs.Add(id);
+        }
+
+        public void RemoveObject(Guid id) => ObjectIDs.Remove(id);
 
         public override bool Write(GH_IWriter writer)
         {

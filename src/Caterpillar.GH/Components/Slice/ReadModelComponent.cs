@@ -1,0 +1,40 @@
+using System;
+using System.IO;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
+
+namespace Caterpillar.GH.Components.Slice;
+
+/// <summary>Reads models from a file.</summary>
+public sealed class ReadModelComponent() : CaterpillarComponent(
+    "Read Model", "Model", "Reads the models of a mesh file, without importing them into Rhino.", Panel.Slice, GH_Exposure.tertiary)
+{
+    public override Guid ComponentGuid => new("d80b6e35-29f7-4ac1-95be-40c6f1e7a982");
+
+    private protected override void Inputs(InputPorts ports) => ports.File("File", "F", "File to read: STL, OBJ, PLY or 3MF, also packed with gzip.",
+        "Models (*.stl;*.obj;*.ply;*.3mf;*.gz)|*.stl;*.obj;*.ply;*.3mf;*.gz|All files|*.*");
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new Param_Mesh(), "Meshes", "M", "The models where they are in the file, in document units.", GH_ParamAccess.list);
+        ports.Text("Names", "N", "Their names in the file.", GH_ParamAccess.list);
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var file = new FileInfo(run.PathTo(run.Get<string>(0)));
+        if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
+        var units = run.Units;
+        var read = run.Cached([file.FullName, file.LastWriteTimeUtc, file.Length],
+            () => run.Work("Reading", (progress, cancel) => MeshReader.Read(file.FullName, progress, cancel)));
+        run.SetList(2, run.Report(read.Diagnostics));
+        if (read.Value is not { } models) return;
+        run.SetList(0, run.Cached([read, units.ToMillimeters], () => models.Select(m => RhinoMesh.FromTriangles(m.Mesh, units)).ToArray()));
+        run.SetList(1, models.Select(m => m.Name));
+    }
+}
