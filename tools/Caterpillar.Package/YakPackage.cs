@@ -77,7 +77,7 @@ internal sealed class YakPackage
         - toolpath
         - guid:{Id}
 
-        """.Replace("\r\n", "\n");
+        """;
 
     // Every library of the build, whatever they are: what is needed later is not forgotten.
     private void Add(string folder, string at)
