@@ -42,7 +42,7 @@ for project in tests/*.Tests/*.Tests.csproj; do
     grep -q "$framework" "$project" || continue
     echo "Testing $name on $framework"
     out="$log/$name.$framework"
-    dotnet test "$project" -f "$framework" --no-build --nologo -v quiet >"$out" 2>&1 || failed_steps=$((failed_steps + 1))
+    dotnet test "$project" -f "$framework" --no-build --nologo -v quiet --logger "console;verbosity=minimal" >"$out" 2>&1 || failed_steps=$((failed_steps + 1))
     grep -vE '^(Test run for|VSTest version|Starting test execution|A total of)' "$out" | sed '/^ *$/d'
   done
 done
@@ -54,7 +54,7 @@ if [ -f "$real/RhinoCommon.dll" ] && [ -f "$real/librhcommon_c.so" ]; then
     echo "Testing Caterpillar.GH.Tests on $framework with the real RhinoCommon and GH_IO"
     out="$log/real.$framework"
     dotnet build tests/Caterpillar.GH.Tests -f "$framework" -p:RhinoSdk=real --nologo -v quiet || { failed_steps=$((failed_steps + 1)); continue; }
-    dotnet test tests/Caterpillar.GH.Tests -f "$framework" -p:RhinoSdk=real --no-build --nologo -v quiet >"$out" 2>&1 || failed_steps=$((failed_steps + 1))
+    dotnet test tests/Caterpillar.GH.Tests -f "$framework" -p:RhinoSdk=real --no-build --nologo -v quiet --logger "console;verbosity=minimal" >"$out" 2>&1 || failed_steps=$((failed_steps + 1))
     grep -vE '^(Test run for|VSTest version|Starting test execution|A total of)' "$out" | sed '/^ *$/d'
   done
 else
