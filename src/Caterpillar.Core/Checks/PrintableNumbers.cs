@@ -24,26 +24,32 @@ internal static class PrintableNumbers
             var c = toolpath.Blocks[block].Columns;
             for (var i = 0; i < c.Count; i++)
             {
-                if (Word(c, i, largest) is { } word) return Error($"{word} of a move", toolpath.FirstOf(block) + i);
+                if (Word(c, i, largest) is { } word) return Error($"{word.Name} of a move", word.Value, toolpath, toolpath.FirstOf(block) + i);
             }
             for (var i = 0; i < c.Arcs.Length; i++)
             {
                 var center = c.Arcs[i].Center;
-                if (!(Math.Abs(center.X) < largest && Math.Abs(center.Y) < largest && Math.Abs(center.Z) < largest))
-                    return Error("The center of an arc", toolpath.FirstOf(block) + c.ArcMoves[i]);
+                if (Outside(center.X, center.Y, center.Z, largest) is { } value)
+                    return Error("The center of an arc", value, toolpath, toolpath.FirstOf(block) + c.ArcMoves[i]);
             }
         }
         foreach (var entry in toolpath.Events)
         {
-            if (!(Math.Abs(Value(entry.Event)) < largest)) return Error($"The value of a {entry.Event.GetType().Name}", entry.Move);
+            if (!(Math.Abs(Value(entry.Event)) < largest)) return Error("A value between moves", Value(entry.Event), toolpath, entry.Move);
         }
         return null;
     }
 
-    private static string? Word(ToolpathColumns c, int i, double largest)
-        => !(Math.Abs(c.X[i]) < largest && Math.Abs(c.Y[i]) < largest && Math.Abs(c.Z[i]) < largest) ? "The end"
-            : !(Math.Abs(c.E[i]) < largest) ? "E" : !(Math.Abs(c.Speed[i]) < largest) ? "The speed"
-            : c.A is not null && !(Math.Abs(c.A[i]) < largest && Math.Abs(c.B![i]) < largest && Math.Abs(c.C![i]) < largest) ? "A rotary axis" : null;
+    private static (string Name, double Value)? Word(ToolpathColumns c, int i, double largest)
+    {
+        if (Outside(c.X[i], c.Y[i], c.Z[i], largest) is { } place) return ("The end", place);
+        if (!(Math.Abs(c.E[i]) < largest)) return ("E", c.E[i]);
+        if (!(Math.Abs(c.Speed[i]) < largest)) return ("The speed", c.Speed[i]);
+        return c.A is not null && Outside(c.A[i], c.B![i], c.C![i], largest) is { } turn ? ("A rotary axis", turn) : null;
+    }
+
+    private static double? Outside(double a, double b, double c, double largest)
+        => !(Math.Abs(a) < largest) ? a : !(Math.Abs(b) < largest) ? b : !(Math.Abs(c) < largest) ? c : null;
 
     private static double Value(PrinterEvent what) => what switch
     {
@@ -56,6 +62,12 @@ internal static class PrintableNumbers
         _ => 0,
     };
 
-    private static Diagnostic Error(string what, int move)
-        => new(Severity.Error, SafeWriter.Unprintable, what + " cannot be written: it is not finite, or beyond 10⁷.", new SourceLocation(Move: move));
+    private static Diagnostic Error(string what, double value, Toolpath toolpath, int move)
+    {
+        var number = double.IsNaN(value) || double.IsInfinity(value) ? "no finite number" : LongWords.Shorten(NumberFormatter.Format(value, 3)) + ", beyond 10⁷";
+        var step = move < toolpath.Count && toolpath[move].Source is >= 0 and var source ? source : (int?)null;
+        var origin = move < toolpath.Count ? toolpath.PlaceOf(move) : null;
+        return new Diagnostic(
+            Severity.Error, SafeWriter.Unprintable, $"{what} cannot be written: it is {number}.", new SourceLocation(Step: step, Move: move, Origin: origin));
+    }
 }
