@@ -64,7 +64,7 @@ internal static class PrintableNumbers
 
     private static Diagnostic Error(string what, double value, Toolpath toolpath, int move)
     {
-        var number = double.IsNaN(value) || double.IsInfinity(value) ? "no finite number" : LongWords.Shorten(NumberFormatter.Format(value, 3)) + ", beyond 10⁷";
+        var number = double.IsNaN(value) || double.IsInfinity(value) ? "not finite" : LongWords.Shorten(NumberFormatter.Format(value, 3)) + ", beyond 10⁷";
         var step = move < toolpath.Count && toolpath[move].Source is >= 0 and var source ? source : (int?)null;
         var origin = move < toolpath.Count ? toolpath.PlaceOf(move) : null;
         return new Diagnostic(
