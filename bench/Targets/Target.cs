@@ -16,8 +16,9 @@ internal sealed record Target(string Job, string Unit, double Allowed, double Me
     public string Text(double value)
         => value.ToString(value >= 100 ? "0" : value >= 10 ? "0.#" : value >= 1 ? "0.##" : "0.###", CultureInfo.InvariantCulture) + " " + Unit;
 
-    public string ToRow() => $"| {Job} | {Text(Allowed)} | {Text(Measured)} | "
-        + $"{(IsMet ? "met" : $"**{Math.Round(Share, 1).ToString(CultureInfo.InvariantCulture)} ×**")} | {Remark} |";
+    public string ToRow() => $"| {Job} | {(HasTarget ? Text(Allowed) : "peers")} | {Text(Measured)} | {Verdict} | {Remark} |";
+
+    private string Verdict => !HasTarget ? "" : IsMet ? "met" : $"**{Math.Round(Share, 1).ToString(CultureInfo.InvariantCulture)} ×**";
 
     /// <summary>Reads a row again; null for other lines.</summary>
     public static Target? OfRow(string row)
