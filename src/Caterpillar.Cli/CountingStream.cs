@@ -1,10 +1,11 @@
 using System;
 using System.IO;
+using Caterpillar.Files;
 
 namespace Caterpillar.Cli;
 
 /// <summary>Writes through to another stream, which stays open, and counts the bytes and lines (which LF, CRLF and CR end) of what is written.</summary>
-internal sealed class CountingStream(Stream inner) : Stream
+internal sealed class CountingStream(Stream inner) : WriteStream
 {
     private int _ends;
     private byte _last = (byte)'\n';
@@ -13,16 +14,6 @@ internal sealed class CountingStream(Stream inner) : Stream
 
     /// <summary>Lines so far; what follows the last line end is one, too.</summary>
     public int Lines => _ends + (_last is (byte)'\n' or (byte)'\r' ? 0 : 1);
-
-    public override bool CanRead => false;
-
-    public override bool CanSeek => false;
-
-    public override bool CanWrite => true;
-
-    public override long Length => Bytes;
-
-    public override long Position { get => Bytes; set => throw new NotSupportedException(); }
 
     public override void Write(byte[] buffer, int offset, int count) => Write(buffer.AsSpan(offset, count));
 
@@ -38,10 +29,4 @@ internal sealed class CountingStream(Stream inner) : Stream
     }
 
     public override void Flush() => inner.Flush();
-
-    public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
-
-    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-    public override void SetLength(long value) => throw new NotSupportedException();
 }

@@ -37,4 +37,8 @@ internal static class Meshes
         }
         return new Result<IReadOnlyList<NamedMesh>>(good ? meshes : null, diagnostics);
     }
+
+    /// <summary>All meshes of a file as one.</summary>
+    /// <exception cref="CliException">It cannot be read.</exception>
+    public static TriMesh ReadAsOne(string file, Session session) => TriMesh.Merge(session.ValueOrFail(Read([file], session)).Select(m => m.Mesh));
 }

@@ -19,7 +19,7 @@ internal sealed class BatchCall(Verb verb, Session session, BatchSummary? earlie
         var fingerprint = "";
         using var messages = new StringWriter();
         using var output = new MemoryStream();
-        var inner = new Session(() => Stream.Null, () => new KeptOpen(output), messages)
+        var inner = new Session(() => Stream.Null, () => new CountingStream(output), messages)
         {
             Cancel = session.Cancel, Profiles = session.Profiles, Quiet = session.Quiet, Memory = memory, Collects = true,
         };
@@ -54,30 +54,5 @@ internal sealed class BatchCall(Verb verb, Session session, BatchSummary? earlie
             .. job.Words, .. job.Output is { } output ? (string[])["--output", output] : [],
             .. takesThreads ? (string[])["--threads", NumberFormatter.Format(threads)] : [],
         ];
-    }
-
-    private sealed class KeptOpen(MemoryStream inner) : Stream
-    {
-        public override bool CanRead => false;
-
-        public override bool CanSeek => false;
-
-        public override bool CanWrite => true;
-
-        public override long Length => inner.Length;
-
-        public override long Position { get => inner.Position; set => throw new NotSupportedException(); }
-
-        public override void Flush()
-        {
-        }
-
-        public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
-
-        public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-        public override void SetLength(long value) => throw new NotSupportedException();
-
-        public override void Write(byte[] buffer, int offset, int count) => inner.Write(buffer, offset, count);
     }
 }

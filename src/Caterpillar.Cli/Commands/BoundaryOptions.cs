@@ -44,16 +44,16 @@ internal sealed class BoundaryOptions
 
     private static BoundaryShape Shape(string file, Vec3 shift, Session session)
     {
-        var (bytes, name) = (session.ReadBytes(file), Session.NameOf(file));
         if (!CurveEndings.Any(e => file.EndsWith(e, StringComparison.OrdinalIgnoreCase)))
         {
-            var read = MeshReader.Read(bytes, name, null, session.Cancel);
+            var read = Meshes.Read([file], session);
             var mesh = TriMesh.Merge((read.Value ?? []).Select(m => m.Mesh));
             if (mesh.TriangleCount > 0) return BoundaryShape.Of(mesh.Moved(shift));
             // An OBJ file may hold lines only.
             if (!file.EndsWith(".obj", StringComparison.OrdinalIgnoreCase)) session.ValueOrFail(read);
         }
-        var curves = session.ValueOrFail(CurveReader.Read(bytes, name, null, null, session.Cancel));
+        var reading = new CurveReadOptions { Memory = session.Memory };
+        var curves = session.ValueOrFail(CurveReader.Read(session.ReadBytes(file), Session.NameOf(file), reading, null, session.Cancel));
         return BoundaryShape.Of(curves.Select(c => new Polyline(
             CurveSubdivider.Subdivide(c.Curve, new SubdivisionOptions { ChordTolerance = 0.05 }, session.Cancel).Points.Select(p => p + shift),
                 c.Curve.IsClosed)).ToArray());

@@ -128,7 +128,7 @@ internal sealed class CurvedOptionValues
             case "vertical":
                 return LayerField.Vertical(Surface(surfaces[0], models, shift, session), arguments.GetValue(_blend) is { } blend ? Blend(blend) : null);
             case "normal":
-                return LayerField.Offset(Mesh(surfaces[0], session).Moved(shift));
+                return LayerField.Offset(Meshes.ReadAsOne(surfaces[0], session).Moved(shift));
             case "between":
                 var plans = surfaces.Select(s => Surface(s, models, shift, session)).ToList();
                 // One surface: from the bottom of the models up to it.
@@ -146,7 +146,7 @@ internal sealed class CurvedOptionValues
     public TriMesh? Onto(ParseResult arguments, Vec3 shift, Session session)
     {
         if (arguments.GetValue(_onto) is not { } file) return null;
-        var mesh = Mesh(file, session).Moved(shift.WithZ(0));
+        var mesh = Meshes.ReadAsOne(file, session).Moved(shift.WithZ(0));
         session.Print([OntoOptions.Place(mesh, file)]);
         return mesh;
     }
@@ -199,15 +199,12 @@ internal sealed class CurvedOptionValues
         }
         if (IsPicture(text)) throw Usage("A height map needs the heights of black and white: FILE:LOW,HIGH in mm.");
         if (MeshEndings.Any(e => text.EndsWith(e, StringComparison.OrdinalIgnoreCase)) || File.Exists(text))
-            return PlanSurface.Of(Mesh(text, session).Moved(shift));
+            return PlanSurface.Of(Meshes.ReadAsOne(text, session).Moved(shift));
         return session.ValueOrFail(PlanSurface.Formula(text, new SourceLocation(Key: "--surface")), ExitCode.Usage).Moved(shift);
     }
 
     private static bool IsPicture(string file)
         => file.EndsWith(".png", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".pgm", StringComparison.OrdinalIgnoreCase);
-
-    private static TriMesh Mesh(string file, Session session)
-        => TriMesh.Merge(session.ValueOrFail(MeshReader.Read(session.ReadBytes(file), Session.NameOf(file), null, session.Cancel)).Select(m => m.Mesh));
 
     private static LayerBlend Blend(string text) => Numbers.List(text, "--blend") switch
     {

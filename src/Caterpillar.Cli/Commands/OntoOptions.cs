@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.CommandLine;
-using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -44,8 +43,7 @@ internal sealed class OntoOptions
         ParseResult arguments, IReadOnlyList<Step> steps, PrintSetup setup, PlanOptions plan, Session session)
     {
         if (arguments.GetValue(_onto) is not { } file) return (steps, setup, plan);
-        var read = MeshReader.Read(session.ReadBytes(file), Session.NameOf(file), null, session.Cancel);
-        var mesh = TriMesh.Merge(session.ValueOrFail(read).Select(m => m.Mesh));
+        var mesh = Meshes.ReadAsOne(file, session);
         session.Print([Place(mesh, file)]);
         var projected = session.ValueOrFail(session.WithProgress("Projecting", progress => SurfaceProjection.Project(
             steps, PlanSurface.Of(mesh), setup, arguments.GetValue(_squeeze), arguments.GetValue(_partial), progress, session.Cancel)));

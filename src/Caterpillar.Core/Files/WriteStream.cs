@@ -4,7 +4,7 @@ using System.IO;
 namespace Caterpillar.Files;
 
 /// <summary>A stream that can only be written, from beginning to end.</summary>
-internal abstract class WriteStream : Stream
+public abstract class WriteStream : Stream
 {
     public override bool CanRead => false;
 

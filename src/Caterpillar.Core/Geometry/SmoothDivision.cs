@@ -52,17 +52,9 @@ internal static class SmoothDivision
         for (var i = 1; i < mapped.Length - 1; i++)
         {
             // Points that are not finite are reported where the segment is mapped, not here.
-            if (Distance(mapped[i], a, b) > tolerance) return false;
+            if (mapped[i].DistanceToSegment(a, b) > tolerance) return false;
         }
         return true;
-    }
-
-    private static double Distance(Vec3 p, Vec3 a, Vec3 b)
-    {
-        var d = b - a;
-        var length = d.LengthSquared;
-        var t = length > 0 ? Math.Max(0, Math.Min(1, Vec3.Dot(p - a, d) / length)) : 0;
-        return p.DistanceTo(a + d * t);
     }
 
     private readonly struct Piece(Vec3 start, Vec3 end, Arc? arc)

@@ -57,6 +57,15 @@ public readonly struct Vec3 : IEquatable<Vec3>
 
     public static bool operator !=(Vec3 a, Vec3 b) => !(a == b);
 
+    /// <summary>Distance from the segment between two points.</summary>
+    internal double DistanceToSegment(Vec3 a, Vec3 b)
+    {
+        var d = b - a;
+        var square = d.LengthSquared;
+        var t = square > 0 ? Math.Max(0, Math.Min(1, Dot(this - a, d) / square)) : 0;
+        return DistanceTo(a + d * t);
+    }
+
     public static double Dot(Vec3 a, Vec3 b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 
     public static Vec3 Cross(Vec3 a, Vec3 b) => new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);

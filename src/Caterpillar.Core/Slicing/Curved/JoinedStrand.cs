@@ -51,15 +51,6 @@ internal sealed class JoinedStrand(double tolerance, double share)
         Beads.Add(bead);
     }
 
-    /// <summary>Distance of a point from a segment.</summary>
-    public static double Deviation(Vec3 p, Vec3 a, Vec3 b)
-    {
-        var d = b - a;
-        var square = d.LengthSquared;
-        var t = square > 0 ? Math.Min(1, Math.Max(0, Vec3.Dot(p - a, d) / square)) : 0;
-        return p.DistanceTo(a + d * t);
-    }
-
     private bool Fits(Vec3 to, Bead bead)
     {
         if (_passed.Count >= Longest || bead.Speed != Beads[Beads.Count - 1].Speed) return false;
@@ -67,10 +58,10 @@ internal sealed class JoinedStrand(double tolerance, double share)
         if (most - least > share * most + 1e-12 || bead.Height > 0 != Beads[Beads.Count - 1].Height > 0) return false;
         var start = Points[Points.Count - 2];
         if (start.DistanceTo(to) <= start.DistanceTo(Points[Points.Count - 1])) return false;
-        if (Deviation(Points[Points.Count - 1], start, to) > tolerance) return false;
+        if (Points[Points.Count - 1].DistanceToSegment(start, to) > tolerance) return false;
         foreach (var p in _passed)
         {
-            if (Deviation(p, start, to) > tolerance) return false;
+            if (p.DistanceToSegment(start, to) > tolerance) return false;
         }
         return true;
     }

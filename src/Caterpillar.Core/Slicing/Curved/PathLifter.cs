@@ -104,12 +104,12 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
 
     private bool IsSmooth(Sample a, Sample b, Sample m, Bead bead)
     {
-        if (JoinedStrand.Deviation(m.Part, a.Part, b.Part) > rules.Tolerance || a.Covered != m.Covered || b.Covered != m.Covered) return false;
+        if (m.Part.DistanceToSegment(a.Part, b.Part) > rules.Tolerance || a.Covered != m.Covered || b.Covered != m.Covered) return false;
         var limit = rules.GapShare * Math.Max(Math.Abs(m.Gap), 1e-6);
         if (Math.Abs(a.Gap - b.Gap) > limit || Math.Abs(m.Gap - (a.Gap + b.Gap) / 2) > limit / 2) return false;
         // A second test off the middle, where waves may hide.
         var n = At(Vec3.Lerp(a.Flat, b.Flat, 0.23), bead.Height);
-        return JoinedStrand.Deviation(n.Part, a.Part, b.Part) <= rules.Tolerance && Math.Abs(n.Gap - m.Gap) <= limit;
+        return n.Part.DistanceToSegment(a.Part, b.Part) <= rules.Tolerance && Math.Abs(n.Gap - m.Gap) <= limit;
     }
 
     private void Add(Sample a, Sample b, Sample m, Bead bead, PathStep step)

@@ -153,35 +153,11 @@ internal sealed class LevelSet
         _line.Add(b);
     }
 
-    // Goes on from each kept point as far as all points passed lie within the tolerance of the chord.
     private static Vec3[] Thinned(List<Vec3> line, double tolerance, bool closed)
     {
-        const int Longest = 64;
-        var kept = new List<Vec3> { line[0] };
-        var anchor = 0;
-        for (var i = 2; i < line.Count; i++)
-        {
-            if (i - anchor <= Longest && Within(line, anchor, i, tolerance)) continue;
-            anchor = i - 1;
-            kept.Add(line[anchor]);
-        }
+        var kept = LineThinner.Thin(line, tolerance);
         if (line.Count > 1) kept.Add(line[line.Count - 1]);
         if (closed && kept.Count < 3) kept = line;
         return kept.ToArray();
-    }
-
-    private static bool Within(List<Vec3> line, int from, int to, double tolerance)
-    {
-        Vec3 a = line[from], chord = line[to] - a;
-        var square = chord.LengthSquared;
-        if (square == 0) return false;
-        for (var k = from + 1; k < to; k++)
-        {
-            var p = line[k] - a;
-            var along = Vec3.Dot(p, chord);
-            var off = p.X * chord.Y - p.Y * chord.X;
-            if (along < 0 || along > square || off * off > tolerance * tolerance * square) return false;
-        }
-        return true;
     }
 }

@@ -51,7 +51,8 @@ public sealed partial class Deposit
     }
 
     /// <summary>
-    /// A cell more than <paramref name="tolerance"/> above the bottom of a box that is moved from a to b with its origin; the number of a strand there, or −1.
+    /// A cell more than <paramref name="tolerance"/> above the bottom of a box that is moved from a to b with its origin; the number of a strand
+    /// there, or −1.
     /// </summary>
     internal bool MeetsBox(Vec3 a, Vec3 b, double tolerance, Bounds box, out int tag)
     {

@@ -92,31 +92,9 @@ internal sealed class LevelCurves
 
     private static Vec3[] Thinned(List<Vec3> line, double tolerance)
     {
-        const int Longest = 64;
-        var kept = new List<Vec3> { line[0] };
-        var anchor = 0;
-        for (var i = 2; i < line.Count; i++)
-        {
-            if (i - anchor <= Longest && Within(line, anchor, i, tolerance)) continue;
-            anchor = i - 1;
-            kept.Add(line[anchor]);
-        }
+        var kept = LineThinner.Thin(line, tolerance);
         // Closed ones end at their first point.
         if (line[line.Count - 1].DistanceTo(line[0]) > 1e-9) kept.Add(line[line.Count - 1]);
         return kept.ToArray();
-    }
-
-    private static bool Within(List<Vec3> line, int from, int to, double tolerance)
-    {
-        var chord = line[to] - line[from];
-        var square = chord.LengthSquared;
-        if (square == 0) return false;
-        for (var k = from + 1; k < to; k++)
-        {
-            var p = line[k] - line[from];
-            var along = Vec3.Dot(p, chord) / square;
-            if (along < 0 || along > 1 || (p - chord * along).LengthSquared > tolerance * tolerance) return false;
-        }
-        return true;
     }
 }
