@@ -42,7 +42,10 @@ internal sealed class GeneralOptions
         if (plain.EndsWith('%'))
         {
             if (NumberReader.TryParse(plain[..^1].Trim(), out var percent)
-                && percent is > 0 and <= 100) bytes = 2.0 * MemoryLimit.Default.Bytes * percent / 100;
+                && percent is > 0 and <= 100)
+            {
+                bytes = 2.0 * MemoryLimit.Default.Bytes * percent / 100;
+            }
         }
         else if (Units.FirstOrDefault(u => plain.EndsWith(u.Name, System.StringComparison.OrdinalIgnoreCase)) is { Name: not null } unit
             && NumberReader.TryParse(plain[..^2].Trim(), out var count))

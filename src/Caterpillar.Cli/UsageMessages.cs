@@ -53,9 +53,10 @@ internal static partial class UsageMessages
             return $"{wrong.Groups["option"].Value} needs {what}, not \"{wrong.Groups["value"].Value}\".";
         }
         if (WrongWord().Match(message) is { Success: true } word) return NoneOf(word.Groups["value"].Value, word.Groups["choices"].Value);
-        if (MissingValue().Match(message) is { Success: true } missing) return $"{missing.Groups["name"].Value} needs "
-            + $"{(missing.Groups["kind"].Value == "command"
-            ? "a file." : "a value.")}";
+        if (MissingValue().Match(message) is { Success: true } missing)
+        {
+            return $"{missing.Groups["name"].Value} needs {(missing.Groups["kind"].Value == "command" ? "a file." : "a value.")}";
+        }
         return message == "Required command was not provided." ? "Say what to do: a verb is missing." : message;
     }
 

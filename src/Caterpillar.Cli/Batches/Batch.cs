@@ -126,7 +126,10 @@ internal sealed class Batch
     private void WriteSummary()
     {
         if (SummaryFile is not { } file
-            || (file == "-" && _outcomes.Any(o => o.Status == BatchStatus.NotStarted) && !_session.Cancel.IsCancellationRequested)) return;
+            || (file == "-" && _outcomes.Any(o => o.Status == BatchStatus.NotStarted) && !_session.Cancel.IsCancellationRequested))
+        {
+            return;
+        }
         BatchOutcome[] now;
         lock (_turn) now = [.. _outcomes];
         _summary.Write(_session, file, now);

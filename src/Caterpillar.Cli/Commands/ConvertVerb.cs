@@ -220,7 +220,10 @@ internal sealed class ConvertVerb : Verb
         for (var i = 0; i < parts.Length; i++)
         {
             if (!NumberReader.TryParseInt(parts[i].Trim(), out var count)
-                || count is < 0 or > 9) throw new CliException(ExitCode.Usage, "--decimals needs whole numbers from 0 to 9, such as 3,5,0.");
+                || count is < 0 or > 9)
+            {
+                throw new CliException(ExitCode.Usage, "--decimals needs whole numbers from 0 to 9, such as 3,5,0.");
+            }
             decimals[i] = count;
         }
         return decimals;

@@ -88,7 +88,10 @@ internal sealed class CurvedOptionValues
     {
         var (surfaces, field) = (arguments.GetValue(_surface) ?? [], arguments.GetValue(_field));
         if (arguments.GetValue(_deform) is not null
-            && (surfaces.Length > 0 || field is not null)) throw Usage("--deform and --surface or --field exclude each other.");
+            && (surfaces.Length > 0 || field is not null))
+        {
+            throw Usage("--deform and --surface or --field exclude each other.");
+        }
         var kind = field ?? "vertical";
         var ends = IsBetweenEnds(kind, surfaces);
         if (_boundaries.IsGiven(arguments) && !ends) throw Usage("--from and --to go with --field harmonic or geodesic.");
@@ -192,7 +195,10 @@ internal sealed class CurvedOptionValues
         if (text.LastIndexOf(':') is > 1 and var colon && IsPicture(text[..colon]))
         {
             if (Numbers.List(text[(colon + 1)..], "--surface") is not [var low, var high]
-                || !(high >= low)) throw Usage("A height map needs FILE:LOW,HIGH in mm.");
+                || !(high >= low))
+            {
+                throw Usage("A height map needs FILE:LOW,HIGH in mm.");
+            }
             var picture = session.ValueOrFail(ImageReader.Read(session.ReadBytes(text[..colon]), text[..colon]));
             var bounds = Bounds.Of(models.SelectMany(m => new[] { m.Mesh.Bounds.Min, m.Mesh.Bounds.Max }));
             return PlanSurface.HeightMap(picture, new Bounds(bounds.Min.WithZ(low + shift.Z), bounds.Max.WithZ(high + shift.Z)));

@@ -92,8 +92,10 @@ internal sealed class DecodeVerb : Verb
             else if (json) text.Write("[\n " + string.Join(",\n ", decoded.Select(d => d.Report.ToJson(" "))) + "\n]\n");
             else if (!arguments.GetValue(_csv)) Summaries(text, decoded, stats);
         });
-        if (arguments.GetValue(_csv)) session.Write("-",
-            stream => MoveTable.Write(stream, decoded.Select(d => (d.File, d.DecodedGCode.Toolpath)).ToArray(), session.Cancel));
+        if (arguments.GetValue(_csv))
+        {
+            session.Write("-", stream => MoveTable.Write(stream, decoded.Select(d => (d.File, d.DecodedGCode.Toolpath)).ToArray(), session.Cancel));
+        }
         return ExitCode.Done;
     }
 

@@ -110,7 +110,10 @@ internal sealed class PictureVerb : Verb
         if (text == "front") return View.Front;
         var parts = text.Split(',');
         if (parts.Length == 2 && Basics.NumberReader.TryParse(parts[0].Trim(), out var azimuth)
-            && Basics.NumberReader.TryParse(parts[1].Trim(), out var elevation)) return new View(azimuth, elevation);
+            && Basics.NumberReader.TryParse(parts[1].Trim(), out var elevation))
+        {
+            return new View(azimuth, elevation);
+        }
         throw new CliException(ExitCode.Usage, $"--view {text}: expected top, front, or azimuth,elevation in degrees.");
     }
 }

@@ -29,8 +29,10 @@ internal static class PrinterImport
                 $"The header heats to {Number(imported.Material.NozzleTemperature)} °C and the bed to {Number(imported.Material.BedTemperature)} °C; "
                     + $"--material-output writes a material with these.");
         }
-        if (imported.Start is { } start) session.Messages.WriteLine($"The header leaves the nozzle at X {Number(start.X)}, Y {Number(start.Y)}, Z "
-            + $"{Number(start.Z)} mm.");
+        if (imported.Start is { } start)
+        {
+            session.Messages.WriteLine($"The header leaves the nozzle at X {Number(start.X)}, Y {Number(start.Y)}, Z {Number(start.Z)} mm.");
+        }
     }
 
     private static string Text(string file, Session session) => Encoding.UTF8.GetString(session.ReadBytes(file));

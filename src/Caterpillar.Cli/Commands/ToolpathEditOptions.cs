@@ -79,8 +79,10 @@ internal sealed class ToolpathEditOptions
         foreach (var text in arguments.GetValue(_tools) ?? [])
         {
             var (layer, tool) = Numbers.Pair(text, "--tool-at-layer");
-            if (Numbers.Whole(tool) is not (>= 0 and < 100 and var number)) throw new CliException(ExitCode.Usage,
-                $"--tool-at-layer: \"{tool}\" is not the number of a tool.");
+            if (Numbers.Whole(tool) is not (>= 0 and < 100 and var number))
+            {
+                throw new CliException(ExitCode.Usage, $"--tool-at-layer: \"{tool}\" is not the number of a tool.");
+            }
             toolpath = AtLayer(toolpath, layer, new ToolEvent(number));
         }
         foreach (var text in arguments.GetValue(_lines) ?? [])
@@ -147,9 +149,11 @@ internal sealed class ToolpathEditOptions
         var foot = Foot(toolpath, strands);
         var map = Affine.Move(-foot);
         if (scale is { } s) map = map.Then(Affine.Scale(s.X, s.Y, s.Z));
-        if (turn is { } degrees) map =
-            map.Then(Affine.Rotate(Vec3.UnitZ, double.IsFinite(degrees) ? degrees
-            : throw new CliException(ExitCode.Usage, "--turn needs an angle in degrees.")));
+        if (turn is { } degrees)
+        {
+            map = map.Then(Affine.Rotate(Vec3.UnitZ,
+                double.IsFinite(degrees) ? degrees : throw new CliException(ExitCode.Usage, "--turn needs an angle in degrees.")));
+        }
         return map.Then(Affine.Move(foot + (move ?? Vec3.Zero)));
     }
 

@@ -111,8 +111,10 @@ internal sealed class TurtleVerb : Verb
         foreach (var text in values)
         {
             var cut = text.IndexOf('=');
-            if (cut < 1 || !NumberReader.TryParse(text[(cut + 1)..].Trim(), out var value)) throw new CliException(ExitCode.Usage,
-                $"--var {text}: expected NAME=VALUE with a number.");
+            if (cut < 1 || !NumberReader.TryParse(text[(cut + 1)..].Trim(), out var value))
+            {
+                throw new CliException(ExitCode.Usage, $"--var {text}: expected NAME=VALUE with a number.");
+            }
             if (!variables.TryAdd(text[..cut].Trim(), value)) throw new CliException(ExitCode.Usage, $"--var {text}: this name already has a value.");
         }
         return variables;

@@ -142,8 +142,10 @@ internal sealed class CsvCurves
             var setting = column - CurveColumn.Area;
             if (setting is >= 0 and < CurveColumns.Settings) _values[setting] = [];
         }
-        if (!(seen[(int)CurveColumn.X] && seen[(int)CurveColumn.Y])) Fail("curves.csv", "The first line must name the columns x and y, or hold numbers.",
-            _starts[0]);
+        if (!(seen[(int)CurveColumn.X] && seen[(int)CurveColumn.Y]))
+        {
+            Fail("curves.csv", "The first line must name the columns x and y, or hold numbers.", _starts[0]);
+        }
         return false;
     }
 
@@ -168,10 +170,15 @@ internal sealed class CsvCurves
             if (column is CurveColumn.Key or CurveColumn.Ignored) continue;
             if (!TryNumber(i, out var value, out var percent)) return Fail("curves.number", $"\"{Short(Cell(i))}\" is not a number.", _starts[i]);
             if (double.IsNaN(value - value)) return Fail("curves.not_finite", "Values must be finite.", _starts[i]);
-            if (percent && !Resolve(column, ref value)) return Fail("curves.percent",
-                "A percentage is not possible here, or there is no value it refers to.", _starts[i]);
+            if (percent && !Resolve(column, ref value))
+            {
+                return Fail("curves.percent", "A percentage is not possible here, or there is no value it refers to.", _starts[i]);
+            }
             if (column > CurveColumn.Z && value < 0
-                && column != CurveColumn.Layer) return Fail("curves.bead", "Settings of a strand must be 0 or more.", _starts[i]);
+                && column != CurveColumn.Layer)
+            {
+                return Fail("curves.bead", "Settings of a strand must be 0 or more.", _starts[i]);
+            }
             switch (column)
             {
                 case CurveColumn.X:
@@ -326,7 +333,10 @@ internal sealed class CsvCurves
         value = 0;
         var comma = Array.IndexOf(_bytes, (byte)',', start, end - start);
         if (comma < 0 || Array.IndexOf(_bytes, (byte)',', comma + 1, end - comma - 1) >= 0
-            || Array.IndexOf(_bytes, (byte)'.', start, end - start) >= 0) return false;
+            || Array.IndexOf(_bytes, (byte)'.', start, end - start) >= 0)
+        {
+            return false;
+        }
         var copy = new byte[end - start];
         Array.Copy(_bytes, start, copy, 0, copy.Length);
         copy[comma - start] = (byte)'.';

@@ -51,8 +51,10 @@ public static class CurveReader
                 CsvCurves.Read(source);
                 break;
         }
-        if (!diagnostics.HasErrors && source.Curves.Count == 0) diagnostics.Add(Severity.Error, "curves.empty", "There are no curves in the file.",
-            new SourceLocation(name));
+        if (!diagnostics.HasErrors && source.Curves.Count == 0)
+        {
+            diagnostics.Add(Severity.Error, "curves.empty", "There are no curves in the file.", new SourceLocation(name));
+        }
         progress?.Report(1);
         return new Result<IReadOnlyList<UserCurve>>(diagnostics.HasErrors ? null : source.Curves, diagnostics.ToList());
     }

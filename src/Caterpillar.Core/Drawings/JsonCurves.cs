@@ -50,8 +50,10 @@ internal sealed class JsonCurves
             root = JToken.Load(reader, new JsonLoadSettings { LineInfoHandling = LineInfoHandling.Load });
             while (reader.Read())
             {
-                if (reader.TokenType != JsonToken.Comment) throw new JsonReaderException("There is more after the end of the data.", "", reader.LineNumber,
-                    reader.LinePosition, null);
+                if (reader.TokenType != JsonToken.Comment)
+                {
+                    throw new JsonReaderException("There is more after the end of the data.", "", reader.LineNumber, reader.LinePosition, null);
+                }
             }
         }
         catch (JsonReaderException e)
@@ -248,8 +250,11 @@ internal sealed class JsonCurves
             var column = c;
             var given = rows.Count(r => r[column] is not null);
             if (given == 0) continue;
-            if (given < rows.Length) return Fail<Curve>("curves.json", $"Either all points of a curve have \"{Settings[c]}\" or none.",
-                list[Array.FindIndex(rows, r => r[column] is null)]);
+            if (given < rows.Length)
+            {
+                return Fail<Curve>("curves.json", $"Either all points of a curve have \"{Settings[c]}\" or none.",
+                    list[Array.FindIndex(rows, r => r[column] is null)]);
+            }
             values[c] = rows.Take(rows.Length - (endDropped ? 1 : 0)).Select(r => r[column]!.Value).ToArray();
         }
         return curve;

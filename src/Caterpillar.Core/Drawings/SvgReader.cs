@@ -194,8 +194,10 @@ internal sealed partial class SvgReader
         if (_xml.GetAttribute("viewBox") is { } text)
         {
             box = SvgValues.Numbers(text);
-            if (box is not { Length: 4 } || !(box[2] > 0 && box[3] > 0)) return FailValue<Affine>("viewBox",
-                "A viewBox needs four numbers, the last two positive.");
+            if (box is not { Length: 4 } || !(box[2] > 0 && box[3] > 0))
+            {
+                return FailValue<Affine>("viewBox", "A viewBox needs four numbers, the last two positive.");
+            }
         }
         var ownWidth = Extent("width", box is null ? (isRoot ? 0 : width) : box[2], width, isRoot, out var badWidth);
         var ownHeight = Extent("height", box is null ? (isRoot ? 0 : height) : box[3], height, isRoot, out var badHeight);
@@ -230,8 +232,10 @@ internal sealed partial class SvgReader
     private Affine ToMm()
     {
         const double S = 1 / SvgValues.PixelsPerMm;
-        if (_pageHeight == 0) _source.Diagnostics.Add(Severity.Remark, "curves.svg_page",
-            "The file states no page height: curves lie below the X axis as drawn.", Here());
+        if (_pageHeight == 0)
+        {
+            _source.Diagnostics.Add(Severity.Remark, "curves.svg_page", "The file states no page height: curves lie below the X axis as drawn.", Here());
+        }
         return new Affine(new Vec3(S, 0), new Vec3(0, -S), Vec3.UnitZ, new Vec3(0, _pageHeight * S));
     }
 
@@ -243,8 +247,10 @@ internal sealed partial class SvgReader
         for (var i = 0; i < names.Length; i++)
         {
             if (_xml.GetAttribute(names[i]) is not { } text) continue;
-            if (Value(text, references[i]) is not (>= 0 and var value)) return Fail<UserCurveSettings>(names[i],
-                "Settings of a strand must be numbers of 0 or more, or percentages of something known.");
+            if (Value(text, references[i]) is not (>= 0 and var value))
+            {
+                return Fail<UserCurveSettings>(names[i], "Settings of a strand must be numbers of 0 or more, or percentages of something known.");
+            }
             values[i] = value;
         }
         var (z, tool, layer) = (outer.Z, outer.Tool, outer.Layer);
@@ -256,7 +262,10 @@ internal sealed partial class SvgReader
         if (_xml.GetAttribute("data-tool") is { } toolText)
         {
             if (!NumberReader.TryParseInt(toolText.Trim(), out tool)
-                || tool is < 0 or > 1000) return Fail<UserCurveSettings>("data-tool", "A tool must be a number from 0 to 1000.");
+                || tool is < 0 or > 1000)
+            {
+                return Fail<UserCurveSettings>("data-tool", "A tool must be a number from 0 to 1000.");
+            }
         }
         if (_xml.GetAttribute("data-layer") is { } layerText)
         {

@@ -42,7 +42,10 @@ internal static class SvgShapes
     public static IReadOnlyList<Curve>? Rectangle(Func<string, double?> length, bool hasRx, bool hasRy)
     {
         if (length("x") is not { } x || length("y") is not { } y || length("width") is not { } w || length("height") is not { } h || w < 0
-            || h < 0) return null;
+            || h < 0)
+        {
+            return null;
+        }
         if (w == 0 || h == 0) return [];
         var rx = hasRx ? length("rx") : hasRy ? length("ry") : 0;
         var ry = hasRy ? length("ry") : hasRx ? length("rx") : 0;

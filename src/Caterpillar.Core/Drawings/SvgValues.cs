@@ -64,7 +64,10 @@ internal static class SvgValues
             var open = text.IndexOf('(', at);
             var close = open < 0 ? -1 : text.IndexOf(')', open);
             if (close < 0 || Numbers(text.Substring(open + 1, close - open - 1)) is not { } n
-                || One(text.Substring(at, open - at).Trim(), n) is not { } next) return null;
+                || One(text.Substring(at, open - at).Trim(), n) is not { } next)
+            {
+                return null;
+            }
             map = next.Then(map);
             at = close + 1;
         }

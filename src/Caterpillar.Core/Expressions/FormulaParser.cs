@@ -179,16 +179,20 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
         // A variable hides a function or constant of the same name.
         if (scope.Variable(name.Text, name) is { } variable)
         {
-            if (Next.Is("(") && !Next.SpaceBefore) throw new FormulaException("formula.unknown", $"'{name.Text}' is a variable, not a function.", name.Line,
-                name.Column);
+            if (Next.Is("(") && !Next.SpaceBefore)
+            {
+                throw new FormulaException("formula.unknown", $"'{name.Text}' is a variable, not a function.", name.Line, name.Column);
+            }
             return variable;
         }
         if (Next.Is("(") && (FormulaFunctions.Knows(name.Text) || scope.Functions.Contains(name.Text))) return Call(name);
         if (name.Text == "pi") return new FormulaNode(System.Math.PI);
         if (name.Text == "tau") return new FormulaNode(2 * System.Math.PI);
         if (FormulaFunctions.Knows(name.Text)) throw new FormulaException("formula.syntax", $"The function '{name.Text}' needs '('.", name.Line, name.Column);
-        if (scope.IsArray(name.Text)) throw new FormulaException("formula.syntax", $"'{name.Text}' is an array; use {name.Text}[index].", name.Line,
-            name.Column);
+        if (scope.IsArray(name.Text))
+        {
+            throw new FormulaException("formula.syntax", $"'{name.Text}' is an array; use {name.Text}[index].", name.Line, name.Column);
+        }
         var function = Next.Is("(") && !Next.SpaceBefore;
         var known = function ? scope.Functions.Concat(FormulaFunctions.Names) : scope.Names.Concat(["pi", "tau"]).Concat(FormulaFunctions.Names);
         throw new FormulaException("formula.unknown",

@@ -37,7 +37,10 @@ internal static class FileLinks
     {
         if (!IsUnix || !File.Exists(file)) return null;
         if (file.StartsWith("/dev/", StringComparison.Ordinal) || file.StartsWith("/proc/", StringComparison.Ordinal)
-            || (File.GetAttributes(file) & FileAttributes.Device) != 0) return Open(file);
+            || (File.GetAttributes(file) & FileAttributes.Device) != 0)
+        {
+            return Open(file);
+        }
         if (new FileInfo(file).Length > 0) return null;
         FileStream stream;
         try

@@ -76,8 +76,10 @@ public sealed class GzipReader : ReadStream
                 if (_total > Limit(_input.Taken)) throw new InvalidDataException(TooLarge);
                 return read;
             }
-            if (!_input.SkipTrailer(_sum, _length)) throw new InvalidDataException(_input.RanDry ? CutOff
-                : "It is damaged or cut off: the checksum at its end is missing or wrong.");
+            if (!_input.SkipTrailer(_sum, _length))
+            {
+                throw new InvalidDataException(_input.RanDry ? CutOff : "It is damaged or cut off: the checksum at its end is missing or wrong.");
+            }
             _member!.Dispose();
             _member = null;
         }

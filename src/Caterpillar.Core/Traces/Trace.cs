@@ -239,8 +239,10 @@ public sealed class Trace
     private Trace Turns(double turns, int stringsPerTurn, Func<double, Vec3> at, FlowRamp? ramp = null)
     {
         if (stringsPerTurn < 3) throw new ArgumentOutOfRangeException(nameof(stringsPerTurn), "A turn needs at least three strings.");
-        if (turns * stringsPerTurn > 100_000_000) throw new ArgumentOutOfRangeException(nameof(turns),
-            "More than 100 million strings: the pitch is too small.");
+        if (turns * stringsPerTurn > 100_000_000)
+        {
+            throw new ArgumentOutOfRangeException(nameof(turns), "More than 100 million strings: the pitch is too small.");
+        }
         Reach(at(0));
         // A last string as short as rounding errors is dropped.
         var whole = (int)Math.Floor(turns * stringsPerTurn + 1e-9);

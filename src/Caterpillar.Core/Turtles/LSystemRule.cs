@@ -106,8 +106,10 @@ internal sealed class LSystemRule
         {
             var symbol = text[i];
             if (letters.Count > 0 && symbol is '<' or '>' or ':') return i;
-            if (letters.Count > 0 && symbol is '[' or ']') throw new FormulaException("lsystem.rule", "A context has no brackets: it follows the branch.",
-                line, i + 1);
+            if (letters.Count > 0 && symbol is '[' or ']')
+            {
+                throw new FormulaException("lsystem.rule", "A context has no brackets: it follows the branch.", line, i + 1);
+            }
             var names = System.Array.Empty<string>();
             if (++i < end && text[i] == '(')
             {

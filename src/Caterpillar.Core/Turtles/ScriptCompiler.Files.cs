@@ -66,8 +66,10 @@ internal sealed partial class ScriptCompiler
             values.AddRange(template.Values);
             for (var i = 1; i < template.Texts.Count; i++) texts.Add(template.Texts[i]);
         }
-        if (!EndsStatement(Next) && Next.Kind != TokenKind.Name) throw Error("turtle.values", $"Found {Next}, expected a text, a value or the end of the line.",
-            Next);
+        if (!EndsStatement(Next) && Next.Kind != TokenKind.Name)
+        {
+            throw Error("turtle.values", $"Found {Next}, expected a text, a value or the end of the line.", Next);
+        }
         if (first && !EndsStatement(Next) && !BeginsStatement(Next)) Value("print", "print \"text\" value …");
         Emit(new Instruction(ScriptOp.Print, token) { Text = new TextTemplate(texts, values) });
     }

@@ -62,9 +62,10 @@ internal sealed partial class ScriptCompiler
     {
         var name = _tokens[at];
         NewName(name, "procedure");
-        if (TurtleCommands.Find(name.Text) is not null) throw Error("turtle.name",
-            $"'{name.Text}' is already a command; choose another name for the procedure.",
-            name);
+        if (TurtleCommands.Find(name.Text) is not null)
+        {
+            throw Error("turtle.name", $"'{name.Text}' is already a command; choose another name for the procedure.", name);
+        }
         if (_procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"The procedure '{name.Text}' is defined twice.", name);
         var parameters = new List<string>();
         for (var i = at + 1; _tokens[i].Kind == TokenKind.Name || _tokens[i].Is(","); i++)

@@ -63,8 +63,11 @@ internal sealed partial class ScriptCompiler
             if (Next.Is("[")) break;
             var name = Next;
             var known = name.Text == "θ" ? "theta" : name.Text;
-            if (name.Kind != TokenKind.Name || !names.Contains(known)) throw Error("turtle.values",
-                $"Found {name}, expected '[' or one of {string.Join(", ", names)}.{SpellingSuggestion.Hint(name.Text, names)}", name);
+            if (name.Kind != TokenKind.Name || !names.Contains(known))
+            {
+                throw Error("turtle.values", $"Found {name}, expected '[' or one of {string.Join(", ", names)}.{SpellingSuggestion.Hint(name.Text, names)}",
+                    name);
+            }
             _at++;
             if (!Next.Is("=")) throw Error("turtle.syntax", $"Found {Next}, expected '=': {name.Text} = ….", Next);
             _at++;

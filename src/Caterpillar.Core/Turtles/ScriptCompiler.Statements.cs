@@ -46,8 +46,10 @@ internal sealed partial class ScriptCompiler
     private void Loop(Token token, Instruction start, Instruction next, int variable = -1)
     {
         var body = _code.Count;
-        if (variable >= 0) Emit(new Instruction(ScriptOp.Set, token) { Slot = variable, Local = start.Local,
-            Arguments = [new Argument(LoopValue(start), token)] });
+        if (variable >= 0)
+        {
+            Emit(new Instruction(ScriptOp.Set, token) { Slot = variable, Local = start.Local, Arguments = [new Argument(LoopValue(start), token)] });
+        }
         _breaks.Push(new Leaving(_shapings.Count));
         Block();
         next.Target = body;
@@ -172,7 +174,10 @@ internal sealed partial class ScriptCompiler
     {
         var name = Next;
         if (name.Kind != TokenKind.Name
-            || _scope.InProcedure) throw Error("turtle.syntax", "'param' needs a name and must be outside of procedures: param side = 10.", name);
+            || _scope.InProcedure)
+        {
+            throw Error("turtle.syntax", "'param' needs a name and must be outside of procedures: param side = 10.", name);
+        }
         _at++;
         if (!Next.Is("=")) throw Error("turtle.syntax", $"Found {Next}, expected '=': param {name.Text} = 10.", Next);
         _at++;

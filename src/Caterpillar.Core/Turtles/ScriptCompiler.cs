@@ -61,7 +61,10 @@ internal sealed partial class ScriptCompiler
     private static void NewName(Token name, string kind)
     {
         if (Keywords.Contains(name.Text)
-            || ScriptScope.IsState(name.Text)) throw Error("turtle.name", $"'{name.Text}' is a reserved name; choose another name for the {kind}.", name);
+            || ScriptScope.IsState(name.Text))
+        {
+            throw Error("turtle.name", $"'{name.Text}' is a reserved name; choose another name for the {kind}.", name);
+        }
     }
 
     private void Statements(Token? end)
@@ -130,8 +133,10 @@ internal sealed partial class ScriptCompiler
 
     private FormulaException Unknown(Token token)
     {
-        if (_scope.Variable(token.Text, token) is not null) return Error("turtle.syntax",
-            $"'{token.Text}' is a variable; expected a command or '{token.Text} = …'.", token);
+        if (_scope.Variable(token.Text, token) is not null)
+        {
+            return Error("turtle.syntax", $"'{token.Text}' is a variable; expected a command or '{token.Text} = …'.", token);
+        }
         var names = _procedures.Keys.Concat(TurtleCommands.Names)
             .Concat(Keywords.Where(k => k is not ("to" or "step" or "else" or "keep" or "and" or "or" or "not")));
         return Error("turtle.unknown", $"There is no command '{token.Text}'.{SpellingSuggestion.Hint(token.Text, names)}", token);

@@ -42,8 +42,10 @@ internal sealed partial class ScriptMachine
         for (var i = 0; i < given.Length; i++)
         {
             given[i] = arguments[i](_context);
-            if (double.IsNaN(given[i] - given[i])) throw new FormulaException("turtle.not_finite", $"A value for '{at.Text}' is not finite.", at.Line,
-                at.Column);
+            if (double.IsNaN(given[i] - given[i]))
+            {
+                throw new FormulaException("turtle.not_finite", $"A value for '{at.Text}' is not finite.", at.Line, at.Column);
+            }
         }
         var current = _current;
         Enter(procedure, at.Line, at.Column, ToFormula, given);
@@ -66,8 +68,11 @@ internal sealed partial class ScriptMachine
 
     private void Enter(Procedure procedure, int line, int column, int back, double[] given)
     {
-        if (_frames.Count >= _limits.MaxDepth) throw new FormulaException("turtle.recursion",
-            $"Procedures call each other {Text(_limits.MaxDepth)} levels deep. Does a recursion never end?", line, column);
+        if (_frames.Count >= _limits.MaxDepth)
+        {
+            throw new FormulaException("turtle.recursion", $"Procedures call each other {Text(_limits.MaxDepth)} levels deep. Does a recursion never end?",
+                line, column);
+        }
         var start = _context.Base + _frameSize;
         _frames.Add(new CallFrame(back, _context.Base, _frameSize, _words.Count));
         var values = _context.Values;

@@ -20,8 +20,11 @@ internal sealed partial class ScriptMachine
     public IEnumerable<Diagnostic> Prints()
     {
         foreach (var line in _prints) yield return line;
-        if (_unprinted > 0) yield return new Diagnostic(Severity.Remark, "turtle.print_limit",
-            $"{Text(_unprinted)} more lines are not shown: a program prints up to {Text(MaxPrints)}.");
+        if (_unprinted > 0)
+        {
+            yield return new Diagnostic(Severity.Remark, "turtle.print_limit",
+                $"{Text(_unprinted)} more lines are not shown: a program prints up to {Text(MaxPrints)}.");
+        }
     }
 
     private void Print(Instruction at)

@@ -166,16 +166,21 @@ internal sealed partial class ScriptMachine
     private void Look()
     {
         _cancel.ThrowIfCancellationRequested();
-        if (_steps > _limits.MaxSteps) throw Error(_current, "turtle.endless",
-            $"The program was stopped after {Text(_limits.MaxSteps)} steps. Does a loop never end?");
+        if (_steps > _limits.MaxSteps)
+        {
+            throw Error(_current, "turtle.endless", $"The program was stopped after {Text(_limits.MaxSteps)} steps. Does a loop never end?");
+        }
         Weigh();
         _pulse = Math.Min(_steps + Pulse, Math.Min(_limits.MaxSteps, long.MaxValue - 1) + 1);
     }
 
     private void Weigh()
     {
-        if (Turtle.StackDepth > _limits.MaxStates) throw Error(_current, "turtle.too_many_states",
-            $"The program was stopped with {Text(_limits.MaxStates)} pushed states. Is there a push without a pop?");
+        if (Turtle.StackDepth > _limits.MaxStates)
+        {
+            throw Error(_current, "turtle.too_many_states",
+                $"The program was stopped with {Text(_limits.MaxStates)} pushed states. Is there a push without a pop?");
+        }
         if (_limits.Memory.Refuse(Bytes, "What the program has drawn and stored") is { } refusal) throw Error(_current, refusal.Code, refusal.Message);
     }
 

@@ -171,9 +171,12 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
         if (procedure is { ReturnsValue: false })
             throw new FormulaException("turtle.no_result", $"The procedure '{name.Text}' returns no value.", name.Line, name.Column);
         var count = procedure?.Parameters.Count ?? 2;
-        if (arguments.Count != count) throw new FormulaException("formula.arguments",
-            $"'{name.Text}' takes {NumberFormatter.Format(count)} {(count == 1 ? "value" : "values")}, not {NumberFormatter.Format(arguments.Count)}.",
-            name.Line, name.Column);
+        if (arguments.Count != count)
+        {
+            throw new FormulaException("formula.arguments",
+                $"'{name.Text}' takes {NumberFormatter.Format(count)} {(count == 1 ? "value" : "values")}, not {NumberFormatter.Format(arguments.Count)}.",
+                    name.Line, name.Column);
+        }
         var values = arguments.ConvertAll(a => a.Evaluate).ToArray();
         var depth = arguments.Select(a => a.Depth).DefaultIfEmpty(0).Max() + 1;
         CallsFunctions |= procedure is not null;

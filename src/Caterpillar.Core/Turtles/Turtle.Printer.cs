@@ -162,7 +162,10 @@ public sealed partial class Turtle
     public Turtle Layer(int index, double thickness = 0, string name = "")
     {
         if (index < 0 || !(thickness >= 0)
-            || double.IsInfinity(thickness)) throw new ArgumentOutOfRangeException(nameof(index), "A layer needs a number and a thickness of 0 or more.");
+            || double.IsInfinity(thickness))
+        {
+            throw new ArgumentOutOfRangeException(nameof(index), "A layer needs a number and a thickness of 0 or more.");
+        }
         return Tag(_state.Tags with { Layer = new Layer(index, Z, thickness, name) });
     }
 

@@ -19,8 +19,11 @@ public sealed partial class Turtle
     public Turtle Arc(double radius, double angle, double climb = 0, int segments = 0)
     {
         if (!(radius >= 0) || double.IsInfinity(radius)) throw new ArgumentOutOfRangeException(nameof(radius), "A radius must be 0 mm or more.");
-        if (segments is < 0 or > 1_000_000) throw new ArgumentOutOfRangeException(nameof(segments),
-            $"The number of segments must be 1 to a million, or 0 for as many as it takes, not {NumberFormatter.Format(segments)}.");
+        if (segments is < 0 or > 1_000_000)
+        {
+            throw new ArgumentOutOfRangeException(nameof(segments),
+                $"The number of segments must be 1 to a million, or 0 for as many as it takes, not {NumberFormatter.Format(segments)}.");
+        }
         var sweep = Degrees(angle);
         if (double.IsNaN(sweep) || Math.Abs(sweep) > 3.6e6) throw new ArgumentOutOfRangeException(nameof(angle), "An arc can turn up to ten thousand times.");
         var start = Pose;

@@ -26,7 +26,10 @@ public sealed partial class Turtle
     {
         _options = options ?? new TurtleOptions();
         if (!(_options.ArcTolerance > 0)
-            || !_options.Start.Origin.IsFinite) throw new ArgumentException("A turtle needs an arc tolerance above 0 and a finite start.", nameof(options));
+            || !_options.Start.Origin.IsFinite)
+        {
+            throw new ArgumentException("A turtle needs an arc tolerance above 0 and a finite start.", nameof(options));
+        }
         _state = new TurtleState { Pose = _options.Start, PenDown = true, Tags = new PathTags(Role.Unspecified, null, 0, "", null) };
         AngleUnit = _options.AngleUnit;
         if (_options.KeepPoses) _poses = [_options.Start];

@@ -47,7 +47,10 @@ public sealed class TurtleCommand
         for (var i = 0; i < values.Length; i++)
         {
             if (double.IsInfinity(values[i])
-                || (double.IsNaN(values[i]) && !(info.MayKeep && i < 3))) throw new ArgumentException("A value is not finite.", nameof(values));
+                || (double.IsNaN(values[i]) && !(info.MayKeep && i < 3)))
+            {
+                throw new ArgumentException("A value is not finite.", nameof(values));
+            }
         }
         return new TurtleCommand(action, (double[])values.Clone(), text ?? "", []);
     }

@@ -38,7 +38,10 @@ public static class ImageReader
     {
         if (width < 1 || height < 1) throw new InvalidDataException("The image has no pixels.");
         if (width > MaxPixels || height > MaxPixels
-            || width * height > MaxPixels) throw new InvalidDataException("The image has more than 100 million pixels.");
+            || width * height > MaxPixels)
+        {
+            throw new InvalidDataException("The image has more than 100 million pixels.");
+        }
         return (int)(width * height);
     }
 

@@ -79,7 +79,10 @@ internal sealed class PngReader
         _interlaced = _file[28] == 1;
         var depths = _color switch { 0 => " 1 2 4 8 16 ", 3 => " 1 2 4 8 ", 2 or 4 or 6 => " 8 16 ", _ => "" };
         if (depths.IndexOf(" " + Basics.NumberFormatter.Format(_depth) + " ",
-            StringComparison.Ordinal) < 0) throw new InvalidDataException("The PNG has an unknown color type or depth.");
+            StringComparison.Ordinal) < 0)
+        {
+            throw new InvalidDataException("The PNG has an unknown color type or depth.");
+        }
     }
 
     private byte[] Unpack(MemoryStream packed)

@@ -71,7 +71,10 @@ internal sealed class MeatPackWriter
             var c = text[at];
             var letter = c is >= (byte)'A' and <= (byte)'Z';
             if (c == ' ' ? at + 1 == end || !IsWord(text[at + 1]) : letter ? text[at - 1] != ' '
-                : c is not (>= (byte)'0' and <= (byte)'9' or (byte)'.' or (byte)'-')) return false;
+                : c is not (>= (byte)'0' and <= (byte)'9' or (byte)'.' or (byte)'-'))
+            {
+                return false;
+            }
         }
         return true;
     }

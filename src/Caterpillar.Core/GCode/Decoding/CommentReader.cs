@@ -150,7 +150,10 @@ internal static class CommentReader
         {
             if (Is(text, at, end, " z=") && NumberReader.Scan(text, at + 3, end, false, out var z) > at + 3 && z is > -1e9 and < 1e9) meaning.Z = z;
             if (Is(text, at, end, "z_thickness=") && NumberReader.Scan(text, at + 12, end, false, out var h) > at + 12
-                && h is > 0 and < 1e9) meaning.Height = h;
+                && h is > 0 and < 1e9)
+            {
+                meaning.Height = h;
+            }
         }
         meaning.Number = 1;
         return meaning;

@@ -150,8 +150,10 @@ public static class GCodeDecoder
         axis = axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
         var problems = interpreter.Machine.Diagnostics.List;
-        if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched)) problems.Add(Severity.Warning, "gcode.no_extruder",
-            rules.Title + " has no extruder on " + given.Name + ": extrusion is left out.");
+        if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched))
+        {
+            problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + given.Name + ": extrusion is left out.");
+        }
         var lines = 0;
         var mark = false;
         var checkpoints = document is null ? null : new List<Checkpoint>(document.Chunks.Count);

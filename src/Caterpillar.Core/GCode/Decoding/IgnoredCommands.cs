@@ -46,8 +46,10 @@ internal sealed class IgnoredCommands(DialectRules rules, LineDiagnostics diagno
         foreach (var pair in _counts)
         {
             total += pair.Value;
-            if (shown++ < MaxShown) names.Append(names.Length > 0 ? ", " : "").Append(pair.Key).Append(" (").Append(NumberFormatter.Format(pair.Value))
-                .Append(')');
+            if (shown++ < MaxShown)
+            {
+                names.Append(names.Length > 0 ? ", " : "").Append(pair.Key).Append(" (").Append(NumberFormatter.Format(pair.Value)) .Append(')');
+            }
         }
         if (_counts.Count > MaxShown) names.Append(" and ").Append(NumberFormatter.Format(_counts.Count - MaxShown)).Append(" more");
         diagnostics.List.Add(Severity.Remark, "gcode.ignored", "Commands without effect on the toolpath: " + names + ".", count: total);

@@ -119,7 +119,10 @@ internal sealed class PlainMoves
             if (_edits && moves && endsRight && NeedsState(line, re, me, readSpeed, speed)) return false;
             if (!Axis(X, hasX, line.X, places, mx - to.ShiftX, to.X) || !Axis(Y, hasY, line.Y, places, my - to.ShiftY, to.Y)
                 || !Axis(Z, hasZ, line.Z, places, mz - to.ShiftZ, to.Z) || !Extruder(hasE, line.E, me, relative ? 0 : writtenE, carried)
-                || !Feed(hasF, line.F, places, speed)) return false;
+                || !Feed(hasF, line.F, places, speed))
+            {
+                return false;
+            }
             if (hasX) wx = _numbers[X].Value;
             if (hasY) wy = _numbers[Y].Value;
             if (hasZ) wz = _numbers[Z].Value;
@@ -171,7 +174,10 @@ internal sealed class PlainMoves
     private bool NeedsState(in LineRecord line, double re, double me, double readSpeed, double speed)
     {
         if (!_written.Modes.RelativeE && Math.Abs(re - me) <= NoChange && (line.Mask & ChunkParser.HasE) != 0
-            && Math.Abs(line.E - me - _written.Extrusion.E) > NoChange) return true;
+            && Math.Abs(line.E - me - _written.Extrusion.E) > NoChange)
+        {
+            return true;
+        }
         return Math.Abs(readSpeed - speed) <= 1e-9 * speed && speed > 0 && (line.Mask & ChunkParser.HasF) == 0
             && Math.Abs(speed - _written.Feed.Speed) > 1e-9 * speed;
     }

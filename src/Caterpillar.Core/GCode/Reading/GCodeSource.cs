@@ -110,8 +110,11 @@ internal sealed class GCodeSource : IDisposable
     {
         var notes = new List<Diagnostic>();
         if (_gzip is { HasTrailingBytes: true }) notes.Add(GzipReader.TrailingBytes("gcode.packed", ""));
-        if (_wide) notes.Add(new Diagnostic(Severity.Warning, "gcode.utf16",
-            "The file is UTF-16, which no firmware reads; it is taken as the same text with one byte a character."));
+        if (_wide)
+        {
+            notes.Add(new Diagnostic(Severity.Warning, "gcode.utf16",
+                "The file is UTF-16, which no firmware reads; it is taken as the same text with one byte a character."));
+        }
         return notes;
     }
 

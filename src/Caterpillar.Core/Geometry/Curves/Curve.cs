@@ -61,8 +61,10 @@ public abstract class Curve
     /// <exception cref="ArgumentOutOfRangeException">The parameters are not ascending or not in the domain.</exception>
     public Curve SubCurve(double from, double to)
     {
-        if (!(from >= DomainStart && to <= DomainEnd && from < to)) throw new ArgumentOutOfRangeException(nameof(from),
-            "The parameters must ascend within the domain.");
+        if (!(from >= DomainStart && to <= DomainEnd && from < to))
+        {
+            throw new ArgumentOutOfRangeException(nameof(from), "The parameters must ascend within the domain.");
+        }
         return from == DomainStart && to == DomainEnd ? this : Part(from, to);
     }
 

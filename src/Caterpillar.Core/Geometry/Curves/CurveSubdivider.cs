@@ -21,7 +21,10 @@ public static class CurveSubdivider
         options.Check();
         // "Straight" never allows more deviation than the chords.
         if (options.ChordTolerance > 0
-            && options.LinearTolerance > 0.5 * options.ChordTolerance) options = options with { LinearTolerance = 0.5 * options.ChordTolerance };
+            && options.LinearTolerance > 0.5 * options.ChordTolerance)
+        {
+            options = options with { LinearTolerance = 0.5 * options.ChordTolerance };
+        }
         var work = new Work(options, cancel);
         if (curve is PolylineCurve polyline) return work.Polyline(polyline);
         var spans = curve.Spans();
@@ -67,7 +70,10 @@ public static class CurveSubdivider
         {
             var source = curve.Polyline.Raw;
             if (curve.Polyline.IsClosed == curve.IsClosed
-                && KeepsAll(source, curve.IsClosed)) return new Subdivision(source, curve.IsClosed, AllLinear(curve.Polyline.SegmentCount), null);
+                && KeepsAll(source, curve.IsClosed))
+            {
+                return new Subdivision(source, curve.IsClosed, AllLinear(curve.Polyline.SegmentCount), null);
+            }
             var count = curve.Polyline.SegmentCount + 1;
             var points = new Vec3[count];
             var used = 0;

@@ -36,7 +36,10 @@ public sealed class NurbsCurve : Curve
         for (var i = 0; i < _knots.Length; i++)
         {
             if (double.IsNaN(_knots[i] - _knots[i])
-                || (i > 0 && _knots[i] < _knots[i - 1])) throw new ArgumentException("Knots must be finite and ascending.", nameof(knots));
+                || (i > 0 && _knots[i] < _knots[i - 1]))
+            {
+                throw new ArgumentException("Knots must be finite and ascending.", nameof(knots));
+            }
         }
         if (!(_knots[degree] < _knots[controls.Length])) throw new ArgumentException("The knots leave no domain.", nameof(knots));
         for (var i = degree + 1; i + degree < controls.Length; i++)

@@ -53,7 +53,10 @@ public sealed record SubdivisionOptions
             if (!(value >= 0) || double.IsInfinity(value)) throw new ArgumentException("The values of a subdivision must be 0 or more and finite.");
         }
         if (Distance == 0 && ChordTolerance == 0 && Angle == 0
-            && MaxLength == 0) throw new ArgumentException("A subdivision needs a distance, a tolerance, an angle or a maximum length.");
+            && MaxLength == 0)
+        {
+            throw new ArgumentException("A subdivision needs a distance, a tolerance, an angle or a maximum length.");
+        }
         if (MaxLength > 0 && MinLength > MaxLength) throw new ArgumentException("The minimum length of a segment is above the maximum.");
     }
 }

@@ -185,7 +185,10 @@ internal sealed class Arrangement
         {
             ref readonly var s = ref Segments[i];
             if ((s.Ax < box.MinX && s.Bx < box.MinX) || (s.Ax > box.MaxX && s.Bx > box.MaxX)
-                || (s.Ay < box.MinY && s.By < box.MinY) || (s.Ay > box.MaxY && s.By > box.MaxY)) continue;
+                || (s.Ay < box.MinY && s.By < box.MinY) || (s.Ay > box.MaxY && s.By > box.MaxY))
+            {
+                continue;
+            }
             for (var j = Tree.LeafStart[n]; j < end; j++) Test(i, j, Tree.LeafContour[m], Tree.LeafContour[n]);
         }
     }
@@ -195,7 +198,10 @@ internal sealed class Arrangement
         ref readonly var s = ref Segments[i];
         ref readonly var t = ref Segments[j];
         if (Math.Max(s.Ax, s.Bx) < Math.Min(t.Ax, t.Bx) || Math.Max(t.Ax, t.Bx) < Math.Min(s.Ax, s.Bx)
-            || Math.Max(s.Ay, s.By) < Math.Min(t.Ay, t.By) || Math.Max(t.Ay, t.By) < Math.Min(s.Ay, s.By)) return;
+            || Math.Max(s.Ay, s.By) < Math.Min(t.Ay, t.By) || Math.Max(t.Ay, t.By) < Math.Min(s.Ay, s.By))
+        {
+            return;
+        }
         if (!(_fresh[i] | _fresh[j])) return;
         bool aa = s.Ax == t.Ax && s.Ay == t.Ay, ab = s.Ax == t.Bx && s.Ay == t.By;
         bool ba = s.Bx == t.Ax && s.By == t.Ay, bb = s.Bx == t.Bx && s.By == t.By;

@@ -21,8 +21,10 @@ public static class ContourMeasure
             if (contour is null) throw new ArgumentException("A contour is missing.", nameof(contours));
             foreach (var p in contour.Raw)
             {
-                if (!(Math.Abs(p.X) <= 1e150 && Math.Abs(p.Y) <= 1e150)) throw new ArgumentException("Coordinates of contours must be finite numbers.",
-                    nameof(contours));
+                if (!(Math.Abs(p.X) <= 1e150 && Math.Abs(p.Y) <= 1e150))
+                {
+                    throw new ArgumentException("Coordinates of contours must be finite numbers.", nameof(contours));
+                }
                 bounds = bounds.Include(new Vec3(p.X, p.Y));
             }
         }

@@ -44,7 +44,10 @@ internal static class IslandFinder
         {
             if (areas[k] < -areas[hole] || (owner >= 0 && areas[k] >= areas[owner])) continue;
             if (boxes[k].MinX > boxes[hole].MinX || boxes[k].MaxX < boxes[hole].MaxX || boxes[k].MinY > boxes[hole].MinY
-                || boxes[k].MaxY < boxes[hole].MaxY) continue;
+                || boxes[k].MaxY < boxes[hole].MaxY)
+            {
+                continue;
+            }
             if (Inside(paths[k], paths[hole])) owner = k;
         }
         return owner;

@@ -161,7 +161,10 @@ internal sealed class LineClipper
         var tree = _index.Tree;
         ref readonly var box = ref tree.Boxes[tree.LevelStart[level] + node];
         if (Math.Max(ax, bx) < box.MinX - 1.0 || Math.Min(ax, bx) > box.MaxX + 1.0 || Math.Max(ay, by) < box.MinY - 1.0
-            || Math.Min(ay, by) > box.MaxY + 1.0) return;
+            || Math.Min(ay, by) > box.MaxY + 1.0)
+        {
+            return;
+        }
         if (level > 0)
         {
             Descend(ax, ay, bx, by, level - 1, 2 * node);

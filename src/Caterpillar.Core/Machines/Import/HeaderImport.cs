@@ -41,8 +41,11 @@ public static class HeaderImport
         var foot = HeaderText.Read(footer, footerFile, problems);
         var facts = head.Facts;
         if (head.Lines.Count == 0) problems.Add(Severity.Warning, "header.empty", "The header has no lines.", new SourceLocation(headerFile));
-        if (facts.Inches) problems.Add(Severity.Error, "header.inches", "The header leaves the machine in inches (G20); toolpaths are in mm.",
-            new SourceLocation(headerFile));
+        if (facts.Inches)
+        {
+            problems.Add(Severity.Error, "header.inches", "The header leaves the machine in inches (G20); toolpaths are in mm.",
+                new SourceLocation(headerFile));
+        }
         if (problems.HasErrors) return new Result<ImportedPrinter>(null, problems.ToList());
 
         var start = new HeaderTemplate(head, headerFile, problems);
@@ -70,8 +73,11 @@ public static class HeaderImport
             problems.Add(Severity.Remark, "header.cold", "The header does not heat the nozzle: material is extruded cold, like clay.",
                 new SourceLocation(headerFile));
         }
-        if (facts.RelativeE is null) problems.Add(Severity.Remark, "header.e_mode", "The header has neither M82 nor M83: E is written as relative (M83).",
-            new SourceLocation(headerFile));
+        if (facts.RelativeE is null)
+        {
+            problems.Add(Severity.Remark, "header.e_mode", "The header has neither M82 nor M83: E is written as relative (M83).",
+                new SourceLocation(headerFile));
+        }
         var material = new Material { Name = name, Title = name, NozzleTemperature = Math.Min(nozzle, 2000), BedTemperature = Math.Min(bed, 500) };
         return new Result<ImportedPrinter>(new ImportedPrinter(printer, material, facts.Position), problems.ToList());
     }

@@ -33,8 +33,10 @@ internal static class JsonFlat
                 Next(reader);
                 entries.Add(new JsonEntry(key, Value(reader), line, column));
             }
-            if (reader.TokenType != JsonToken.EndObject) throw new JsonReaderException("The object is not closed.", reader.Path, reader.LineNumber,
-                reader.LinePosition, null);
+            if (reader.TokenType != JsonToken.EndObject)
+            {
+                throw new JsonReaderException("The object is not closed.", reader.Path, reader.LineNumber, reader.LinePosition, null);
+            }
             if (Next(reader)) throw new JsonReaderException("There is text after the object.", reader.Path, reader.LineNumber, reader.LinePosition, null);
             return entries;
         }

@@ -77,8 +77,10 @@ public sealed class ProfileLibrary
             // A profile that inherits its own name means the one it overrides.
             if (!chain.Contains(source.File)) return Read(kind, source, chain);
         }
-        if (chain.Count > 0 && Sources(kind, name).Any()) return Failed<T>("profile.circle", $"The {kind.Noun} \"{name}\" inherits itself.",
-            new SourceLocation(chain[0]));
+        if (chain.Count > 0 && Sources(kind, name).Any())
+        {
+            return Failed<T>("profile.circle", $"The {kind.Noun} \"{name}\" inherits itself.", new SourceLocation(chain[0]));
+        }
         var names = Names(kind);
         var near = SpellingSuggestion.Nearest(name, names);
         return Failed<T>(
@@ -113,8 +115,10 @@ public sealed class ProfileLibrary
             names.Add(path.Substring(kind.Folder.Length, path.Length - kind.Folder.Length - ".json".Length));
         }
         var folder = _userFolder is null ? null : Path.Combine(_userFolder, kind.Folder);
-        if (folder is not null && Directory.Exists(folder)) names.UnionWith(Directory.GetFiles(folder, "*.json")
-            .Select(f => Path.GetFileNameWithoutExtension(f)));
+        if (folder is not null && Directory.Exists(folder))
+        {
+            names.UnionWith(Directory.GetFiles(folder, "*.json") .Select(f => Path.GetFileNameWithoutExtension(f)));
+        }
         return names.ToArray();
     }
 

@@ -95,8 +95,10 @@ public static class ProfileReader
             return kind.Empty(name);
         }
         var found = parent?.Invoke(wanted);
-        if (found?.Value is null) diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_parent",
-            $"The {kind.Noun} \"{wanted}\" to inherit from cannot be read.", place));
+        if (found?.Value is null)
+        {
+            diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_parent", $"The {kind.Noun} \"{wanted}\" to inherit from cannot be read.", place));
+        }
         if (found is not null) diagnostics.AddRange(found.Diagnostics);
         return found?.Value is { } value ? kind.Named(value, name) : kind.Empty(name);
     }

@@ -87,8 +87,10 @@ public sealed class TemplateValues
                     volume += c.Deposited[i] * (toolpath.VolumePerE(c.Tool[i]) ?? 0);
                     filament += c.Deposited[i] * law.FilamentPerE;
                 }
-                if (c.Kind[i] == MoveKind.Print) bounds = c.TryGetArc(i, out var arc) ? bounds.Include(arc.Bounds(start, end))
-                    : bounds.Include(start).Include(end);
+                if (c.Kind[i] == MoveKind.Print)
+                {
+                    bounds = c.TryGetArc(i, out var arc) ? bounds.Include(arc.Bounds(start, end)) : bounds.Include(start).Include(end);
+                }
                 start = end;
             }
         }

@@ -50,7 +50,10 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (Scale == 0 || double.IsNaN(Scale - Scale)
-            || double.IsNaN(Hold - Hold)) throw new InvalidOperationException("The scale of an axis must be finite and not zero.");
+            || double.IsNaN(Hold - Hold))
+        {
+            throw new InvalidOperationException("The scale of an axis must be finite and not zero.");
+        }
         if (To >= OutputAxis.X && To - OutputAxis.X != (int)From)
             throw new InvalidOperationException("A linear word can only be mapped from its own coordinate.");
         var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start is { } start ? Mapped(start) : null);

@@ -34,19 +34,25 @@ public sealed class PrintPath
     private PrintPath(Vec3[] points, Bead[] beads, bool closed, Arc?[]? arcs, bool perSegment = false)
     {
         if (arcs is not null && Array.TrueForAll(arcs, a => a is null)) arcs = null;
-        if (points.Length < (closed && arcs is null ? 3 : 2)) throw new ArgumentException("A path needs at least two vertices, a closed one three.",
-            nameof(points));
+        if (points.Length < (closed && arcs is null ? 3 : 2))
+        {
+            throw new ArgumentException("A path needs at least two vertices, a closed one three.", nameof(points));
+        }
         foreach (var p in points)
         {
             if (!p.IsFinite) throw new ArgumentException("A vertex is not finite.", nameof(points));
         }
         var segments = closed ? points.Length : points.Length - 1;
         if (perSegment && beads.Length != segments) throw new ArgumentException($"{segments} segments need as many beads, not {beads.Length}.", nameof(beads));
-        if (arcs is not null && arcs.Length != segments) throw new ArgumentException($"{segments} segments need as many arcs or nulls, not {arcs.Length}.",
-            nameof(arcs));
+        if (arcs is not null && arcs.Length != segments)
+        {
+            throw new ArgumentException($"{segments} segments need as many arcs or nulls, not {arcs.Length}.", nameof(arcs));
+        }
         if (arcs is not null && Array.Exists(arcs,
-            a => a is { Plane: not ArcPlane.XY })) throw new ArgumentException("Arcs of a path must lie in the XY plane.",
-            nameof(arcs));
+            a => a is { Plane: not ArcPlane.XY }))
+        {
+            throw new ArgumentException("Arcs of a path must lie in the XY plane.", nameof(arcs));
+        }
         _points = points;
         _beads = beads;
         _arcs = arcs;

@@ -67,7 +67,10 @@ internal sealed class MachineCommands(Machine machine, ModeCommands modes, Event
         {
             var space = command.IndexOf(" ", StringComparison.Ordinal);
             if (!NumberReader.TryParseInt(command.Substring(1, space - 1), out var number) || number * 10 != code
-                || !line.TryGet(command[space + 1], out var tool)) continue;
+                || !line.TryGet(command[space + 1], out var tool))
+            {
+                continue;
+            }
             machine.ChangeTool(tool);
             return true;
         }

@@ -64,7 +64,10 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
         {
             if (line.HasValue[i] && (line.Letters[i] is (byte)'X' or (byte)'Y' or (byte)'Z' || machine.Axis.Is(line.Letters[i])
                 || (_readsTurns && line.Letters[i] is (byte)'A' or (byte)'B' or (byte)'C')
-                || (_state.Modes.Motion > 1 && line.Letters[i] is (byte)'I' or (byte)'J' or (byte)'K' or (byte)'R'))) return true;
+                || (_state.Modes.Motion > 1 && line.Letters[i] is (byte)'I' or (byte)'J' or (byte)'K' or (byte)'R')))
+            {
+                return true;
+            }
         }
         return false;
     }

@@ -83,7 +83,10 @@ internal static class BodyOrientation
         {
             var left = pieces.Volume[other] + pieces.Volume[piece];
             if (pieces.IsClosed[other] && left > 0 && left < ThinnestShell * pieces.Area[piece] && pieces.Area[other] < 2 * pieces.Area[piece]
-                && BoundsOf(mesh, pieces, other).Contains(mesh.RawVertices[points[0]])) return false;
+                && BoundsOf(mesh, pieces, other).Contains(mesh.RawVertices[points[0]]))
+            {
+                return false;
+            }
         }
         return true;
     }
