@@ -18,16 +18,24 @@ public abstract class CaterpillarComponent : GH_Component
 {
     private const string VersionKey = "CaterpillarVersion";
     private readonly SolveCache _cache = new();
+    private readonly LastResults _last = new();
+    private readonly Background _background;
+    private readonly List<IDrawn> _drawn = [];
 
     // Filled while Grasshopper's constructor registers the ports.
     private readonly HashSet<int> _required = [];
     private Version? _newer;
     private bool _canceled;
+    private bool _leaves;
+    private int _pending;
+    private int _shownLast;
+    private string? _waitsFor;
 
     protected CaterpillarComponent(string name, string nickname, string description, string panel, GH_Exposure exposure = GH_Exposure.primary)
         : base(name, nickname, description, PluginInfo.Tab, panel)
     {
         Exposure = exposure;
+        _background = new Background(this);
     }
 
     public override GH_Exposure Exposure { get; }
@@ -42,9 +50,15 @@ public abstract class CaterpillarComponent : GH_Component
         {
             var box = Rg.BoundingBox.Empty;
             foreach (var output in Shown) box.Union(output.ClippingBox);
+            foreach (var drawn in Drawn) box.Union(drawn.Box);
             return box;
         }
     }
+
+    /// <summary>The name of the component whose new result is still worked on, this one or one before it; null if all that is given is up to date.</summary>
+    internal string? Pending => _pending > 0 ? NickName : _waitsFor;
+
+    internal Background Background => _background;
 
     /// <summary>True if an output can be baked; Grasshopper's own checks the inputs.</summary>
     public sealed override bool IsBakeCapable => Params.Output.OfType<IGH_BakeAwareObject>().Any(p => p.IsBakeCapable);
@@ -57,14 +71,20 @@ public abstract class CaterpillarComponent : GH_Component
     private IEnumerable<IGH_PreviewObject> Shown
         => Hidden || Locked ? [] : Params.Output.OfType<IGH_PreviewObject>().Where(p => !p.Hidden && p.IsPreviewCapable);
 
+    private IEnumerable<IDrawn> Drawn => Hidden || Locked ? [] : _drawn;
+
+    private bool IsSelected => Attributes?.Selected ?? false;
+
     public override void DrawViewportWires(IGH_PreviewArgs args)
     {
         foreach (var output in Shown) output.DrawViewportWires(args);
+        foreach (var drawn in Drawn) drawn.DrawWires(args, IsSelected);
     }
 
     public override void DrawViewportMeshes(IGH_PreviewArgs args)
     {
         foreach (var output in Shown) output.DrawViewportMeshes(args);
+        foreach (var drawn in Drawn) drawn.DrawMeshes(args, IsSelected);
     }
 
     /// <summary>Does nothing if nothing can be baked; the menu item does not check.</summary>
@@ -77,12 +97,22 @@ public abstract class CaterpillarComponent : GH_Component
     public override void ClearData()
     {
         Message = "";
+        _drawn.Clear();
         base.ClearData();
+    }
+
+    public override void DocumentContextChanged(GH_Document document, GH_DocumentContext context)
+    {
+        if (context == GH_DocumentContext.Close) _background.Cancel();
+        else if (context != GH_DocumentContext.Unloaded) _background.Collect();
+        base.DocumentContextChanged(document, context);
     }
 
     public override void RemovedFromDocument(GH_Document document)
     {
+        _background.Cancel();
         _cache.Clear();
+        _last.Clear();
         base.RemovedFromDocument(document);
     }
 
@@ -122,43 +152,95 @@ public abstract class CaterpillarComponent : GH_Component
     {
         _canceled = false;
         Message = "";
+        _drawn.Clear();
+        _pending = 0;
+        _shownLast = 0;
+        _waitsFor = Upstream.Pending(this);
         _cache.Begin();
+        _leaves = _background.Begin(OnPingDocument());
         if (_newer is not null)
         {
             AddRuntimeMessage(GH_RuntimeMessageLevel.Warning,
                 $"This component was saved by version {_newer} of Caterpillar; this is {PluginInfo.Current}. Some of what it stored may be lost.");
         }
+        if (_waitsFor is not null) AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, $"Uses the last result of {_waitsFor}, which is still at work.");
     }
 
-    protected sealed override void AfterSolveInstance() => _cache.End();
+    protected sealed override void AfterSolveInstance()
+    {
+        _cache.End(complete: _pending == 0);
+        _background.End();
+        if (_pending == 0) _last.Trim(_leaves ? RunCount + 1 : 0);
+        else ShowProgress();
+    }
 
     protected sealed override void SolveInstance(IGH_DataAccess DA)
     {
         if (_canceled) return;
-        var run = new Run(this, DA, _cache);
+        var run = new Run(this, DA, _cache, _background);
         try
         {
             Prepare(run);
             run.CheckSources();
             Solve(run);
+            run.Give();
+            if (_leaves) _last.Keep(DA.Iteration, run.Given);
+        }
+        catch (StillWorking)
+        {
+            _pending++;
+            if (_last.Of(DA.Iteration) is { } given)
+            {
+                _shownLast++;
+                foreach (var give in given) give(DA);
+            }
+            else
+            {
+                run.GiveOnlyNulls();
+            }
         }
         catch (OperationCanceledException)
         {
             _canceled = true;
+            _background.Cancel();
             AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, "Canceled.");
             DA.AbortComponentSolution();
             OnPingDocument()?.RequestAbortSolution();
         }
+        catch (InputProblem) when (_waitsFor is not null)
+        {
+            // What is missing or wrong is on its way.
+            run.GiveNulls();
+        }
         catch (InputProblem problem)
         {
             run.Report(problem.IsMissing ? GH_RuntimeMessageLevel.Warning : GH_RuntimeMessageLevel.Error, problem.Message);
-            run.SetNulls();
+            run.GiveNulls();
         }
         catch (Exception e) when (e is not OutOfMemoryException)
         {
             run.Report(GH_RuntimeMessageLevel.Error, WithoutParameterName(e.Message));
-            run.SetNulls();
+            run.GiveNulls();
         }
+    }
+
+    /// <summary>Shows something for the item that is being solved.</summary>
+    internal void Show(IDrawn drawn) => _drawn.Add(drawn);
+
+    /// <summary>Shows how far long work has come, and that the results are not new.</summary>
+    internal void ShowProgress()
+    {
+        Message = _background.Words + (_shownLast > 0 ? ", last result" : "");
+        if (_shownLast > 0) AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, "The last result is shown while the new one is worked on.");
+        OnDisplayExpired(true);
+    }
+
+    /// <summary>Says that long work was given up; the last result stays.</summary>
+    internal void ShowCanceled()
+    {
+        Message = _shownLast > 0 ? "canceled, last result" : "canceled";
+        AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, "Canceled; recompute to start again.");
+        OnDisplayExpired(true);
     }
 
     private static string WithoutParameterName(string message)

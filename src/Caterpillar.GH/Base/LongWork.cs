@@ -1,14 +1,12 @@
 using System;
 using System.Diagnostics;
-using System.Runtime.ExceptionServices;
 using System.Threading;
-using System.Threading.Tasks;
 using Grasshopper.Kernel;
 using Rhino.UI;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>Runs work on another thread while the UI thread waits in short steps, watches the Escape key and moves Rhino's progress meter.</summary>
+/// <summary>Waits for work on another thread: in short steps that watch the Escape key and move Rhino's progress meter.</summary>
 internal static class LongWork
 {
     private const int StepMilliseconds = 25;
@@ -16,52 +14,41 @@ internal static class LongWork
 
     /// <exception cref="OperationCanceledException">The user pressed Escape.</exception>
     public static T Run<T>(string label, Func<IProgress<double>, CancellationToken, T> work)
+        where T : class
     {
-        using var cancel = new CancellationTokenSource();
-        var progress = new Latest();
-        var task = Task.Run(() => work(progress, cancel.Token));
+        var job = new Job(label, work);
+        Wait(job);
+        return (T)job.Result;
+    }
+
+    /// <summary>Waits for the end of a job, or for so many milliseconds; true if it has ended. Escape cancels it.</summary>
+    public static bool Wait(Job job, int patience = int.MaxValue)
+    {
         var waited = Stopwatch.StartNew();
         var shown = false;
+        var canceled = false;
         try
         {
-            while (!Wait(task))
+            while (!job.Wait(Math.Min(StepMilliseconds, patience)))
             {
-                if (!cancel.IsCancellationRequested && GH_Document.IsEscapeKeyDown()) cancel.Cancel();
-                if (!shown && waited.ElapsedMilliseconds >= MeterAfterMilliseconds)
+                if (!canceled && GH_Document.IsEscapeKeyDown())
                 {
-                    StatusBar.ShowProgressMeter(0, 100, label, true, true);
+                    canceled = true;
+                    job.Cancel();
+                }
+                if (!canceled && waited.ElapsedMilliseconds >= patience) return false;
+                if (!shown && patience == int.MaxValue && waited.ElapsedMilliseconds >= MeterAfterMilliseconds)
+                {
+                    StatusBar.ShowProgressMeter(0, 100, job.Label, true, true);
                     shown = true;
                 }
-                if (shown) StatusBar.UpdateProgressMeter((int)(100 * progress.Value), true);
+                if (shown) StatusBar.UpdateProgressMeter((int)(100 * job.Progress), true);
             }
         }
         finally
         {
             if (shown) StatusBar.HideProgressMeter();
         }
-        if (task.IsFaulted) ExceptionDispatchInfo.Capture(task.Exception!.GetBaseException()).Throw();
-        if (task.IsCanceled) throw new OperationCanceledException();
-        return task.Result;
-    }
-
-    private static bool Wait(Task task)
-    {
-        try
-        {
-            return task.Wait(StepMilliseconds);
-        }
-        catch (AggregateException)
-        {
-            return true;
-        }
-    }
-
-    private sealed class Latest : IProgress<double>
-    {
-        private double _value;
-
-        public double Value => Volatile.Read(ref _value);
-
-        public void Report(double value) => Volatile.Write(ref _value, Math.Max(0, Math.Min(1, value)));
+        return true;
     }
 }

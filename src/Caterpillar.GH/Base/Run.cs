@@ -1,4 +1,5 @@
 using System;
+using System.Collections;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -13,9 +14,13 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Base;
 
 /// <summary>One item of a solve: its inputs, its outputs and its messages.</summary>
-internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access, SolveCache cache)
+internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access, SolveCache cache, Background background)
 {
+    private readonly List<Action<IGH_DataAccess>> _given = [];
     private DocumentUnits? _units;
+
+    /// <summary>What the item gives, in order.</summary>
+    public IReadOnlyList<Action<IGH_DataAccess>> Given => _given;
 
     /// <summary>Number of the item in this solution, from 0.</summary>
     public int Iteration => access.Iteration;
@@ -155,11 +160,19 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         return result.Value;
     }
 
-    public void Set(int output, object? value) => access.SetData(output, value);
+    public void Set(int output, object? value) => _given.Add(a => a.SetData(output, value));
 
-    public void SetList(int output, System.Collections.IEnumerable values) => access.SetDataList(output, values);
+    public void SetList(int output, IEnumerable values)
+    {
+        // Lists that are made while they are read are made now, where a problem is one of this item.
+        var list = values as ICollection ?? values.Cast<object?>().ToArray();
+        _given.Add(a => a.SetDataList(output, list));
+    }
 
-    public void SetTree(int output, IGH_Structure tree) => access.SetDataTree(output, tree);
+    public void SetTree(int output, IGH_Structure tree) => _given.Add(a => a.SetDataTree(output, tree));
+
+    /// <summary>Shows something in the viewports, as long as the result of the item.</summary>
+    public void Show(IDrawn drawn) => _given.Add(_ => component.Show(drawn));
 
     /// <summary>The path of this item's data in an output.</summary>
     public GH_Path PathOf(int output) => access.ParameterTargetPath(output);
@@ -169,18 +182,56 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     {
         for (var i = 0; i < component.Params.Output.Count; i++)
         {
-            if (component.Params.Output[i].Access == GH_ParamAccess.item) access.SetData(i, null);
+            if (component.Params.Output[i].Access == GH_ParamAccess.item) Set(i, null);
         }
+    }
+
+    /// <summary>Hands out what was set.</summary>
+    public void Give()
+    {
+        foreach (var give in _given) give(access);
+    }
+
+    /// <summary>Hands out what was set as far as it is no item, which is null.</summary>
+    public void GiveNulls()
+    {
+        SetNulls();
+        Give();
+    }
+
+    /// <summary>Hands out nothing of what was set.</summary>
+    public void GiveOnlyNulls()
+    {
+        _given.Clear();
+        GiveNulls();
     }
 
     /// <summary>A value that is kept from the last solve if the parts of its key are the same.</summary>
     public T Cached<T>(object?[] key, Func<T> make)
         where T : class
-        => cache.Get(key, make);
+        => cache.Get(key, _ => make());
 
-    /// <summary>Long work: on a worker, with Rhino's progress meter, until the user presses Escape.</summary>
+    /// <summary>
+    /// A value that may take long, kept like the others. It is made on another thread, which may neither ask this run nor report to it.
+    /// </summary>
     /// <exception cref="OperationCanceledException">The user pressed Escape.</exception>
-    public T Work<T>(string label, Func<IProgress<double>, CancellationToken, T> work) => LongWork.Run(label, work);
+    public T Work<T>(string label, object?[] key, Func<IProgress<double>, CancellationToken, T> work)
+        where T : class
+        => cache.Get(key, k => background.Get(k, label, work));
+
+    /// <summary>Work that has to be done before the solve ends, such as writing a file.</summary>
+    /// <inheritdoc cref="Work" path="/exception"/>
+    public T Wait<T>(string label, Func<IProgress<double>, CancellationToken, T> work)
+        where T : class
+        => LongWork.Run(label, work);
+
+    /// <summary>True if all inputs are up to date; false, with a warning, while something before this component is still at work.</summary>
+    public bool MayAct()
+    {
+        if (component.Pending is not { } name) return true;
+        component.AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, $"Nothing was done: {name} is still at work. Press again when it is done.");
+        return false;
+    }
 
     /// <summary>A short message below the component.</summary>
     public void Summarize(string text) => component.Message = text;

@@ -3,8 +3,10 @@ using System.Collections.Generic;
 using System.Drawing;
 using Caterpillar.Display;
 using Caterpillar.GH.Bake;
+using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
 using Rhino.Display;
 
 namespace Caterpillar.GH.Preview;
@@ -12,7 +14,7 @@ namespace Caterpillar.GH.Preview;
 /// <summary>
 /// A toolpath ready to be drawn: one array of lines for each color, one for travels, one for the printer, points of retractions and seams, and meshes of beads.
 /// </summary>
-internal sealed class ToolpathScene
+internal sealed class ToolpathScene : IDrawn
 {
     /// <summary>Beads of more moves than this are drawn as lines.</summary>
     public const int MostBeads = 250_000;
@@ -71,6 +73,10 @@ internal sealed class ToolpathScene
     public Rg.BoundingBox Box { get; }
 
     public bool HasBeads => _meshes.Count > 0;
+
+    public void DrawWires(IGH_PreviewArgs args, bool selected) => DrawWires(args.Display, selected ? args.WireColour_Selected : null);
+
+    public void DrawMeshes(IGH_PreviewArgs args, bool selected) => DrawMeshes(args.Display);
 
     public void DrawWires(DisplayPipeline display, Color? only)
     {

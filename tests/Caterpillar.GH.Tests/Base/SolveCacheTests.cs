@@ -12,7 +12,7 @@ public sealed class SolveCacheTests
         object Solve(int key)
         {
             cache.Begin();
-            var value = cache.Get<object>([key, "text", new object?[] { 1.5, null }], () => new object());
+            var value = cache.Get<object>([key, "text", new object?[] { 1.5, null }], _ => new object());
             cache.End();
             return value;
         }
@@ -23,12 +23,31 @@ public sealed class SolveCacheTests
     }
 
     [Test]
+    public void While_something_is_worked_on_the_last_complete_solve_is_kept()
+    {
+        var cache = new SolveCache();
+        object Solve(int key, bool complete)
+        {
+            cache.Begin();
+            var value = cache.Get<object>([key], _ => new object());
+            cache.End(complete);
+            return value;
+        }
+        var first = Solve(1, true);
+        Solve(2, false);
+        Solve(3, false);
+        Assert.That(Solve(1, true), Is.SameAs(first));
+        Solve(2, true);
+        Assert.That(Solve(1, true), Is.Not.SameAs(first));
+    }
+
+    [Test]
     public void Results_of_two_types_under_one_key_are_told_apart()
     {
         var cache = new SolveCache();
         cache.Begin();
-        cache.Get<string>([1], () => "text");
-        Assert.That(cache.Get<int[]>([1], () => [2]), Is.EqualTo(new[] { 2 }));
+        cache.Get<string>([1], _ => "text");
+        Assert.That(cache.Get<int[]>([1], _ => [2]), Is.EqualTo(new[] { 2 }));
     }
 
     [Test]
@@ -39,7 +58,7 @@ public sealed class SolveCacheTests
         for (var solve = 0; solve < 2; solve++)
         {
             cache.Begin();
-            for (var i = 0; i < 1000; i++) cache.Get<object>([new Counted(i, () => asked++)], () => new object());
+            for (var i = 0; i < 1000; i++) cache.Get<object>([new Counted(i, () => asked++)], _ => new object());
             cache.End();
         }
         Assert.That(asked, Is.InRange(1000, 2000), "Comparing each with all others would be half a million.");

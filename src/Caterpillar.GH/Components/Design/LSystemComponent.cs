@@ -50,8 +50,8 @@ public sealed class LSystemComponent() : CaterpillarComponent(
             run.SetNulls();
             return;
         }
-        var word = run.Cached([axiom, string.Join("\n", rules), generations, seed],
-            () => run.Work("L-System", (progress, cancel) => system.Value.Grow(generations, seed, LSystem.DefaultMaxSymbols, progress, cancel)));
+        var word = run.Work("L-System", [axiom, string.Join("\n", rules), generations, seed],
+            (progress, cancel) => system.Value.Grow(generations, seed, LSystem.DefaultMaxSymbols, progress, cancel));
         run.SetList(2, run.Report(word.Diagnostics));
         if (word.Value is null)
         {

@@ -42,11 +42,11 @@ public sealed class ReadCurvesComponent() : CaterpillarComponent(
         if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
         var settings = run.Maybe<PrintSettings>(1) ?? new PrintSettings();
         var (unit, step) = (run.Positive(2), run.Positive(3));
-        var read = run.Cached([file.FullName, file.LastWriteTimeUtc, file.Length, unit, settings], () => run.Work("Reading", (progress, cancel) =>
+        var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length, unit, settings], (progress, cancel) =>
             CurveReader.Read(file.FullName, new CurveReadOptions
             {
                 UnitLength = unit, WidthReference = new Printer().NozzleDiameter, HeightReference = settings.LayerHeight, SpeedReference = settings.PrintSpeed,
-            }, progress, cancel)));
+            }, progress, cancel));
         var texts = run.Report(read.Diagnostics).ToList();
         if (read.Value is not { } curves)
         {
@@ -54,7 +54,7 @@ public sealed class ReadCurvesComponent() : CaterpillarComponent(
             return;
         }
         var options = CurveOptions.From(settings) with { Subdivision = SubdivisionOptions.ByDistance(step) };
-        var steps = run.Cached([read, step, settings], () => run.Work("Dividing", (progress, cancel) => CurvePaths.ToSteps(curves, options, progress, cancel)));
+        var steps = run.Work("Dividing", [read, step, settings], (progress, cancel) => CurvePaths.ToSteps(curves, options, progress, cancel));
         texts.AddRange(run.Report(steps.Diagnostics));
         run.SetList(2, texts);
         if (steps.Value is null) return;

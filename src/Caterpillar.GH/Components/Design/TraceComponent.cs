@@ -59,14 +59,14 @@ public abstract class TraceComponent(string name, string nickname, string descri
         var frame = run.MaybeValue<Rg.Plane>(0) is { } plane ? RhinoGeometry.ToFrame(plane, run.Units) : Frame.World;
         var bead = run.MaybeValue<Bead>(beadInput) ?? Bead.FromWidth(0.45, 0.2);
         var strings = run.Get<int>(beadInput + 1);
-        var path = run.Cached([frame, bead, strings, key], () => run.Work("Trace", (_, _) =>
+        var path = run.Work("Trace", [frame, bead, strings, key], (_, _) =>
         {
             var trace = new Trace(bead.Area).SetSpeed(bead.Speed);
             draw(trace, strings);
             var path = trace.ToPaths().FirstOrDefault() ?? throw new InputProblem("The shape is smaller than one string.");
             if (bead.Height > 0) path = path.WithBeads(i => new Bead(path.BeadOf(i).Area, bead.Height, bead.Speed));
             return path.Transformed(Affine.FromFrame(frame));
-        }));
+        });
         run.Set(0, new PrintPathGoo(path));
         run.Summarize($"{Basics.NumberFormatter.Format(path.SegmentCount)} strings");
     }

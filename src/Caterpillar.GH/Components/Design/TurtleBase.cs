@@ -80,12 +80,11 @@ public abstract class TurtleBase(int beadInput, int lengthInput)
             KeepPoses = run.Get<bool>(lengthInput + 1),
             Bead = run.Maybe<BeadGoo>(beadInput) is { IsValid: true } bead ? bead.Value : null,
         };
-        var result = run.Cached([program, setup, options.Start, options.KeepPoses, options.Bead],
-            () => run.Work("Turtle", (progress, cancel) =>
+        var result = run.Work("Turtle", [program, setup, options.Start, options.KeepPoses, options.Bead], (progress, cancel) =>
         {
             var done = program.Run(options, null, progress, cancel);
             return new Done(done.Value?.ToSteps() ?? [], done.Value is null ? [] : options.KeepPoses ? done.Value.Poses : [done.Value.Pose], done.Diagnostics);
-        }));
+        });
         texts.AddRange(run.Report(result.Diagnostics));
         run.SetList(4, texts);
         run.Set(5, new PrinterGoo(setup.Printer));

@@ -17,48 +17,16 @@ namespace Caterpillar.GH.Components.Design;
 public sealed class TurtlePreviewComponent() : CaterpillarComponent(
     "Turtle Preview", "TPrev", "Shows the turtle as a triangle at a position on its path, and what it has printed so far.", Panel.Design, GH_Exposure.secondary)
 {
-    private readonly List<Drawn> _drawn = [];
+    private static readonly Color PrintedColor = Color.FromArgb(214, 110, 40);
+    private static readonly Color OutlineColor = Color.FromArgb(30, 120, 60);
     private DisplayMaterial? _shade;
 
     public override Guid ComponentGuid => new("0c2ee4b5-6d4e-4b27-9f3f-0f5f5a6e2d13");
 
-    public override Rg.BoundingBox ClippingBox
-    {
-        get
-        {
-            if (Hidden) return Rg.BoundingBox.Empty;
-            var box = base.ClippingBox;
-            foreach (var drawn in _drawn) box.Union(drawn.Box);
-            return box;
-        }
-    }
-
     private protected override bool DrawsItself => true;
 
-    public override void ClearData()
-    {
-        _drawn.Clear();
-        base.ClearData();
-    }
-
-    public override void DrawViewportWires(IGH_PreviewArgs args)
-    {
-        base.DrawViewportWires(args);
-        if (Hidden || Locked) return;
-        foreach (var drawn in _drawn)
-        {
-            args.Display.DrawLines(drawn.Printed, Attributes.Selected ? args.WireColour_Selected : Color.FromArgb(214, 110, 40), 2);
-            args.Display.DrawCurve(drawn.Outline, Attributes.Selected ? args.WireColour_Selected : Color.FromArgb(30, 120, 60), 2);
-        }
-    }
-
-    public override void DrawViewportMeshes(IGH_PreviewArgs args)
-    {
-        base.DrawViewportMeshes(args);
-        if (Hidden || Locked) return;
-        _shade ??= new DisplayMaterial(Color.FromArgb(60, 170, 90));
-        foreach (var drawn in _drawn) args.Display.DrawMeshShaded(drawn.Face, Attributes.Selected ? args.ShadeMaterial_Selected : _shade);
-    }
+    // A material belongs to the display, so it is made with the first frame.
+    private DisplayMaterial Shade => _shade ??= new DisplayMaterial(Color.FromArgb(60, 170, 90));
 
     private protected override void Inputs(InputPorts ports)
     {
@@ -92,10 +60,20 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
         var outline = TurtleShape.Outline(pose, size, units);
         var box = outline.GetBoundingBox(true);
         foreach (var line in printed) box.Union(line.BoundingBox);
-        _drawn.Add(new Drawn(printed.ToArray(), outline, TurtleShape.Face(pose, size, units), box));
+        run.Show(new Turtle(this, printed.ToArray(), outline, TurtleShape.Face(pose, size, units), box));
         run.Set(0, outline);
         run.Set(1, RhinoGeometry.ToPlane(pose, units));
     }
 
-    private sealed record Drawn(Rg.Line[] Printed, Rg.PolylineCurve Outline, Rg.Mesh Face, Rg.BoundingBox Box);
+    private sealed record Turtle(TurtlePreviewComponent Owner, Rg.Line[] Printed, Rg.PolylineCurve Outline, Rg.Mesh Face, Rg.BoundingBox Box) : IDrawn
+    {
+        public void DrawWires(IGH_PreviewArgs args, bool selected)
+        {
+            args.Display.DrawLines(Printed, selected ? args.WireColour_Selected : PrintedColor, 2);
+            args.Display.DrawCurve(Outline, selected ? args.WireColour_Selected : OutlineColor, 2);
+        }
+
+        public void DrawMeshes(IGH_PreviewArgs args, bool selected)
+            => args.Display.DrawMeshShaded(Face, selected ? args.ShadeMaterial_Selected : Owner.Shade);
+    }
 }

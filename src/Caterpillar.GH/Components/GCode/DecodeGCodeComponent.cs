@@ -46,7 +46,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         if (wired is not null && !string.IsNullOrEmpty(run.Maybe<string>(0)))
             run.Report(GH_RuntimeMessageLevel.Warning, "File is ignored, because G-code is connected.");
         var source = wired ?? Read(run);
-        var result = run.Cached([source, options], () => run.Work("Decoding", (progress, cancel) => GCodeDecoder.Decode(source, options, progress, cancel)));
+        var result = run.Work("Decoding", [source, options], (progress, cancel) => GCodeDecoder.Decode(source, options, progress, cancel));
         var none = result.Value?.NotGCode;
         run.SetList(4, run.Report(none is null ? result.Diagnostics : [none]));
         run.Set(1, new GCodeGoo(source));
@@ -75,8 +75,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         var file = new FileInfo(run.PathTo(name!));
         if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
         // A changed file has another time or size and is read again.
-        var read = run.Cached([file.FullName, file.LastWriteTimeUtc, file.Length],
-            () => run.Work("Reading", (_, cancel) => GCodeDocument.ReadFile(file.FullName, cancel)));
+        var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length], (_, cancel) => GCodeDocument.ReadFile(file.FullName, cancel));
         return read.Value ?? throw new InputProblem($"{file.FullName}: {read.Diagnostics[0].Message}");
     }
 }

@@ -52,8 +52,8 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
         }
         if (frame != Frame.World) deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation)
             .Then(Deformation.Cartesian(p => frame.ToWorld(p)));
-        var result = run.Cached([goo.Value, frame, .. MoveFilterPorts.Key(filter), .. request.Key],
-            () => run.Work("Deform", (_, _) => goo.Value.Deform(filter, deformation, request.Tolerance)));
+        var result = run.Work("Deform", [goo.Value, frame, .. MoveFilterPorts.Key(filter), .. request.Key],
+            (_, _) => goo.Value.Deform(filter, deformation, request.Tolerance));
         run.SetList(1, run.Report(result.Diagnostics));
         run.Set(0, result.Value is { } bent ? goo.With(bent) : null);
     }

@@ -38,8 +38,7 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
         var map = run.MaybeValue<Rg.Transform>(After + 2) is { } transform
             ? RhinoGeometry.ToAffine(transform, run.Units) ?? throw new InputProblem("Transform must keep lines parallel: it moves, turns, scales or shears.")
             : (Affine?)null;
-        var edited = run.Cached([goo.Value, speed, flow, map, MoveFilterPorts.Key(filter)],
-            () => run.Work("Editing", (_, _) => Edit(goo.Value, filter, speed, flow, map)));
+        var edited = run.Work("Editing", [goo.Value, speed, flow, map, MoveFilterPorts.Key(filter)], (_, _) => Edit(goo.Value, filter, speed, flow, map));
         run.Set(0, goo.With(edited));
     }
 

@@ -57,9 +57,9 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         if (rewriteAll && (start ?? end) is not null) run.Report(GH_RuntimeMessageLevel.Warning,
             "Start Code and End Code apply to decoded files whose lines are kept; this one is rewritten, with the code of its printer.");
         var code = new EditOptions { Start = Lines(start), End = Lines(end) };
-        var result = run.Cached([goo.Value, setup, reason, rewriteAll, start, end], () => run.Work("Writing", (progress, cancel) => rewriteAll
+        var result = run.Work("Writing", [goo.Value, setup, reason, rewriteAll, start, end], (progress, cancel) => rewriteAll
             ? SafeWriter.ToDocument(goo.Value, setup, reason, progress, cancel)
-            : SafeWriter.ToDocument(goo.DecodedGCode!, goo.Value, setup, reason, code, progress, cancel)));
+            : SafeWriter.ToDocument(goo.DecodedGCode!, goo.Value, setup, reason, code, progress, cancel));
         var document = run.Accept(result, texts);
         run.Set(0, document is null ? null : new GCodeGoo(document));
         run.SetList(1, texts);

@@ -62,8 +62,8 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
         var setup = new PrintSetup(printer, material, settings);
         var options = new PlanOptions { Policy = run.Choice<PlanPolicy>(4), Sort = new SortOptions(run.Choice<SortRule>(5)) };
         object[] obstacles = run.List<IGH_GeometricGoo>(6).Select(g => (object)ModelMesh.Of(run, g, ObstacleTolerance, run.Units).Triangles).ToArray();
-        var result = run.Cached([steps.Select(Identity).ToArray(), setup, options, obstacles], () => run.Work("Planning", (progress, cancel) => Planner.Plan(
-            steps, setup, options with { Obstacle = RhinoMesh.Joined(Array.ConvertAll(obstacles, o => (TriMesh)o)) }, progress, cancel)));
+        var result = run.Work("Planning", [steps.Select(Identity).ToArray(), setup, options, obstacles], (progress, cancel) => Planner.Plan(
+            steps, setup, options with { Obstacle = RhinoMesh.Joined(Array.ConvertAll(obstacles, o => (TriMesh)o)) }, progress, cancel));
         var toolpath = run.Accept(result, texts);
         run.Set(0, toolpath is null ? null : new ToolpathGoo(toolpath, setup));
         run.SetList(1, texts);

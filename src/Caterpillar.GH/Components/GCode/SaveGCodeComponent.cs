@@ -48,7 +48,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
         var name = run.Get<string>(1);
         if (name.Trim().Length == 0) throw new InputProblem("File is missing.") { IsMissing = true };
         var file = run.PathTo(name);
-        if (_rising) Write(run, document, file, run.Get<bool>(3));
+        if (_rising && run.MayAct()) Write(run, document, file, run.Get<bool>(3));
         var done = _written.TryGetValue(run.Iteration, out var last) && ReferenceEquals(last.Document, document) && last.File == file && File.Exists(file);
         run.Set(0, done ? file : null);
         if (done) run.Summarize($"{NumberFormatter.Format(document.Length / 1024)} KB saved");
@@ -57,7 +57,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
     private void Write(Run run, GCodeDocument document, string file, bool overwrite)
     {
         if (File.Exists(file) && !overwrite) throw new InputProblem($"{file} already exists, and Overwrite is false.");
-        run.Work("Saving", (progress, cancel) =>
+        run.Wait("Saving", (progress, cancel) =>
         {
             document.WriteFile(file, progress, cancel);
             return file;

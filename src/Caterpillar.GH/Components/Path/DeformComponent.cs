@@ -31,7 +31,7 @@ public sealed class DeformComponent() : PathShapingComponent(
             run.SetList(1, run.Report(deformation.Diagnostics));
             return;
         }
-        var shaped = run.Cached([frame, .. request.Key, .. before.Select(p => p.Value)], () => run.Work("Deform", (progress, cancel) =>
+        var shaped = run.Work("Deform", [frame, .. request.Key, .. before.Select(p => p.Value)], (progress, cancel) =>
         {
             var problems = new DiagnosticList();
             var local = ToLocal(before.Select(p => p.Value), frame);
@@ -47,7 +47,7 @@ public sealed class DeformComponent() : PathShapingComponent(
                 progress.Report((i + 1.0) / local.Length);
             }
             return new Shaped(paths, problems.ToList());
-        }));
+        });
         SetPaths(run, before, shaped);
     }
 }

@@ -32,8 +32,7 @@ public sealed class FitArcsComponent() : CaterpillarComponent(
     {
         var paths = run.List<PrintPathGoo>(0);
         var options = new ArcFitOptions { Tolerance = run.Positive(1) };
-        var fitted = run.Cached([options, .. paths.Select(p => p.Value)],
-            () => run.Work("Fitting arcs", (progress, cancel) => Fit(paths, options, progress, cancel)));
+        var fitted = run.Work("Fitting arcs", [options, .. paths.Select(p => p.Value)], (progress, cancel) => Fit(paths, options, progress, cancel));
         run.SetList(0, fitted);
         run.Summarize($"{NumberFormatter.Format(paths.Sum(p => p.Value.SegmentCount))} → {NumberFormatter.Format(fitted.Sum(p => p.Value.SegmentCount))} "
             + $"segments");

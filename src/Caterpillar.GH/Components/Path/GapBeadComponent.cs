@@ -51,8 +51,8 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         if (run.MaybeValue<double>(3) is not null) gap = gap with { MinGap = run.Positive(3) };
         if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };
         if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be above Maximum Gap.");
-        var result = run.Cached([.. paths, .. below, gap], () => run.Work("Measuring gaps",
-            (progress, cancel) => (gap with { Surface = RhinoMesh.Joined(below.Select(m => m.Triangles).ToArray()) }).Apply(paths, progress, cancel)));
+        var result = run.Work("Measuring gaps", [.. paths, .. below, gap],
+            (progress, cancel) => (gap with { Surface = RhinoMesh.Joined(below.Select(m => m.Triangles).ToArray()) }).Apply(paths, progress, cancel));
         run.SetList(1, run.Report(result.Diagnostics));
         if (result.Value is { } shaped) run.SetList(0, shaped.Select((path, i) => goos[i].With(path)));
     }

@@ -66,7 +66,7 @@ public sealed class ModulateComponent() : PathShapingComponent(
         var repeat = run.Get<int>(10) is >= 1 and var times ? times : throw new InputProblem("Repeat must be 1 or more.");
         object? written = file is null ? null : File.GetLastWriteTimeUtc(file);
         object?[] key = [file, written, expression, mode, low, high, mask, resolution, frame, lay, repeat, smooth, speed, .. before.Select(p => p.Value)];
-        SetPaths(run, before, run.Cached(key, () => run.Work("Modulate", (progress, cancel) =>
+        SetPaths(run, before, run.Work("Modulate", key, (progress, cancel) =>
         {
             var problems = new List<Diagnostic>();
             var local = ToLocal(before.Select(p => p.Value), frame);
@@ -77,7 +77,7 @@ public sealed class ModulateComponent() : PathShapingComponent(
             if (field is null || problems.Count > 0) return new Shaped([], problems);
             return Shaped.Of(new Modulation(mode, field, low, high) { Mask = masking, Resolution = resolution, ReferenceSpeed = speed }.Apply(local, progress,
                 cancel), frame);
-        })));
+        }));
     }
 
     private static Field? ImageField(string file, PrintPath[] paths, ImageProjection lay, int repeat, bool smooth, List<Diagnostic> problems)

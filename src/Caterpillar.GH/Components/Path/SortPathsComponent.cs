@@ -47,7 +47,7 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
         var start = run.MaybeValue<Rg.Point3d>(4) is { } point ? RhinoGeometry.ToVec(point, run.Units) : (Caterpillar.Geometry.Vec3?)null;
         if (start is { IsFinite: false }) throw new InputProblem("Start must be a point with finite coordinates.");
         var options = new SortOptions(run.Choice<SortRule>(1), run.Get<bool>(2), run.Get<bool>(3), start);
-        var order = run.Cached([.. paths, options], () => run.Work("Sorting", (progress, cancel) => PathSorter.Order(paths, options, progress, cancel)));
+        var order = run.Work("Sorting", [.. paths, options], (progress, cancel) => PathSorter.Order(paths, options, progress, cancel));
         var sorted = order.Select(place => Placed(paths[place.Index], place)).ToArray();
         // Paths sorted here are printed in this order: they leave the groups of the slicer.
         run.SetList(0, sorted.Select(path => new PrintPathGoo(path)));

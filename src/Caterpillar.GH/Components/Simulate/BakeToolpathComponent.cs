@@ -57,7 +57,7 @@ public sealed class BakeToolpathComponent() : CaterpillarComponent(
         if (name.Length == 0) throw new InputProblem("Name is missing.") { IsMissing = true };
         var kind = run.Choice<BakeKind>(3);
         var item = run.Iteration;
-        if (_rising)
+        if (_rising && run.MayAct())
         {
             if (RhinoDoc.ActiveDoc is null) throw new InputProblem("There is no Rhino document to bake into.");
             // Documents must not change while a solution runs.

@@ -39,8 +39,7 @@ public sealed class CheckComponent() : CaterpillarComponent(
     {
         var goo = run.Get<ToolpathGoo>(0);
         var setup = SetupPorts.Of(run, goo, run.Maybe<Printer>(1), run.Maybe<Material>(2), run.Maybe<PrintSettings>(3));
-        var findings = run.Cached([goo.Value, goo.DecodedGCode, setup],
-            () => run.Work("Checking", (progress, cancel) => Findings(goo, setup, progress, cancel)));
+        var findings = run.Work("Checking", [goo.Value, goo.DecodedGCode, setup], (progress, cancel) => Findings(goo, setup, progress, cancel));
         var passed = findings.All(f => f.Severity != Severity.Error);
         run.Set(0, passed ? goo.Planned(setup) : null);
         run.Set(1, passed);

@@ -74,7 +74,7 @@ public sealed class PlayComponent() : CaterpillarComponent(
         var speed = run.Positive(2);
         if (run.Get<bool>(3)) _position = 0;
         var setup = SetupPorts.Of(run, goo, run.Maybe<Machines.Printer>(4));
-        var timeline = run.Cached([goo.Value, setup], () => run.Work("Timing", (progress, cancel) => Timeline.Of(goo.Value, setup, progress, cancel)));
+        var timeline = run.Work("Timing", [goo.Value, setup], (progress, cancel) => Timeline.Of(goo.Value, setup, progress, cancel));
         var now = Now;
         // Frames are as long as solving takes: slow definitions skip some.
         if (_plays && timeline.Duration > 0) _position = Math.Min(1, _position + (now - _last) * speed / timeline.Duration);

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Drawing;
 using System.Linq;
 using Caterpillar.Basics;
@@ -32,39 +31,9 @@ public sealed class SimulateComponent() : CaterpillarComponent(
 {
     private static readonly Color Printed = Color.FromArgb(240, 136, 62);
     private static readonly Color HeadColor = Color.FromArgb(60, 70, 80);
-    private readonly List<Shown> _shown = [];
-
     public override Guid ComponentGuid => new("b1d0a8a4-57f3-4c0e-a0d5-93c1f4e3c701");
 
-    public override Rg.BoundingBox ClippingBox
-    {
-        get
-        {
-            var box = base.ClippingBox;
-            if (Hidden || Locked) return box;
-            foreach (var shown in _shown) box.Union(shown.Box);
-            return box;
-        }
-    }
-
     private protected override bool DrawsItself => true;
-
-    public override void ClearData()
-    {
-        _shown.Clear();
-        base.ClearData();
-    }
-
-    public override void DrawViewportWires(IGH_PreviewArgs args)
-    {
-        base.DrawViewportWires(args);
-        if (Hidden || Locked) return;
-        foreach (var shown in _shown)
-        {
-            shown.Lines.Draw(args.Display, Attributes.Selected ? args.WireColour_Selected : Printed, 2);
-            args.Display.DrawLines(shown.Head, Attributes.Selected ? args.WireColour_Selected : HeadColor, 2);
-        }
-    }
 
     private protected override void Inputs(InputPorts ports)
     {
@@ -95,8 +64,8 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         if (toolpath.Count == 0) throw new InputProblem("The toolpath has no moves.");
         var setup = run.Cached([goo.Value, goo.Setup, goo.DecodedGCode, run.Maybe<Printer>(1)], () => SetupPorts.Of(run, goo, run.Maybe<Printer>(1)));
         var units = run.Units;
-        var timeline = run.Cached([toolpath, setup], () => run.Work("Timing", (progress, cancel) => Timeline.Of(toolpath, setup, progress, cancel)));
-        var lines = run.Cached([toolpath, units.ToMillimeters], () => run.Work("Drawing", (_, _) => new PrintedLines(toolpath, units)));
+        var timeline = run.Work("Timing", [toolpath, setup], (progress, cancel) => Timeline.Of(toolpath, setup, progress, cancel));
+        var lines = run.Work("Drawing", [toolpath, units.ToMillimeters], (_, _) => new PrintedLines(toolpath, units));
         var state = StateAt(timeline, position, by);
         lines.ShowUntil(state.Move, state.Done);
         var outline = run.Cached([setup.Printer, units.ToMillimeters], () => new HeadOutline(setup.Printer, units));
@@ -104,7 +73,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         var head = outline.At(state.Frame.WithOrigin(state.Position));
         var box = lines.Box;
         foreach (var line in head) box.Union(line.BoundingBox);
-        _shown.Add(new Shown(lines, head, box));
+        run.Show(new Shown(lines, head, box));
 
         run.Set(0, RhinoGeometry.ToPlane(state.Frame, units));
         run.Set(1, goo.Until(state.Move, state.Position, state.Done));
@@ -149,5 +118,16 @@ public sealed class SimulateComponent() : CaterpillarComponent(
             + $"nozzle {N(state.NozzleTemperature, 0)} °C";
     }
 
-    private sealed record Shown(PrintedLines Lines, Rg.Line[] Head, Rg.BoundingBox Box);
+    private sealed record Shown(PrintedLines Lines, Rg.Line[] Head, Rg.BoundingBox Box) : IDrawn
+    {
+        public void DrawWires(IGH_PreviewArgs args, bool selected)
+        {
+            Lines.Draw(args.Display, selected ? args.WireColour_Selected : Printed, 2);
+            args.Display.DrawLines(Head, selected ? args.WireColour_Selected : HeadColor, 2);
+        }
+
+        public void DrawMeshes(IGH_PreviewArgs args, bool selected)
+        {
+        }
+    }
 }

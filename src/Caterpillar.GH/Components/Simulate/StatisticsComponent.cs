@@ -43,8 +43,8 @@ public sealed class StatisticsComponent() : CaterpillarComponent(
     {
         var goo = run.Get<ToolpathGoo>(0);
         var setup = SetupPorts.Of(run, goo, run.Maybe<Printer>(1), run.Maybe<Material>(2));
-        var s = run.Cached([goo.Value, setup], () => run.Work("Timing",
-            (progress, cancel) => PrintStatistics.Of(Timeline.Of(goo.Value, setup, progress, cancel), cancel)));
+        var s = run.Work("Timing", [goo.Value, setup],
+            (progress, cancel) => PrintStatistics.Of(Timeline.Of(goo.Value, setup, progress, cancel), cancel));
         run.Set(0, s.Duration);
         run.Set(1, s.Filament);
         run.Set(2, s.Volume);

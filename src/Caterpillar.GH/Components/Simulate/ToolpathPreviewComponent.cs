@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
@@ -18,42 +17,9 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
     "Toolpath Preview", "Preview", "Shows a toolpath in colors by role, speed, flow, layer, order or time, as lines or as beads of true width and height.",
         Panel.Simulate)
 {
-    private readonly List<ToolpathScene> _scenes = [];
-
     public override Guid ComponentGuid => new("e2b8a4c6-0b7b-4b7c-9a40-6a2d0d7e2f05");
 
-    public override Rg.BoundingBox ClippingBox
-    {
-        get
-        {
-            var box = base.ClippingBox;
-            if (Hidden || Locked) return box;
-            foreach (var scene in _scenes) box.Union(scene.Box);
-            return box;
-        }
-    }
-
     private protected override bool DrawsItself => true;
-
-    public override void ClearData()
-    {
-        _scenes.Clear();
-        base.ClearData();
-    }
-
-    public override void DrawViewportWires(IGH_PreviewArgs args)
-    {
-        base.DrawViewportWires(args);
-        if (Hidden || Locked) return;
-        foreach (var scene in _scenes) scene.DrawWires(args.Display, Attributes.Selected ? args.WireColour_Selected : null);
-    }
-
-    public override void DrawViewportMeshes(IGH_PreviewArgs args)
-    {
-        base.DrawViewportMeshes(args);
-        if (Hidden || Locked) return;
-        foreach (var scene in _scenes) scene.DrawMeshes(args.Display);
-    }
 
     private protected override void Inputs(InputPorts ports)
     {
@@ -98,14 +64,11 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
         bool Prints(int i) => toolpath[i].Kind == MoveKind.Print && Shown(i);
         var printer = run.Maybe<Machines.Printer>(6);
         var seams = run.Get<bool>(7);
-        var colors = run.Cached([toolpath, by, first, last, goo.Setup, by == PreviewColor.Time ? printer : null],
-            () => run.Work("Coloring", (progress, cancel) =>
-        {
-            var setup = by == PreviewColor.Time ? SetupPorts.Of(run, goo, printer) : null;
-            return PreviewColors.Of(toolpath, Prints, by, setup is null ? null : Timeline.Of(toolpath, setup, progress, cancel));
-        }));
-        _scenes.Add(run.Cached([colors, beads, travels, seams, printer, units.ToMillimeters], () => run.Work("Drawing", (_, _) =>
-            new ToolpathScene(toolpath, Shown, colors, beads, travels, units, seams, printer is null ? [] : VolumeOutline.Of(printer, units)))));
+        var setup = by == PreviewColor.Time ? run.Cached([toolpath, goo.Setup, goo.DecodedGCode, printer], () => SetupPorts.Of(run, goo, printer)) : null;
+        var colors = run.Work("Coloring", [toolpath, by, first, last, setup], (progress, cancel) =>
+            PreviewColors.Of(toolpath, Prints, by, setup is null ? null : Timeline.Of(toolpath, setup, progress, cancel)));
+        run.Show(run.Work("Drawing", [colors, beads, travels, seams, printer, units.ToMillimeters], (_, _) =>
+            new ToolpathScene(toolpath, Shown, colors, beads, travels, units, seams, printer is null ? [] : VolumeOutline.Of(printer, units))));
         run.SetList(0, colors.Texts);
         run.SetList(1, colors.Colors.Select(c => new GH_Colour { Value = c }));
     }

@@ -33,8 +33,8 @@ public sealed class ArrangeModelsComponent() : ModelMovingComponent(
         var options = new ArrangeOptions { Spacing = spacing, Margin = margin, OneAfterTheOther = run.Get<bool>(5) };
         var models = Models(run, geometry, run.Positive(6));
         object[] meshes = Array.ConvertAll(models, m => (object)m.Mesh);
-        var result = run.Cached([meshes, printer, pieces, options],
-            () => run.Work("Arranging", (_, cancel) => ModelArranger.Arrange(models.Copies(pieces), printer, options, cancel)));
+        var result = run.Work("Arranging", [meshes, printer, pieces, options],
+            (_, cancel) => ModelArranger.Arrange(models.Copies(pieces), printer, options, cancel));
         run.SetList(2, run.Report(result.Diagnostics));
         if (result.Value is { } placed) SetMoved(run, geometry, models, placed);
     }

@@ -43,7 +43,7 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
         var solids = Named(models);
         var onto = run.List<IGH_GeometricGoo>(4).Select(g => ModelMesh.Of(run, g, tolerance, run.Units)).ToArray();
         var partial = run.Get<bool>(5);
-        var result = run.Cached([recipe, setup, partial, models.ToArray(), onto], () => run.Work("Slicing", (progress, cancel) =>
+        var result = run.Work("Slicing", [recipe, setup, partial, models.ToArray(), onto], (progress, cancel) =>
         {
             var field = recipe.For(solids, setup);
             if (field.Value is null || field.HasErrors) return new Result<SliceResult>(null, field.Diagnostics);
@@ -51,7 +51,7 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
             var options = new CurvedOptions { Onto = floor is null ? null : PlanSurface.OnBed(floor), Partial = partial };
             var sliced = CurvedSlicer.Slice(solids, field.Value, setup, options, 0, progress, cancel);
             return new Result<SliceResult>(sliced.Value, field.Diagnostics.Concat(sliced.Diagnostics).ToArray());
-        }));
+        });
         SetResult(run, models, solids, result);
     }
 }

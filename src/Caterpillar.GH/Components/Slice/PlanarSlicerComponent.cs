@@ -25,8 +25,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         var settings = run.Maybe<PrintSettings>(1) ?? new PrintSettings();
         var models = Models(run, 0, tolerance);
         var solids = Named(models);
-        var result = run.Cached([settings, .. models],
-            () => run.Work("Slicing", (progress, cancel) => PlanarSlicer.Slice(solids, settings, 0, progress, cancel)));
+        var result = run.Work("Slicing", [settings, .. models], (progress, cancel) => PlanarSlicer.Slice(solids, settings, 0, progress, cancel));
         SetResult(run, models, solids, result);
     }
 }

@@ -49,12 +49,12 @@ public sealed class ProjectPathsComponent() : CaterpillarComponent(
         var (partial, tolerance, units) = (run.Get<bool>(5), run.Positive(6), run.Units);
         var onto = geometry.Select(g => ModelMesh.Of(run, g, tolerance, units)).ToArray();
         object[] paths = goos.Select(g => (object)g.Value).ToArray();
-        var result = run.Cached([paths, onto, offset, setup, partial], () => run.Work("Projecting", (progress, cancel) =>
+        var result = run.Work("Projecting", [paths, onto, offset, setup, partial], (progress, cancel) =>
         {
             var surface = PlanSurface.Of(RhinoMesh.Joined(onto.Select(m => m.Triangles).ToArray())!).Moved(new Vec3(0, 0, Math.Max(0, offset)));
             var steps = goos.Select(g => (Step)g.ToStep()).ToArray();
             return SurfaceProjection.Project(steps, surface, setup, Math.Max(0, -offset), partial, progress, cancel);
-        }));
+        });
         run.SetList(1, run.Report(result.Diagnostics));
         if (result.Value is { } projected) run.SetList(0, projected.OfType<PathStep>().Select(s => new PrintPathGoo(s)));
     }

@@ -30,8 +30,8 @@ public sealed class ReadModelComponent() : CaterpillarComponent(
         var file = new FileInfo(run.PathTo(run.Get<string>(0)));
         if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
         var units = run.Units;
-        var read = run.Cached([file.FullName, file.LastWriteTimeUtc, file.Length],
-            () => run.Work("Reading", (progress, cancel) => MeshReader.Read(file.FullName, progress, cancel)));
+        var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length],
+            (progress, cancel) => MeshReader.Read(file.FullName, progress, cancel));
         run.SetList(2, run.Report(read.Diagnostics));
         if (read.Value is not { } models) return;
         run.SetList(0, run.Cached([read, units.ToMillimeters], () => models.Select(m => RhinoMesh.FromTriangles(m.Mesh, units)).ToArray()));

@@ -22,6 +22,9 @@ namespace Grasshopper.Kernel
 
         public string FilePath { get; set; }
 
+        /// <summary>The cluster that it is the inside of.</summary>
+        public IGH_DocumentOwner Owner { get; set; }
+
         public bool IsFilePathDefined => !string.IsNullOrEmpty(FilePath);
 
         public bool AbortRequested { get; private set; }

@@ -11,6 +11,12 @@ namespace Grasshopper
     public static class Instances
     {
         public static GH_ComponentServer ComponentServer { get; } = new GH_ComponentServer();
+
+        public static bool IsDocumentServer => true;
+
+        public static GH_DocumentServer DocumentServer { get; } = new GH_DocumentServer();
+
+        public static GH_SettingsServer Settings { get; } = new GH_SettingsServer("headless");
     }
 
     public static class Folders
@@ -24,6 +30,44 @@ namespace Grasshopper
 
 namespace Grasshopper.Kernel
 {
+    public interface IGH_DocumentOwner
+    {
+        void DocumentModified(GH_Document document);
+
+        void DocumentClosed(GH_Document document);
+
+        GH_Document OwnerDocument();
+    }
+
+    /// <summary>The definitions that are open in the editor.</summary>
+    public class GH_DocumentServer
+    {
+        private readonly List<GH_Document> _documents = new List<GH_Document>();
+
+        internal GH_DocumentServer()
+        {
+        }
+
+        public bool Contains(GH_Document doc) => _documents.Contains(doc);
+
+        public void AddDocument(GH_Document document) => _documents.Add(document);
+
+        public bool RemoveDocument(GH_Document document) => _documents.Remove(document);
+    }
+
+    public class GH_SettingsServer
+    {
+        private readonly Dictionary<string, bool> _values = new Dictionary<string, bool>();
+
+        public GH_SettingsServer(string name)
+        {
+        }
+
+        public bool GetValue(string key, bool @default) => _values.TryGetValue(key, out var value) ? value : @default;
+
+        public void SetValue(string key, bool value) => _values[key] = value;
+    }
+
     public class GH_ComponentServer
     {
         internal readonly Dictionary<string, object> Categories = new Dictionary<string, object>();

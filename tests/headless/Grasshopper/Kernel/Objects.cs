@@ -105,6 +105,10 @@ namespace Grasshopper.Kernel
         {
         }
 
+        public void OnDisplayExpired(bool redraw)
+        {
+        }
+
         public virtual GH_Document OnPingDocument() => Document;
     }
 

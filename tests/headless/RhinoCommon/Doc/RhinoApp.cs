@@ -5,6 +5,11 @@ namespace Rhino
 {
     public static class RhinoApp
     {
+        // A test may be a server.
+        internal static bool Headless;
+
+        public static bool IsRunningHeadless => Headless;
+
         public static void InvokeOnUiThread(Delegate method, params object[] args) => method.DynamicInvoke(args);
     }
 }

@@ -1,0 +1,32 @@
+using System.Collections.Generic;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Base;
+
+/// <summary>Looks along the wires to where data comes from.</summary>
+internal static class Upstream
+{
+    /// <summary>The name of a component whose new result is still worked on, so that what arrives here is old; null if there is none.</summary>
+    public static string? Pending(IGH_Component component) => Pending(component.Params.Input, []);
+
+    private static string? Pending(IEnumerable<IGH_Param> inputs, HashSet<object> seen)
+    {
+        foreach (var input in inputs)
+        {
+            foreach (var source in input.Sources)
+            {
+                var owner = source.Attributes?.GetTopLevel?.DocObject ?? source;
+                if (!seen.Add(owner)) continue;
+                var name = owner switch
+                {
+                    CaterpillarComponent ours => ours.Pending,
+                    IGH_Component other => Pending(other.Params.Input, seen),
+                    IGH_Param floating => Pending([floating], seen),
+                    _ => null,
+                };
+                if (name is not null) return name;
+            }
+        }
+        return null;
+    }
+}

@@ -1,0 +1,75 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.GH.Base;
+
+namespace Caterpillar.GH.Tests.Base;
+
+/// <summary>A component whose work takes as long as a test wants.</summary>
+internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Takes its time.", "Test")
+{
+    private readonly Queue<Action> _posted = new();
+
+    public override Guid ComponentGuid => new("5f0c3d0e-7c0e-4a3e-9a51-6f7f2c7c0f11");
+
+    /// <summary>Open while work may end.</summary>
+    public ManualResetEventSlim Gate { get; } = new(true);
+
+    /// <summary>How often work has begun, and how often it was canceled.</summary>
+    public int Begun;
+
+    public int Canceled;
+
+    /// <summary>Its work may outlive a solution, as on the canvas.</summary>
+    public SlowComponent OnCanvas()
+    {
+        Background.MayLeave = _ => true;
+        Background.Post = action =>
+        {
+            lock (_posted) _posted.Enqueue(action);
+        };
+        return this;
+    }
+
+    /// <summary>Lets time pass as in Rhino, until something is true or ten seconds are over.</summary>
+    public bool Until(Func<bool> done)
+    {
+        var end = DateTime.UtcNow.AddSeconds(10);
+        while (!done() && DateTime.UtcNow < end)
+        {
+            Action? next = null;
+            lock (_posted)
+            {
+                if (_posted.Count > 0) next = _posted.Dequeue();
+            }
+            next?.Invoke();
+            if (next is null && OnPingDocument()?.RunSchedule() != true) Thread.Sleep(5);
+        }
+        return done();
+    }
+
+    private protected override void Inputs(InputPorts ports) => ports.Text("Value", "V", "A text.");
+
+    private protected override void Outputs(OutputPorts ports) => ports.Text("Result", "R", "The text.");
+
+    private protected override void Solve(Run run)
+    {
+        var value = run.Get<string>(0);
+        run.Set(0, run.Work("Testing", [value], (progress, cancel) =>
+        {
+            Interlocked.Increment(ref Begun);
+            progress.Report(0.42);
+            try
+            {
+                Gate.Wait(cancel);
+            }
+            catch (OperationCanceledException)
+            {
+                Interlocked.Increment(ref Canceled);
+                throw;
+            }
+            return value == "bad" ? throw new InvalidOperationException("This is bad.") : value;
+        }));
+        run.Summarize("done");
+    }
+}
