@@ -209,7 +209,7 @@ public abstract class CaterpillarComponent : GH_Component
         }
         catch (InputProblem) when (_waitsFor is not null)
         {
-            // What is missing or wrong is on its way.
+            // What is missing or wrong may come with the new result.
             run.GiveNulls();
         }
         catch (InputProblem problem)
