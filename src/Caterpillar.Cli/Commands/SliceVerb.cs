@@ -18,8 +18,7 @@ internal sealed class SliceVerb : Verb
     private readonly Argument<string[]> _models = new("MODEL")
     {
         Description = "Mesh files (STL, OBJ, PLY, 3MF, also packed with gzip), or - for standard input. Several files are parts of one print and keep their "
-            + "places "
-            + "relative to each other.",
+            + "places relative to each other.",
         Arity = ArgumentArity.OneOrMore,
     };
 

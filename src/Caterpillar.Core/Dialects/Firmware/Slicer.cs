@@ -9,12 +9,10 @@ internal static class Slicer
         Title = "Slicers",
         Limits = LimitCommands.Marlin,
         Source =
-            "PrusaSlicer 2.9.4, src/libslic3r/GCode/GCodeProcessor.cpp: process_gcode_line, process_G1, process_G2_G3, process_G28, process_G92, "
-            + "process_T",
+            "PrusaSlicer 2.9.4, src/libslic3r/GCode/GCodeProcessor.cpp: process_gcode_line, process_G1, process_G2_G3, process_G28, process_G92, process_T",
         Notes =
-            "The neutral reading of files. Where the processor of PrusaSlicer stops, it goes on as most machines do: lines without G repeat the last "
-            + "motion, arcs may lie in other planes, have absolute centers or P, and one without a center is a line; M101 and M103 and the letters A and "
-            + "B extrude.",
+            "The neutral reading of files. Where the processor of PrusaSlicer stops, it goes on as most machines do: lines without G repeat the last motion, "
+            + "arcs may lie in other planes, have absolute centers or P, and one without a center is a line; M101 and M103 and the letters A and B extrude.",
         Commands = CommandsRule.All,
         BareG92 = BareG92Rule.ZeroAll,
         ShiftResets = ["G92.1", "G92.2"],

@@ -88,8 +88,7 @@ public enum TurtleRotateKind
 /// <summary>A turn of the turtle.</summary>
 public sealed class TurtleRotateComponent() : TurtleCommandComponent(
     "Turtle Rotate", "TRotate", "Turns the turtle: positive yaw to the left, positive pitch raises the nose, positive roll lifts the left side. Yaw comes "
-        + "first, "
-        + "then pitch, then roll.")
+        + "first, then pitch, then roll.")
 {
     public override Guid ComponentGuid => new("c1b64e0a-37f5-4a0b-8f66-2f6d8f0b5d16");
 
@@ -202,8 +201,7 @@ public sealed class TurtleEventComponent()
     {
         ports.Choice("Kind", "K", "What happens.", TurtleEventKind.Dwell);
         ports.Number("Value", "V", "mm of filament, milliseconds, °C (waits until reached), fan speed 0 to 1, number of a tool or layer, or thickness of the "
-            + "next "
-            + "layer in mm.", 0);
+            + "next layer in mm.", 0);
         ports.Text("Text", "T", "Comment, raw line, message of a pause, name, or color as #rrggbb.", "");
     }
 

@@ -42,9 +42,8 @@ public sealed class ModulateComponent() : PathShapingComponent(
         ports.Text("Mask", "Ma", "Formula in the same variables for the strength of the effect, 0 to 1; full strength by default.", optional: true);
         ports.Number("Resolution", "R", "Segments are first divided into parts of at most this length, in mm; 0 leaves them as they are.", 0);
         PlanePort(ports);
-        ports.Choice("Mapping", "W", "How the image is mapped onto the paths: around them, as on a globe, seen from above, or one row for each path; it is "
-            + "as large "
-            + "as they are.", ImageProjection.Cylinder);
+        ports.Choice("Mapping", "W", "How the image is mapped onto the paths: around them, as on a globe, seen from above, or one row for each path; it is as "
+            + "large as they are.", ImageProjection.Cylinder);
         ports.Integer("Repeat", "N", "Number of times the image is repeated around a cylinder.", 1);
         ports.Boolean("Smooth", "Sm", "True interpolates between pixels, false takes the nearest pixel.", false);
         ports.Number("Reference Speed", "V", "Speed in mm/s of paths that have none of their own; 0 if all have one.", 0);

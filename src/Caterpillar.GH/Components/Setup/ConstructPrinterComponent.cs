@@ -24,9 +24,8 @@ public sealed class ConstructPrinterComponent() : ProfileComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new PrinterParam(), "Base", "B", "Printer to start from, or the name of its profile; the generic one by default.", optional: true);
-        ports.Geometry("Bed", "Be", "Box of the build volume or rectangle of the bed, in document units, with the origin at a corner or in the middle; that "
-            + "of the "
-            + "base by default.", optional: true);
+        ports.Geometry("Bed", "Be", "Box of the build volume or rectangle of the bed, in document units, with the origin at a corner or in the middle; that of "
+            + "the base by default.", optional: true);
         ports.OptionalNumber("Nozzle", "N", "Diameter of the nozzle, in mm; that of the base by default.");
         ports.Geometry("Head Parts", "H",
             "Parts of the head around the nozzle, whose tip is at the origin, in document units: their boxes must not touch the print.",

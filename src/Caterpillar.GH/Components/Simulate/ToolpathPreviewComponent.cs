@@ -31,8 +31,7 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
         ports.Boolean("Travel", "Tr", "True shows travels and the places of retractions, too.", false);
         ports.Add(new PrinterParam(), "Printer", "P",
             "Printer, or the name of its profile, whose bed and build volume are shown, and whose limits give the times; by default none is shown, and times "
-                + "are "
-                + "those of the printer it was planned for.", optional: true);
+                + "are those of the printer it was planned for.", optional: true);
         ports.Boolean("Seam", "Se", "True marks where the walls of each layer begin.", false);
     }
 
