@@ -173,11 +173,13 @@ internal sealed class StrandCheck
     private void Doubles(in CheckedMove move, double area, double height)
     {
         var half = new Bead(area, height).Width(_shape) / 2;
+        // On curved layers strands may be much thinner than their layer says; those above each other are not in each other's place.
+        var thickness = Math.Min(height, area / _printer.NozzleDiameter);
         var count = (int)Math.Min(Math.Max(Math.Ceiling(move.Length), 1), 16);
         for (var k = 0; k < count; k++)
         {
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
-            if (!_printed.Deposit.HasParallel(p, move.End - move.Start, half, height, out var other))
+            if (!_printed.Deposit.HasParallel(p, move.End - move.Start, half, thickness, out var other))
             {
                 _doubled = 0;
                 continue;

@@ -40,8 +40,12 @@ public sealed class MeshHeights
     /// <summary>
     /// Highest point of the surface, mm, on the vertical through (x, y) and not above <paramref name="limit"/>; negative infinity if there is none.
     /// </summary>
-    public double TopUnder(double x, double y, double limit = double.PositiveInfinity)
+    public double TopUnder(double x, double y, double limit = double.PositiveInfinity) => TopUnder(x, y, limit, out _);
+
+    /// <summary>The same, and the number of the triangle; −1 if there is none.</summary>
+    internal double TopUnder(double x, double y, double limit, out int triangle)
     {
+        triangle = -1;
         var best = double.NegativeInfinity;
         var min = _mesh.Bounds.Min;
         var column = (x - min.X) / _cell;
@@ -53,7 +57,9 @@ public sealed class MeshHeights
         {
             var t = 3 * _items[i];
             var z = HeightOn(in vertices[triangles[t]], in vertices[triangles[t + 1]], in vertices[triangles[t + 2]], x, y);
-            if (z <= limit && z > best) best = z;
+            if (!(z <= limit && z > best)) continue;
+            best = z;
+            triangle = _items[i];
         }
         return best;
     }
@@ -61,12 +67,12 @@ public sealed class MeshHeights
     // NaN outside the triangle; points on an edge belong to both of its triangles.
     private static double HeightOn(in Vec3 a, in Vec3 b, in Vec3 c, double x, double y)
     {
+        double ax = a.X - x, ay = a.Y - y, bx = b.X - x, by = b.Y - y, cx = c.X - x, cy = c.Y - y;
+        double u = bx * cy - by * cx, v = cx * ay - cy * ax, w = ax * by - ay * bx;
+        // All of them have the sign of the area.
+        if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0))) return double.NaN;
         var area = (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
-        if (area == 0) return double.NaN;
-        var u = ((b.X - x) * (c.Y - y) - (b.Y - y) * (c.X - x)) / area;
-        var v = ((c.X - x) * (a.Y - y) - (c.Y - y) * (a.X - x)) / area;
-        var w = ((a.X - x) * (b.Y - y) - (a.Y - y) * (b.X - x)) / area;
-        return u >= 0 && v >= 0 && w >= 0 ? a.Z * u + b.Z * v + c.Z * w : double.NaN;
+        return area == 0 ? double.NaN : a.Z * (u / area) + b.Z * (v / area) + c.Z * (w / area);
     }
 
     // The x that an edge has within a row of cells, with a little to spare for rounding.

@@ -16,7 +16,7 @@ internal static class CurvedKeys
 
     public static readonly ProfileKey<PrintSettings, double> CurvedMinGap = K.NumberOrZero(
         "curved_min_gap_mm", 0.001, 100, s => s.CurvedMinGap, (s, v) => s with { CurvedMinGap = v },
-        "Where curved layers are thinner than this, several are printed at once; 0 prints all of them.");
+        "Where curved layers are thinner than this, several are printed at once; 0 for 0.15 nozzles, at most half of the layer height.");
 
     public static readonly ProfileKey<PrintSettings, double> CurvedMaxGap = K.NumberOrZero(
         "curved_max_gap_mm", 0.001, 100, s => s.CurvedMaxGap, (s, v) => s with { CurvedMaxGap = v },

@@ -7,9 +7,9 @@ public sealed partial record PrintSettings
     public double CurvedTolerance { get; init => field = CurvedKeys.CurvedTolerance.Check(value); } = 0.01;
 
     /// <summary>Change of the gap between layers along one move, beyond which the move is divided, % of the gap.</summary>
-    public double CurvedGapStep { get; init => field = CurvedKeys.CurvedGapStep.Check(value); } = 4;
+    public double CurvedGapStep { get; init => field = CurvedKeys.CurvedGapStep.Check(value); } = 10;
 
-    /// <summary>Where curved layers are thinner than this, several are printed at once, mm; 0 prints all of them.</summary>
+    /// <summary>Where curved layers are thinner than this, several are printed at once, mm; 0 for 0.15 nozzles, at most half of the layer height.</summary>
     public double CurvedMinGap { get; init => field = CurvedKeys.CurvedMinGap.Check(value); }
 
     /// <summary>Curved layers that are thicker than this somewhere are divided, mm; 0 for three quarters of the nozzle.</summary>

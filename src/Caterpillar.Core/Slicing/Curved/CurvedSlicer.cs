@@ -90,7 +90,7 @@ public static class CurvedSlicer
         var settings = setup.Settings;
         var ceiling = SlopeLimit(setup, part, flat, field);
         var rules = new LiftRules(
-            settings.CurvedTolerance, settings.CurvedGapStep / 100, settings.CurvedMinGap, ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial)
+            settings.CurvedTolerance, settings.CurvedGapStep / 100, MinGap(setup), ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial)
         {
             // Without a partial print it was looked for in the whole part.
             FindsEdge = options.Partial,
@@ -172,6 +172,10 @@ public static class CurvedSlicer
         var size = part.Bounds.Size;
         return HeadSlope.Limit(setup.Printer, size.LengthXY, rise);
     }
+
+    // Thinner strands are not laid down reliably.
+    private static double MinGap(PrintSetup setup) => setup.Settings.CurvedMinGap > 0 ? setup.Settings.CurvedMinGap
+        : Math.Min(setup.Printer.NozzleDiameter * 0.15, setup.Settings.LayerHeight / 2);
 
     private static double MaxGap(PrintSetup setup) => setup.Settings.CurvedMaxGap > 0 ? setup.Settings.CurvedMaxGap
         : Math.Max(setup.Printer.NozzleDiameter * 0.75, Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight));

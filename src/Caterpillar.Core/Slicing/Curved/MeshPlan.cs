@@ -23,12 +23,22 @@ internal sealed class MeshPlan : PlanSurface
 
     public override double Detail { get; }
 
-    public override bool Covers(double x, double y) => !double.IsInfinity(Covered(x, y));
+    public override bool Covers(double x, double y) => !double.IsInfinity(Covered(x, y, out _));
 
     public override double Height(double x, double y)
     {
-        var height = Covered(x, y);
-        return double.IsInfinity(height) ? Beyond(x, y) : height;
+        var height = Covered(x, y, out _);
+        return double.IsInfinity(height) ? Beyond(x, y).Height : height;
+    }
+
+    // That of the triangle: differences of heights would be wrong where points are moved onto the edge.
+    internal override (double ByX, double ByY) Slope(double x, double y)
+    {
+        if (double.IsInfinity(Covered(x, y, out var triangle))) triangle = Beyond(x, y).Triangle;
+        if (triangle < 0) return (0, 0);
+        var (a, b, c) = _mesh.Triangle(triangle);
+        var normal = Vec3.Cross(_mesh.RawVertices[b] - _mesh.RawVertices[a], _mesh.RawVertices[c] - _mesh.RawVertices[a]);
+        return (-normal.X / normal.Z, -normal.Y / normal.Z);
     }
 
     internal override void Check(DiagnosticList problems)
@@ -62,42 +72,44 @@ internal sealed class MeshPlan : PlanSurface
         }
     }
 
-    private double Covered(double x, double y)
+    private double Covered(double x, double y, out int triangle)
     {
-        var height = _heights.TopUnder(x, y);
+        var height = Top(x, y, out triangle);
         if (!double.IsInfinity(height)) return height;
         // Points on the outermost edge may miss it by rounding; the less they are moved the better.
         var center = _mesh.Bounds.Center;
         int dx = Math.Sign(center.X - x), dy = Math.Sign(center.Y - y);
         foreach (var step in Steps)
         {
-            height = _heights.TopUnder(x + dx * step, y);
-            if (double.IsInfinity(height)) height = _heights.TopUnder(x, y + dy * step);
-            if (double.IsInfinity(height)) height = _heights.TopUnder(x + dx * step, y + dy * step);
+            height = Top(x + dx * step, y, out triangle);
+            if (double.IsInfinity(height)) height = Top(x, y + dy * step, out triangle);
+            if (double.IsInfinity(height)) height = Top(x + dx * step, y + dy * step, out triangle);
             if (!double.IsInfinity(height)) break;
         }
         return height;
     }
 
     // The height where the line to the middle of the surface first meets it.
-    private double Beyond(double x, double y)
+    private (double Height, int Triangle) Beyond(double x, double y)
     {
         const int Parts = 64;
         var center = _mesh.Bounds.Center;
         for (var i = 1; i <= Parts; i++)
         {
             double inside = (double)i / Parts, outside = (i - 1.0) / Parts;
-            if (double.IsInfinity(At(inside))) continue;
+            if (double.IsInfinity(At(inside, out _))) continue;
             for (var k = 0; k < 30; k++)
             {
                 var middle = (inside + outside) / 2;
-                if (double.IsInfinity(At(middle))) outside = middle;
+                if (double.IsInfinity(At(middle, out _))) outside = middle;
                 else inside = middle;
             }
-            return At(inside);
+            return (At(inside, out var triangle), triangle);
         }
-        return center.Z;
+        return (center.Z, -1);
 
-        double At(double t) => _heights.TopUnder(x + (center.X - x) * t, y + (center.Y - y) * t);
+        double At(double t, out int triangle) => Top(x + (center.X - x) * t, y + (center.Y - y) * t, out triangle);
     }
+
+    private double Top(double x, double y, out int triangle) => _heights.TopUnder(x, y, double.PositiveInfinity, out triangle);
 }

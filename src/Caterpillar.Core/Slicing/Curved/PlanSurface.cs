@@ -25,7 +25,7 @@ public abstract class PlanSurface
     public virtual double Detail => double.PositiveInfinity;
 
     /// <summary>How the height changes with x and with y at a place.</summary>
-    internal (double ByX, double ByY) Slope(double x, double y)
+    internal virtual (double ByX, double ByY) Slope(double x, double y)
     {
         const double Step = 1e-4;
         var height = Height(x, y);
