@@ -6,6 +6,7 @@ using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Data;
 using Grasshopper.Kernel.Parameters;
@@ -17,6 +18,7 @@ namespace Caterpillar.GH.Base;
 internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access, SolveCache cache, Background background)
 {
     private readonly List<Action<IGH_DataAccess>> _given = [];
+    private readonly Dictionary<int, List<IGH_Goo?>> _lists = [];
     private DocumentUnits? _units;
 
     /// <summary>What the item gives, in order.</summary>
@@ -60,12 +62,20 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     {
         if (kind == GH_ParamAccess.list)
         {
-            var goos = new List<IGH_Goo?>();
-            access.GetDataList(input, goos!);
+            var goos = Goos(input);
             return goos.Count > 0 && (required ? !goos.TrueForAll(g => g is null) : !goos.Contains(null));
         }
         IGH_Goo? goo = null;
         return required || (access.GetData(input, ref goo) && goo is not null);
+    }
+
+    // A list is read once.
+    private List<IGH_Goo?> Goos(int input)
+    {
+        if (_lists.TryGetValue(input, out var known)) return known;
+        var goos = new List<IGH_Goo?>();
+        access.GetDataList(input, goos!);
+        return _lists[input] = goos;
     }
 
     /// <summary>A required item.</summary>
@@ -98,16 +108,49 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     public List<T> List<T>(int input)
         where T : class
     {
+        var goos = Goos(input);
+        var some = new List<T>(goos.Count);
+        var lost = 0;
+        foreach (var goo in goos)
+        {
+            if (goo is T item) some.Add(item);
+            else if (goo is null) lost++;
+            else return Converted<T>(input);
+        }
+        ReportNulls(input, lost);
+        return some;
+    }
+
+    /// <summary>The print paths of a list.</summary>
+    public PathList Paths(int input)
+    {
+        var goos = List<PrintPathGoo>(input);
+        return cache.Renew<PathList>([input, access.Iteration], last => last?.Has(goos) == true ? last : new PathList(goos));
+    }
+
+    /// <summary>The steps of a list.</summary>
+    public StepList Steps(int input)
+    {
+        var goos = List<StepGoo>(input);
+        return cache.Renew<StepList>([input, access.Iteration], last => last?.Has(goos) == true ? last : new StepList(goos));
+    }
+
+    // What Grasshopper makes of the goo.
+    private List<T> Converted<T>(int input)
+        where T : class
+    {
         var all = new List<T?>();
         access.GetDataList(input, all!);
         var some = all.Where(item => item is not null).Select(item => item!).ToList();
-        if (some.Count < all.Count)
-        {
-            var lost = all.Count - some.Count;
-            Report(GH_RuntimeMessageLevel.Warning,
-                $"{component.Params.Input[input].Name} has {lost} null {(lost == 1 ? "item, which is" : "items, which are")} ignored.");
-        }
+        ReportNulls(input, all.Count - some.Count);
         return some;
+    }
+
+    private void ReportNulls(int input, int lost)
+    {
+        if (lost == 0) return;
+        Report(GH_RuntimeMessageLevel.Warning,
+            $"{component.Params.Input[input].Name} has {lost} null {(lost == 1 ? "item, which is" : "items, which are")} ignored.");
     }
 
     /// <summary>A number greater than zero.</summary>

@@ -31,6 +31,17 @@ internal sealed class SolveCache
         _current = [];
     }
 
+    /// <summary>What a key had in the last solves is looked at first: the new value may be the old one.</summary>
+    public T Renew<T>(object?[] parts, Func<T?, T> renew)
+        where T : class
+    {
+        var key = new SolveKey(typeof(T), parts);
+        var last = _current.TryGetValue(key, out var known) || _last.TryGetValue(key, out known) || _complete.TryGetValue(key, out known) ? (T)known : null;
+        var value = renew(last);
+        _current[key] = value;
+        return value;
+    }
+
     /// <summary>The value of a key from this or an earlier solve, or a new one.</summary>
     public T Get<T>(object?[] parts, Func<SolveKey, T> make)
         where T : class

@@ -18,6 +18,8 @@ namespace Caterpillar.GH.Goos;
 /// <summary>A print path on a wire: moves, turns and scales like a curve, and is one for native components.</summary>
 public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData, IBakes
 {
+    private PathStep? _step;
+
     public PrintPathGoo()
     {
     }
@@ -27,44 +29,24 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData, IBake
         Value = path!;
     }
 
-    /// <summary>A path from a slicer, with the group in which planning may sort it.</summary>
-    public PrintPathGoo(PathStep step)
+    /// <summary>A path from a slicer or a turtle, with what planning has to know of it: its group, whether its start is fixed, its layer, its source.</summary>
+    public PrintPathGoo(PathStep? step)
         : this(step?.Path)
     {
-        Group = step?.Group;
-        KeepStart = step?.KeepStart ?? false;
-        Region = step?.Region;
+        _step = step;
     }
-
-    private PrintPathGoo(PrintPathGoo other, PrintPath? path)
-        : this(path)
-    {
-        Group = other.Group;
-        KeepStart = other.KeepStart;
-        // Moved paths leave their layer.
-        Region = ReferenceEquals(path, other.Value) ? other.Region : null;
-    }
-
-    /// <summary>Paths of one group may be sorted; without a group the path stays where it is.</summary>
-    public StepGroup? Group { get; }
-
-    /// <summary>Sorting may not reverse it or move its start.</summary>
-    public bool KeepStart { get; }
-
-    /// <summary>The region that its layer covers.</summary>
-    public Region? Region { get; }
 
     public override string TypeName => "Print Path";
 
     public override string TypeDescription => "A path to deposit, with its beads in mm² and speeds in mm/s.";
 
-    public override IGH_GeometricGoo DuplicateGeometry() => new PrintPathGoo(this, Value);
+    public override IGH_GeometricGoo DuplicateGeometry() => Value is null ? new PrintPathGoo() : new PrintPathGoo(ToStep());
 
     /// <summary>The path as a step of a design.</summary>
-    public PathStep ToStep() => new(Value, Group) { KeepStart = KeepStart, Region = Region };
+    public PathStep ToStep() => ReferenceEquals(_step?.Path, Value) ? _step! : _step = new PathStep(Value);
 
-    /// <summary>The same with another path.</summary>
-    public PrintPathGoo With(PrintPath path) => new(this, path);
+    /// <summary>The same with another path, which leaves the region of its layer.</summary>
+    public PrintPathGoo With(PrintPath path) => ReferenceEquals(path, Value) ? this : new PrintPathGoo(ToStep().With(path, null));
 
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)
     {

@@ -14,6 +14,10 @@ public sealed class GCodeParam() : VolatileParam<GCodeGoo>("G-code", "GCode", "C
 public sealed class StepParam() : VolatileParam<StepGoo>("Step", "Step", "Contains steps of a design: print paths, travels and events.", Panel.Path)
 {
     public override Guid ComponentGuid => new("9338155d-65ee-4cc2-939c-d876fc935887");
+
+    // Most steps are print paths, and many.
+    protected override StepGoo PreferredCast(object data)
+        => data is PrintPathGoo { Value: not null } path ? new StepGoo(path.ToStep()) : base.PreferredCast(data);
 }
 
 /// <summary>Fields of layers; surfaces and formulas are fields, too.</summary>

@@ -50,7 +50,7 @@ public sealed class ShapingComponentsTests
     {
         var group = new StepGroup(1, 2);
         var canvas = new Canvas<DeformComponent>().Feed("Print Paths", new PrintPathGoo(new PathStep(Line, group))).Feed("Z", "z + 1").Solve();
-        Assert.That(((PrintPathGoo)canvas.Output("Print Paths").VolatileData.get_Branch(0)[0]!).Group, Is.EqualTo(group));
+        Assert.That(((PrintPathGoo)canvas.Output("Print Paths").VolatileData.get_Branch(0)[0]!).ToStep().Group, Is.EqualTo(group));
     }
 
     [Test]

@@ -1,8 +1,14 @@
 using System;
 using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Components.Slice;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
 using Caterpillar.GH.Tests.Host;
 using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Slicing;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
 using NUnit.Framework;
@@ -33,6 +39,24 @@ public sealed class SlicerTests
         Assert.That(canvas.Component.Message, Is.EqualTo("4 layers"));
         Assert.That(canvas.Output("Print Paths").VolatileData.get_Branch(0)[0]!.ToString(),
             Does.StartWith("Print Path (OuterWall, ").And.EndsWith(", closed)"));
+    }
+
+    [Test]
+    public void What_the_slicer_knows_of_its_paths_reaches_planning()
+    {
+        var slicer = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick with { WallCount = 3 }).Feed("Geometry", Shapes.Box()).Solve();
+        var plan = new Canvas<PlanToolpathComponent>(slicer.Document).Feed("Printer", "generic").Feed("Settings", Quick with { WallCount = 3 });
+        plan.Input("Steps").AddSource(slicer.Output("Print Paths"));
+        plan.Solve();
+        Assert.That(plan.Errors, Is.Empty);
+        var solid = new NamedMesh("Solid 0", RhinoMesh.ToTriangles(Shapes.Box(), DocumentUnits.Current));
+        var slices = PlanarSlicer.Slice([solid], Quick with { WallCount = 3 }, 1, null, default).Value!;
+        var steps = slices.Layers.SelectMany(l => l.Steps).ToArray();
+        Assert.That(steps.Count(s => s.Joined), Is.GreaterThan(0));
+        var expected = Planner.Plan(steps, ((ToolpathGoo)plan.Output("Toolpath").VolatileData.get_Branch(0)[0]!).Setup!).Value!;
+        var planned = plan.One<Toolpath>("Toolpath");
+        Assert.That(Enumerable.Range(0, planned.Count).Select(i => planned[i].End),
+            Is.EqualTo(Enumerable.Range(0, expected.Count).Select(i => expected[i].End)));
     }
 
     [Test]

@@ -54,7 +54,7 @@ public sealed class SortAndGapTests
         var grouped = new PrintPathGoo(new PathStep(Line(0, 10), new StepGroup(0)));
         var canvas = new Canvas<SortPathsComponent>().Feed("Print Paths", grouped).Solve();
         var goo = (PrintPathGoo)canvas.Output("Print Paths").VolatileData.get_Branch(0)[0]!;
-        Assert.That(goo.Group, Is.Null);
+        Assert.That(goo.ToStep().Group, Is.Null);
     }
 
     [Test]
@@ -96,7 +96,7 @@ public sealed class SortAndGapTests
         var step = new PrintPathGoo(new PathStep(Line(0, 10, 0.7), new StepGroup(3, 1)));
         var canvas = new Canvas<GapBeadComponent>().Feed("Print Paths", step).Feed("Maximum Gap", 0.5).Solve();
         Assert.That(canvas.One<PrintPath>("Print Paths").BeadOf(0).Height, Is.EqualTo(0.5).Within(1e-9));
-        Assert.That(((PrintPathGoo)canvas.Output("Print Paths").VolatileData.get_Branch(0)[0]!).Group, Is.EqualTo(new StepGroup(3, 1)));
+        Assert.That(((PrintPathGoo)canvas.Output("Print Paths").VolatileData.get_Branch(0)[0]!).ToStep().Group, Is.EqualTo(new StepGroup(3, 1)));
         Assert.That(canvas.All("Diagnostics"), Has.One.Contains("gap.wide"));
         Assert.That(canvas.Feed("Minimum Gap", 0.6).Solve().Errors, Has.One.Contains("Minimum Gap must not be above Maximum Gap"));
         Assert.That(canvas.Feed("Minimum Gap", -1).Solve().Errors, Has.One.Contains("Minimum Gap must be greater than zero"));

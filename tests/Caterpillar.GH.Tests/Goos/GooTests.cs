@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.GCode;
 using Caterpillar.GH.Goos;
@@ -87,12 +88,14 @@ public sealed class GooTests
     [Test]
     public void Moving_a_path_keeps_its_group_and_its_source()
     {
-        var goo = new PrintPathGoo(new PathStep(Path(), new StepGroup(2, 1, 3)) { KeepStart = true });
+        var step = new PathStep(Path(), new StepGroup(2, 1, 3)) { KeepStart = true, Joined = true, Source = new SourceLocation(Line: 7) };
+        var goo = new PrintPathGoo(step);
+        Assert.That((goo.ToStep(), ((PrintPathGoo)goo.Duplicate()).ToStep()), Is.EqualTo((step, step)));
         var moved = (PrintPathGoo)goo.Transform(Rg.Transform.Translation(1, 2, 3))!;
         Assert.That(moved.Value.Start, Is.EqualTo(new Vec3(1, 2, 4)));
         Assert.That(goo.Value.Start, Is.EqualTo(new Vec3(0, 0, 1)), "The value is shared and must not change.");
-        Assert.That((moved.Group, moved.KeepStart), Is.EqualTo((goo.Group, true)));
-        Assert.That(((PrintPathGoo)moved.Duplicate()).Group, Is.EqualTo(goo.Group));
+        var after = moved.ToStep();
+        Assert.That((after.Group, after.KeepStart, after.Joined, after.Source), Is.EqualTo((step.Group, true, true, step.Source)));
         Assert.That(moved.Boundingbox.Max, Is.EqualTo(new Rg.Point3d(11, 12, 4)));
         Assert.That(goo.GetBoundingBox(Rg.Transform.Translation(1, 2, 3)).Max, Is.EqualTo(new Rg.Point3d(11, 12, 4)));
     }
@@ -156,7 +159,7 @@ public sealed class GooTests
         IGH_Goo step = new StepGoo();
         Assert.That(step.CastFrom(new PrintPathGoo(new PathStep(Path(), new StepGroup(4)))), Is.True);
         Assert.That(((PathStep)step.ScriptVariable()).Group, Is.EqualTo(new StepGroup(4)));
-        Assert.That(step.CastTo<PrintPathGoo>(out var path) && path.Group == new StepGroup(4), Is.True);
+        Assert.That(step.CastTo<PrintPathGoo>(out var path) && path.ToStep().Group == new StepGroup(4), Is.True);
         Assert.That(new StepGoo(new TravelStep(Vec3.Zero)).ToString(), Is.EqualTo("Travel (1 points)"));
         IGH_Goo travel = new StepGoo(new TravelStep(Vec3.Zero));
         Assert.That(travel.CastTo<PrintPathGoo>(out _), Is.False);

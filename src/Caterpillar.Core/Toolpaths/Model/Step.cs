@@ -58,10 +58,13 @@ public sealed class PathStep : Step
     internal int[]? Lines { get; init; }
 
     /// <summary>The same step with another path.</summary>
-    public PathStep With(PrintPath path)
+    public PathStep With(PrintPath path) => With(path, Region);
+
+    /// <summary>The same step with another path, in a layer that covers another region.</summary>
+    public PathStep With(PrintPath path, Region? region)
         => new(path, Group)
         {
-            KeepStart = KeepStart, Joined = Joined, Region = Region, Source = Source, Lines = path.SegmentCount == Lines?.Length ? Lines : null,
+            KeepStart = KeepStart, Joined = Joined, Region = region, Source = Source, Lines = path.SegmentCount == Lines?.Length ? Lines : null,
         };
 }
 

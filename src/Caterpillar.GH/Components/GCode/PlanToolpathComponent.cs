@@ -49,8 +49,8 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var texts = new List<string>();
-        var steps = run.List<StepGoo>(0).Select(s => s.Value).ToArray();
-        if (steps.Length == 0) throw new InputProblem("Steps are missing.") { IsMissing = true };
+        var steps = run.Steps(0);
+        if (steps.Steps.Length == 0) throw new InputProblem("Steps are missing.") { IsMissing = true };
         var printer = run.Get<Printer>(1);
         var material = run.Maybe<Material>(2) ?? run.Accept(Profiles.Library.Material(printer.DefaultMaterial), texts);
         var settings = run.Maybe<PrintSettings>(3) ?? run.Accept(Profiles.Library.Settings(printer.DefaultSettings), texts);
@@ -62,14 +62,11 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
         var setup = new PrintSetup(printer, material, settings);
         var options = new PlanOptions { Policy = run.Choice<PlanPolicy>(4), Sort = new SortOptions(run.Choice<SortRule>(5)) };
         object[] obstacles = run.List<IGH_GeometricGoo>(6).Select(g => (object)ModelMesh.Of(run, g, ObstacleTolerance, run.Units).Triangles).ToArray();
-        var result = run.Work("Planning", [steps.Select(Identity).ToArray(), setup, options, obstacles], (progress, cancel) => Planner.Plan(
-            steps, setup, options with { Obstacle = RhinoMesh.Joined(Array.ConvertAll(obstacles, o => (TriMesh)o)) }, progress, cancel));
+        var result = run.Work("Planning", [steps, setup, options, obstacles], (progress, cancel) => Planner.Plan(
+            steps.Steps, setup, options with { Obstacle = RhinoMesh.Joined(Array.ConvertAll(obstacles, o => (TriMesh)o)) }, progress, cancel));
         var toolpath = run.Accept(result, texts);
         run.Set(0, toolpath is null ? null : new ToolpathGoo(toolpath, setup));
         run.SetList(1, texts);
         if (toolpath is not null) run.Summarize($"{NumberFormatter.Format(toolpath.Count)} moves");
     }
-
-    // Goo makes a new step on each request; the path in it stays the same.
-    private static object Identity(Step step) => step is PathStep path ? path.Path : step;
 }

@@ -33,8 +33,8 @@ public sealed class CoolLayersComponent() : PathShapingComponent(
             ReferenceSpeed = run.Positive(4),
             MaxSegmentsPerSecond = AtLeast0(run, 5),
         };
-        var shaped = run.Work("Cool Layers", [cooling, .. before.Select(p => p.Value)],
-            (_, cancel) => Shaped.Of(cooling.Apply(before.Select(p => p.Value).ToArray(), cancel), Frame.World));
+        var shaped = run.Work("Cool Layers", [cooling, before],
+            (_, cancel) => Shaped.Of(cooling.Apply(before.Paths, cancel), Frame.World));
         SetPaths(run, before, shaped);
     }
 

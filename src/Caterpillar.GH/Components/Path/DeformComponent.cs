@@ -31,10 +31,10 @@ public sealed class DeformComponent() : PathShapingComponent(
             run.SetList(1, run.Report(deformation.Diagnostics));
             return;
         }
-        var shaped = run.Work("Deform", [frame, .. request.Key, .. before.Select(p => p.Value)], (progress, cancel) =>
+        var shaped = run.Work("Deform", [frame, .. request.Key, before], (progress, cancel) =>
         {
             var problems = new DiagnosticList();
-            var local = ToLocal(before.Select(p => p.Value), frame);
+            var local = ToLocal(before.Paths, frame);
             if (request.HasSpeed && local.Any(p => Enumerable.Range(0, p.SegmentCount).Any(i => p.BeadOf(i).Speed == 0)))
                 problems.Add(Severity.Warning, "shape.no_speed", "Some paths have no speed of their own: v is 0 there.");
             // One by one: a path that can't be deformed does not stop the others.

@@ -30,15 +30,14 @@ public sealed class FitArcsComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var paths = run.List<PrintPathGoo>(0);
+        var paths = run.Paths(0);
         var options = new ArcFitOptions { Tolerance = run.Positive(1) };
-        var fitted = run.Work("Fitting arcs", [options, .. paths.Select(p => p.Value)], (progress, cancel) => Fit(paths, options, progress, cancel));
-        run.SetList(0, fitted);
-        run.Summarize($"{NumberFormatter.Format(paths.Sum(p => p.Value.SegmentCount))} → {NumberFormatter.Format(fitted.Sum(p => p.Value.SegmentCount))} "
-            + $"segments");
+        var fitted = run.Work("Fitting arcs", [options, paths], (progress, cancel) => Fit(paths.Goos, options, progress, cancel));
+        run.SetList(0, fitted.Paths);
+        run.Summarize($"{NumberFormatter.Format(fitted.Before)} → {NumberFormatter.Format(fitted.After)} segments");
     }
 
-    private static PrintPathGoo[] Fit(List<PrintPathGoo> paths, ArcFitOptions options, IProgress<double> progress, CancellationToken cancel)
+    private static Fitted Fit(IReadOnlyList<PrintPathGoo> paths, ArcFitOptions options, IProgress<double> progress, CancellationToken cancel)
     {
         var fitted = new PrintPathGoo[paths.Count];
         for (var i = 0; i < fitted.Length; i++)
@@ -47,6 +46,8 @@ public sealed class FitArcsComponent() : CaterpillarComponent(
             fitted[i] = paths[i].With(PathArcs.Fit(paths[i].Value, options));
             progress.Report((i + 1.0) / fitted.Length);
         }
-        return fitted;
+        return new Fitted(fitted, paths.Sum(p => (long)p.Value.SegmentCount), fitted.Sum(p => (long)p.Value.SegmentCount));
     }
+
+    private sealed record Fitted(PrintPathGoo[] Paths, long Before, long After);
 }

@@ -42,18 +42,17 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var goos = run.List<PrintPathGoo>(0);
-        if (goos.Count == 0) throw new InputProblem("Print Paths are missing.") { IsMissing = true };
-        var paths = goos.Select(g => g.Value).ToArray();
+        var paths = run.Paths(0);
+        if (paths.Count == 0) throw new InputProblem("Print Paths are missing.") { IsMissing = true };
         var units = run.Units;
         var below = run.List<IGH_GeometricGoo>(1).Select(g => ModelMesh.Of(run, g, Tolerance, units)).ToList();
         var gap = GapBead.For(run.Maybe<PrintSettings>(2) ?? new PrintSettings()) with { Width = run.Finite(5), Bed = run.Get<bool>(6) ? 0 : null };
         if (run.MaybeValue<double>(3) is not null) gap = gap with { MinGap = run.Positive(3) };
         if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };
         if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be above Maximum Gap.");
-        var result = run.Work("Measuring gaps", [.. paths, .. below, gap],
-            (progress, cancel) => (gap with { Surface = RhinoMesh.Joined(below.Select(m => m.Triangles).ToArray()) }).Apply(paths, progress, cancel));
+        var result = run.Work("Measuring gaps", [paths, .. below, gap],
+            (progress, cancel) => (gap with { Surface = RhinoMesh.Joined(below.Select(m => m.Triangles).ToArray()) }).Apply(paths.Paths, progress, cancel));
         run.SetList(1, run.Report(result.Diagnostics));
-        if (result.Value is { } shaped) run.SetList(0, shaped.Select((path, i) => goos[i].With(path)));
+        if (result.Value is { } shaped) run.SetList(0, run.Cached([paths, shaped], () => shaped.Select((path, i) => paths.Goos[i].With(path)).ToArray()));
     }
 }

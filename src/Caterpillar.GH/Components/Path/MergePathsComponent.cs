@@ -28,9 +28,11 @@ public sealed class MergePathsComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var paths = run.List<PrintPathGoo>(0).Select(g => g.Value).ToArray();
-        var merged = PathMerging.Merge(paths, run.Finite(1), run.Get<bool>(2));
-        run.SetList(0, merged.Select(p => new PrintPathGoo(p)));
-        run.Summarize($"{NumberFormatter.Format(paths.Length)} → {NumberFormatter.Format(merged.Count)} paths");
+        var paths = run.Paths(0);
+        var (tolerance, reverse) = (run.Finite(1), run.Get<bool>(2));
+        var merged = run.Work("Merging", [paths, tolerance, reverse],
+            (_, _) => PathMerging.Merge(paths.Paths, tolerance, reverse).Select(p => new PrintPathGoo(p)).ToArray());
+        run.SetList(0, merged);
+        run.Summarize($"{NumberFormatter.Format(paths.Count)} → {NumberFormatter.Format(merged.Length)} paths");
     }
 }

@@ -64,11 +64,11 @@ public sealed class ModulateComponent() : PathShapingComponent(
         var (lay, smooth, speed) = (run.Choice<ImageProjection>(9), run.Get<bool>(11), run.Finite(12));
         var repeat = run.Get<int>(10) is >= 1 and var times ? times : throw new InputProblem("Repeat must be 1 or more.");
         object? written = file is null ? null : File.GetLastWriteTimeUtc(file);
-        object?[] key = [file, written, expression, mode, low, high, mask, resolution, frame, lay, repeat, smooth, speed, .. before.Select(p => p.Value)];
+        object?[] key = [file, written, expression, mode, low, high, mask, resolution, frame, lay, repeat, smooth, speed, before];
         SetPaths(run, before, run.Work("Modulate", key, (progress, cancel) =>
         {
             var problems = new List<Diagnostic>();
-            var local = ToLocal(before.Select(p => p.Value), frame);
+            var local = ToLocal(before.Paths, frame);
             var masking = mask is null ? null : Accept(FieldText.Compile(mask, source: new SourceLocation(Key: "mask")), problems);
             var field = expression is not null
                 ? Accept(FieldText.Compile(expression, source: new SourceLocation(Key: "expression")), problems)

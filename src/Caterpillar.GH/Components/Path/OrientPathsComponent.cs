@@ -31,13 +31,18 @@ public sealed class OrientPathsComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var goos = run.List<PrintPathGoo>(0);
-        var paths = goos.Select(g => g.Value).ToArray();
+        var paths = run.Paths(0);
         var options = new SortOptions(SortRule.Orient, run.Get<bool>(1), run.Get<bool>(2));
-        var oriented = run.Cached([.. paths, options], () => PathSorter.Sort(paths, options));
-        var travel = PathSorter.TravelBetween(oriented);
-        run.SetList(0, goos.Zip(oriented, (goo, path) => goo.With(path)));
-        run.Set(1, travel);
-        run.Summarize($"{NumberFormatter.Format(PathSorter.TravelBetween(paths), 1)} → {NumberFormatter.Format(travel, 1)} mm");
+        var oriented = run.Work("Orienting", [paths, options], (_, _) =>
+        {
+            var sorted = PathSorter.Sort(paths.Paths, options);
+            return new Oriented(paths.Goos.Zip(sorted, (goo, path) => goo.With(path)).ToArray(), PathSorter.TravelBetween(paths.Paths),
+                PathSorter.TravelBetween(sorted));
+        });
+        run.SetList(0, oriented.Paths);
+        run.Set(1, oriented.Travel);
+        run.Summarize($"{NumberFormatter.Format(oriented.Before, 1)} → {NumberFormatter.Format(oriented.Travel, 1)} mm");
     }
+
+    private sealed record Oriented(PrintPathGoo[] Paths, double Before, double Travel);
 }

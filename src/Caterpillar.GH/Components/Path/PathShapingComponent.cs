@@ -33,17 +33,17 @@ public abstract class PathShapingComponent(string name, string nickname, string 
         ports.Diagnostics();
     }
 
-    private protected static IReadOnlyList<PrintPathGoo> PathsOf(Run run)
+    private protected static PathList PathsOf(Run run)
     {
-        var paths = run.List<PrintPathGoo>(0);
+        var paths = run.Paths(0);
         return paths.Count > 0 ? paths : throw new InputProblem("Print Paths are missing.") { IsMissing = true };
     }
 
     /// <summary>The new paths with the groups of the old ones.</summary>
-    private protected static void SetPaths(Run run, IReadOnlyList<PrintPathGoo> before, Shaped shaped)
+    private protected static void SetPaths(Run run, PathList before, Shaped shaped)
     {
         run.SetList(1, run.Report(shaped.Diagnostics));
-        run.SetList(0, shaped.Paths.Select((path, i) => path is null ? null : before[i].With(path)));
+        run.SetList(0, run.Cached([before, shaped], () => shaped.Paths.Select((path, i) => path is null ? null : before.Goos[i].With(path)).ToArray()));
     }
 
     /// <summary>Paths in the coordinates of a frame; unchanged for the world frame.</summary>

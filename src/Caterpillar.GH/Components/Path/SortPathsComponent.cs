@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
@@ -10,6 +11,7 @@ using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
+using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.Path;
 
@@ -41,22 +43,30 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var goos = run.List<PrintPathGoo>(0);
-        if (goos.Count == 0) throw new InputProblem("Print Paths are missing.") { IsMissing = true };
-        var paths = goos.Select(g => g.Value).ToArray();
+        var paths = run.Paths(0);
+        if (paths.Count == 0) throw new InputProblem("Print Paths are missing.") { IsMissing = true };
         var start = run.MaybeValue<Rg.Point3d>(4) is { } point ? RhinoGeometry.ToVec(point, run.Units) : (Caterpillar.Geometry.Vec3?)null;
         if (start is { IsFinite: false }) throw new InputProblem("Start must be a point with finite coordinates.");
         var options = new SortOptions(run.Choice<SortRule>(1), run.Get<bool>(2), run.Get<bool>(3), start);
-        var order = run.Work("Sorting", [.. paths, options], (progress, cancel) => PathSorter.Order(paths, options, progress, cancel));
-        var sorted = order.Select(place => Placed(paths[place.Index], place)).ToArray();
-        // Paths sorted here are printed in this order: they leave the groups of the slicer.
-        run.SetList(0, sorted.Select(path => new PrintPathGoo(path)));
-        run.SetList(1, order.Select(place => place.Index));
-        var travel = PathSorter.TravelBetween(sorted);
-        run.Set(2, travel);
-        run.Summarize($"{NumberFormatter.Format(travel, 1)} mm of {NumberFormatter.Format(PathSorter.TravelBetween(paths), 1)}");
+        var sorted = run.Work("Sorting", [paths, options], (progress, cancel) => Sorted.Of(paths.Paths, options, progress, cancel));
+        run.SetList(0, sorted.Paths);
+        run.SetList(1, sorted.Indices);
+        run.Set(2, sorted.Travel);
+        run.Summarize($"{NumberFormatter.Format(sorted.Travel, 1)} mm of {NumberFormatter.Format(sorted.Before, 1)}");
     }
 
     private static PrintPath Placed(PrintPath path, PathPlacement place)
         => place.Reversed ? path.Reversed() : place.Vertex > 0 ? path.StartingAt(place.Vertex) : path;
+
+    private sealed record Sorted(PrintPathGoo[] Paths, GH_Integer[] Indices, double Before, double Travel)
+    {
+        // Paths sorted here are printed in this order: they leave the groups of the slicer.
+        public static Sorted Of(PrintPath[] paths, SortOptions options, IProgress<double> progress, CancellationToken cancel)
+        {
+            var order = PathSorter.Order(paths, options, progress, cancel);
+            var placed = order.Select(place => Placed(paths[place.Index], place)).ToArray();
+            return new Sorted(Array.ConvertAll(placed, p => new PrintPathGoo(p)), order.Select(place => new GH_Integer(place.Index)).ToArray(),
+                PathSorter.TravelBetween(paths), PathSorter.TravelBetween(placed));
+        }
+    }
 }

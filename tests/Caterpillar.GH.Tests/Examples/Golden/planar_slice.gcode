@@ -1,4 +1,4 @@
-; 19598 lines, SHA-256 95ad2ce01b84ecdcd1e23ad8255bde2e2690313b3abbd228807bc9650a8321c6
+; 19594 lines, SHA-256 38ecf4370fa5f9604097823fe5162885129e547b3cb67bace19f3b2d9d4c7535
 ; Made with Caterpillar
 ; Dialect marlin2
 ; Printer generic, material pla, settings standard

@@ -1,0 +1,35 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.GH.Goos;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GH.Base;
+
+/// <summary>The print paths of a list input, which stay one object from solve to solve as long as all of them stay the same: one part of a key.</summary>
+internal sealed class PathList
+{
+    public PathList(IReadOnlyList<PrintPathGoo> goos)
+    {
+        Goos = goos;
+        Paths = new PrintPath[goos.Count];
+        for (var i = 0; i < Paths.Length; i++) Paths[i] = goos[i].Value;
+    }
+
+    public IReadOnlyList<PrintPathGoo> Goos { get; }
+
+    public PrintPath[] Paths { get; }
+
+    public int Count => Paths.Length;
+
+    /// <summary>True if these are the same paths in the same steps.</summary>
+    public bool Has(IReadOnlyList<PrintPathGoo> goos)
+    {
+        if (goos.Count != Goos.Count) return false;
+        for (var i = 0; i < goos.Count; i++)
+        {
+            if (!ReferenceEquals(goos[i], Goos[i]) && !(ReferenceEquals(goos[i].Value, Paths[i]) && StepList.Same(goos[i].ToStep(), Goos[i].ToStep())))
+                return false;
+        }
+        return true;
+    }
+}

@@ -1,0 +1,31 @@
+using System.Collections.Generic;
+using Caterpillar.GH.Goos;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GH.Base;
+
+/// <summary>The steps of a list input, which stay one object from solve to solve as long as all of them stay the same.</summary>
+internal sealed class StepList
+{
+    public StepList(IReadOnlyList<StepGoo> goos)
+    {
+        Steps = new Step[goos.Count];
+        for (var i = 0; i < Steps.Length; i++) Steps[i] = goos[i].Value;
+    }
+
+    public Step[] Steps { get; }
+
+    public bool Has(IReadOnlyList<StepGoo> goos)
+    {
+        if (goos.Count != Steps.Length) return false;
+        for (var i = 0; i < goos.Count; i++)
+        {
+            if (!Same(goos[i].Value, Steps[i])) return false;
+        }
+        return true;
+    }
+
+    /// <summary>True if planning sees no difference; goo may make a new step of the same path.</summary>
+    public static bool Same(Step a, Step b) => ReferenceEquals(a, b) || (a is PathStep p && b is PathStep q && ReferenceEquals(p.Path, q.Path)
+        && p.Group == q.Group && p.KeepStart == q.KeepStart && p.Joined == q.Joined && ReferenceEquals(p.Region, q.Region) && Equals(p.Source, q.Source));
+}
