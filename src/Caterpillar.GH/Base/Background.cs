@@ -46,6 +46,13 @@ internal sealed class Background
     /// <summary>Runs something on the UI thread; a test has its own.</summary>
     public Action<Action> Post { get; set; } = action => RhinoApp.InvokeOnUiThread(action);
 
+    /// <summary>What has to end before the next work begins; a test holds it back with that.</summary>
+    public Task Queue
+    {
+        get => _queue;
+        set => _queue = value;
+    }
+
     /// <summary>What is done, and how much of it.</summary>
     public string Words
     {
@@ -61,7 +68,7 @@ internal sealed class Background
     public bool Begin(GH_Document? document)
     {
         var leaves = MayLeave(document);
-        if (!leaves) Cancel();
+        if (!leaves && _jobs.Count > 0) Cancel();
         _patience = !leaves ? int.MaxValue : _jobs.Values.All(j => j.IsDone) ? PatienceMilliseconds : HurriedMilliseconds;
         _waited.Reset();
         _asked.Clear();

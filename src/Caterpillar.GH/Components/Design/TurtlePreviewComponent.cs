@@ -50,7 +50,7 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
         if (part is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
         var size = run.Positive(2);
         var units = run.Units;
-        var timeline = run.Cached(steps.Cast<object?>().ToArray(), () => new TurtleTimeline(steps));
+        var timeline = run.Work("Drawing", steps.Cast<object?>().ToArray(), (_, _) => new TurtleTimeline(steps));
         var pose = timeline.PoseAt(part);
         var printed = new List<Rg.Line>();
         foreach (var strand in timeline.PrintedUntil(part))

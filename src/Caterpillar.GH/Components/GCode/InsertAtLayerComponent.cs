@@ -1,4 +1,7 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
@@ -43,14 +46,23 @@ public sealed class InsertAtLayerComponent() : CaterpillarComponent(
     {
         var goo = run.Get<ToolpathGoo>(0);
         var what = Event(run);
-        var edited = goo.Value;
-        foreach (var layer in run.List<GH_Integer>(1))
+        var layers = run.List<GH_Integer>(1).Select(l => l.Value).ToArray();
+        var edited = run.Work("Inserting", [goo.Value, what, string.Join(" ", layers)], (_, cancel) => Insert(goo.Value, layers, what, cancel));
+        foreach (var problem in edited.Problems) run.Report(GH_RuntimeMessageLevel.Warning, problem);
+        run.Set(0, goo.With(edited.Toolpath));
+    }
+
+    private static Edited Insert(Toolpath toolpath, int[] layers, PrinterEvent what, CancellationToken cancel)
+    {
+        var problems = new List<string>();
+        foreach (var layer in layers)
         {
-            var changed = edited.InsertAtLayer(layer.Value, what);
-            if (changed.Value is null) run.Report(GH_RuntimeMessageLevel.Warning, changed.Diagnostics[0].Message);
-            edited = changed.Value ?? edited;
+            cancel.ThrowIfCancellationRequested();
+            var changed = toolpath.InsertAtLayer(layer, what);
+            if (changed.Value is null) problems.Add(changed.Diagnostics[0].Message);
+            toolpath = changed.Value ?? toolpath;
         }
-        run.Set(0, goo.With(edited));
+        return new Edited(toolpath, problems);
     }
 
     private static PrinterEvent Event(Run run)
@@ -72,4 +84,6 @@ public sealed class InsertAtLayerComponent() : CaterpillarComponent(
             _ => new RawEvent(text.Trim().Length > 0 ? text : throw new InputProblem("Text is missing.") { IsMissing = true }),
         };
     }
+
+    private sealed record Edited(Toolpath Toolpath, IReadOnlyList<string> Problems);
 }

@@ -35,17 +35,19 @@ public sealed class ConstructPrintPathComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var curve = RhinoCurves.ToCurve(run.Get<Rg.Curve>(0), run.Units);
-        var number = run.Get<int>(5);
-        var user = new UserCurve(curve)
-        {
-            Role = run.Choice<Role>(2),
-            Layer = number >= 0 ? new Layer(number, curve.Bounds.Max.Z) : null,
-        };
-        if (run.Maybe<BeadGoo>(1) is { IsValid: true } bead) user = user with { Area = bead.Value.Area, Height = bead.Value.Height, Speed = bead.Value.Speed };
+        var drawn = run.Get<Rg.Curve>(0);
+        var units = run.Units;
+        var (role, number) = (run.Choice<Role>(2), run.Get<int>(5));
+        var bead = run.Maybe<BeadGoo>(1) is { IsValid: true } given ? given.Value : (Bead?)null;
         var options = new CurveOptions { Shape = BeadShape.Stadium,
             Subdivision = SubdivisionOptions.ByDistance(run.Positive(3)) with { KeepArcs = run.Get<bool>(4) } };
-        var made = CurvePaths.ToPaths([user], options);
+        var made = run.Cached([.. ModelMesh.Content(drawn), units.ToMillimeters, role, number, bead, options], () =>
+        {
+            var curve = RhinoCurves.ToCurve(drawn, units);
+            var user = new UserCurve(curve) { Role = role, Layer = number >= 0 ? new Layer(number, curve.Bounds.Max.Z) : null };
+            if (bead is { } b) user = user with { Area = b.Area, Height = b.Height, Speed = b.Speed };
+            return CurvePaths.ToPaths([user], options);
+        });
         run.SetList(1, run.Report(made.Diagnostics));
         run.Set(0, made.Value is null ? null : new PrintPathGoo(made.Value.Single()));
     }

@@ -130,6 +130,8 @@ namespace Rhino.Geometry
             return true;
         }
 
+        internal override IEnumerable<double> Numbers() => _segments.SelectMany(s => s.Numbers());
+
         internal override bool CheckValid() => _segments.Count > 0 && _segments.All(s => s.IsValid);
 
         internal override GeometryBase CopyOf()
