@@ -42,6 +42,39 @@ public sealed class SlicerTests
     }
 
     [Test]
+    public void Inside_a_modifier_its_settings_apply()
+    {
+        var settings = Quick with { TopLayers = 0, BottomLayers = 0, InfillPercent = 10, InfillSpacing = 0 };
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", settings).Feed("Geometry", Shapes.Box(size: 20));
+        double Infill() => canvas.Solve().All("Infill").Cast<PrintPath>().Where(p => p.Role == Role.Infill).Sum(p => p.Length);
+        var before = Infill();
+        canvas.Feed("Modifiers", Shapes.Box(100, 100, 10, 2));
+        Assert.That(Infill(), Is.Zero);
+        Assert.That(canvas.Warnings, Has.One.Contains("Modifier Settings are missing."));
+        canvas.Feed("Modifier Settings", settings with { InfillPercent = 40 });
+        Assert.That(Infill(), Is.EqualTo(before * (0.75 + 0.25 * 4)).Within(0.15 * before), "A quarter is filled four times as densely.");
+        Assert.That(canvas.Errors.Concat(canvas.Warnings), Is.Empty);
+        canvas.Input("Modifiers").RemoveAllSources();
+        canvas.Component.ExpireSolution(false);
+        Assert.That(Infill(), Is.EqualTo(before).Within(1e-9));
+        Assert.That(canvas.Warnings, Has.One.Contains("of which there are none"));
+    }
+
+    [Test]
+    public void Infill_follows_curves_in_document_units()
+    {
+        using var _ = new InDocument(UnitSystem.Centimeters);
+        var settings = Quick with { TopLayers = 0, BottomLayers = 0, InfillPercent = 20 };
+        var circle = new Rg.ArcCurve(new Rg.Circle(new Rg.Point3d(11, 11, 7), 0.5));
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", settings).Feed("Geometry", Shapes.Box(10, 10, 2, 0.2)).Feed("Infill Curves", circle)
+            .Solve();
+        Assert.That(canvas.Errors.Concat(canvas.Warnings), Is.Empty);
+        var infill = canvas.All("Infill").Cast<PrintPath>().Where(p => p.Role == Role.Infill).ToArray();
+        Assert.That(infill, Has.Length.EqualTo(4));
+        Assert.That(infill.SelectMany(p => p.Points).Select(p => p.WithZ(0).DistanceTo(new Vec3(110, 110))), Has.All.EqualTo(5).Within(0.06));
+    }
+
+    [Test]
     public void What_the_slicer_knows_of_its_paths_reaches_planning()
     {
         var slicer = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick with { WallCount = 3 }).Feed("Geometry", Shapes.Box()).Solve();

@@ -1,8 +1,16 @@
 using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;
+using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
+using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.Slice;
 
@@ -17,6 +25,13 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         GeometryPort(ports);
         ports.Add(new SettingsParam(), "Settings", "S", "Print settings; the standard ones by default.", optional: true);
         TolerancePort(ports);
+        ports.Geometry("Modifiers", "M",
+            "Solids that are not printed, in document units: what lies inside them is printed with Modifier Settings, or supported or not, as model_use of those "
+                + "states.", GH_ParamAccess.list, optional: true);
+        ports.Add(new SettingsParam(), "Modifier Settings", "MS", "Print settings of each modifier in turn; the last ones are those of all that follow.",
+            GH_ParamAccess.list, optional: true);
+        ports.Add(new Param_Curve { Optional = true }, "Infill Curves", "C",
+            "Curves that the infill of every layer follows instead of its pattern, seen from above, in document units.", GH_ParamAccess.list, optional: true);
     }
 
     private protected override void Solve(Run run)
@@ -25,7 +40,41 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         var settings = run.Maybe<PrintSettings>(1) ?? new PrintSettings();
         var models = Models(run, 0, tolerance);
         var solids = Named(models);
-        var result = run.Work("Slicing", [settings, .. models], (progress, cancel) => PlanarSlicer.Slice(solids, settings, 0, progress, cancel));
+        if (InfillCurves(run, 5, tolerance) is { } curves) settings = settings with { InfillPattern = InfillPattern.Curves, InfillCurves = curves };
+        var modifiers = Modifiers(run, tolerance, settings);
+        SliceModel[] all = [.. solids.Select(m => new SliceModel(m, settings)), .. modifiers];
+        object[] helpers = modifiers.SelectMany(m => new object[] { m.Mesh.Mesh, m.Settings }).ToArray();
+        var result = run.Work("Slicing", [settings, models.ToArray(), helpers], (progress, cancel) => PlanarSlicer.SliceEach(all, settings, 0, progress, cancel));
         SetResult(run, models, solids, result);
+    }
+
+    // Settings for a part are those of a modifier here: a part would be among the solids.
+    private static SliceModel[] Modifiers(Run run, double tolerance, PrintSettings common)
+    {
+        var geometry = run.List<IGH_GeometricGoo>(3);
+        var settings = run.List<SettingsGoo>(4);
+        if (geometry.Count == 0 && settings.Count > 0) run.Report(GH_RuntimeMessageLevel.Warning, "Modifier Settings apply to Modifiers, of which there are none.");
+        if (geometry.Count == 0) return [];
+        if (settings.Count == 0) throw new InputProblem("Modifier Settings are missing.") { IsMissing = true };
+        return geometry.Select((g, i) =>
+        {
+            var own = settings[Math.Min(i, settings.Count - 1)].Value;
+            if (own.ModelUse == ModelUse.Part) own = own with { ModelUse = ModelUse.Modifier };
+            // Infill of curves is that of the print, too.
+            if (own.InfillPattern == InfillPattern.Curves && own.InfillCurves.Count == 0) own = own with { InfillCurves = common.InfillCurves };
+            return new SliceModel(new NamedMesh($"Modifier {NumberFormatter.Format(i)}", ModelMesh.Of(run, g, tolerance, run.Units).Triangles), own);
+        }).ToArray();
+    }
+
+    private static ValueList<InfillPoint>? InfillCurves(Run run, int input, double tolerance)
+    {
+        var curves = run.List<GH_Curve>(input);
+        if (curves.Count == 0) return null;
+        var options = SubdivisionOptions.ByTolerance(tolerance);
+        return InfillPoint.Of(curves.Select(c =>
+        {
+            var divided = CurveSubdivider.Subdivide(RhinoCurves.ToCurve(c.Value, run.Units), options);
+            return new Polyline(divided.Points.Select(p => p.WithZ(0)), divided.IsClosed);
+        }));
     }
 }
