@@ -26,7 +26,8 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         ports.Add(new SettingsParam(), "Settings", "S", "Print settings; the standard ones by default.", optional: true);
         TolerancePort(ports);
         ports.Geometry("Modifiers", "M",
-            "Solids that are not printed, in document units: what lies inside them is printed with Modifier Settings, or supported or not, as model_use of those "
+            "Solids that are not printed, in document units: what lies inside them is printed with Modifier Settings, or supported or not, as model_use of "
+                + "those "
                 + "states.", GH_ParamAccess.list, optional: true);
         ports.Add(new SettingsParam(), "Modifier Settings", "MS", "Print settings of each modifier in turn; the last ones are those of all that follow.",
             GH_ParamAccess.list, optional: true);
@@ -44,7 +45,8 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         var modifiers = Modifiers(run, tolerance, settings);
         SliceModel[] all = [.. solids.Select(m => new SliceModel(m, settings)), .. modifiers];
         object[] helpers = modifiers.SelectMany(m => new object[] { m.Mesh.Mesh, m.Settings }).ToArray();
-        var result = run.Work("Slicing", [settings, models.ToArray(), helpers], (progress, cancel) => PlanarSlicer.SliceEach(all, settings, 0, progress, cancel));
+        var result = run.Work("Slicing", [settings, models.ToArray(), helpers],
+            (progress, cancel) => PlanarSlicer.SliceEach(all, settings, 0, progress, cancel));
         SetResult(run, models, solids, result);
     }
 
@@ -53,7 +55,8 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
     {
         var geometry = run.List<IGH_GeometricGoo>(3);
         var settings = run.List<SettingsGoo>(4);
-        if (geometry.Count == 0 && settings.Count > 0) run.Report(GH_RuntimeMessageLevel.Warning, "Modifier Settings apply to Modifiers, of which there are none.");
+        if (geometry.Count == 0 && settings.Count > 0) run.Report(GH_RuntimeMessageLevel.Warning,
+            "Modifier Settings apply to Modifiers, of which there are none.");
         if (geometry.Count == 0) return [];
         if (settings.Count == 0) throw new InputProblem("Modifier Settings are missing.") { IsMissing = true };
         return geometry.Select((g, i) =>
