@@ -45,6 +45,9 @@ internal sealed class Session
     /// <summary>Only what is wrong is said.</summary>
     public bool Quiet { get; set; }
 
+    /// <summary>The work is a part of other work, which says itself what was made.</summary>
+    public bool IsPart { get; init; }
+
     /// <summary>The work is one of many; what it makes is wanted for a table.</summary>
     public bool Collects { get; init; }
 
@@ -88,6 +91,9 @@ internal sealed class Session
     /// <summary>The name of an input in messages.</summary>
     public static string NameOf(string file) => file == "-" ? "standard input" : file;
 
+    /// <summary>The name of an output in messages.</summary>
+    public static string NameOfOutput(string file) => file == "-" ? "standard output" : file;
+
     /// <summary>Writes a file whole or not at all, or standard output for <c>-</c>.</summary>
     public void Write(string file, Action<Stream> write) => Write(file, (stream, _) => write(stream));
 
@@ -130,7 +136,7 @@ internal sealed class Session
         if (Quiet && !Collects) return;
         var figures = print();
         Written = new WrittenFigures(figures, lines, bytes);
-        if (!Quiet) Messages.WriteLine(line(figures));
+        if (!Quiet && !IsPart) Messages.WriteLine(line(figures));
     }
 
     /// <summary>Remarks that a verb keeps for its end.</summary>

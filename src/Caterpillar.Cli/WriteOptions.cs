@@ -77,7 +77,7 @@ internal sealed class WriteOptions
                     $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than --max-size allows; nothing was written.");
         }, session.Cancel));
         session.Made(() => PrintFigures.Of(toolpath, setup, Time(written!, toolpath, setup, session)), written!.Lines, written.Bytes,
-            print => $"{(file == "-" ? "standard output" : file)}: {PrintSummary.Of(print)}; {Count(written.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
+            print => $"{Session.NameOfOutput(file)}: {PrintSummary.Of(print)}; {Count(written.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
         return written!;
     }
 

@@ -34,6 +34,10 @@ public class SummaryTests : CliFixture
     [TestCase("o.gcode: in another notation; ", "convert", "l.gcode", "-o", "o.gcode", "--e", "absolute")]
     [TestCase("o.gcode: nothing changed; 1 layer", "convert", "l.gcode", "-o", "o.gcode")]
     [TestCase("l.png: 64 × 48 pixels; l.gcode: 1 layer, 10.5 × 10.5 × 0.2 mm", "picture", "l.gcode", "--width", "64")]
+    [TestCase("l.html: ", "view", "l.gcode")]
+    [TestCase("part.html: ", "view", "part.stl")]
+    [TestCase("s.html: ", "view", "s.turtle")]
+    [TestCase("mine.json: Creality Ender 3", "printers", "ender3", "-o", "mine.json")]
     public void Work_closes_with_what_was_made(string summary, params string[] words)
     {
         var run = Run(words);

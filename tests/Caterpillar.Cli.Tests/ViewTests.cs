@@ -37,6 +37,26 @@ public class ViewTests : CliFixture
     }
 
     [Test]
+    public void The_closing_line_says_what_is_shown_and_designs_have_only_one()
+    {
+        File.WriteAllText("box.stl", Box(20, 10, 2));
+        File.WriteAllText("star.turtle", "start 100 100 0.2\nrepeat 5 [ forward 30; left 144 ]\n");
+        Assert.That(Run("view", "box.stl").Messages.Trim(), Does.Match(@"^box\.html: [0-9.]+ KB; box\.stl: 12 triangles$"));
+        Assert.That(Run("view", "star.turtle").Messages.Trim(), Does.Match(@"^star\.html: [0-9.]+ KB; star\.turtle: .* mm of filament.*, about .* s$"));
+    }
+
+    [Test]
+    public void A_packed_file_is_shown_with_its_lines()
+    {
+        File.WriteAllText("a.gcode", Code);
+        using (var packed = new System.IO.Compression.GZipStream(File.Create("b.gcode.gz"), System.IO.Compression.CompressionLevel.Fastest))
+            packed.Write(System.Text.Encoding.ASCII.GetBytes(Code));
+        Run("view", "a.gcode", "-o", "a.html");
+        Run("view", "b.gcode.gz", "-o", "b.html");
+        Assert.That(Part("b.html", "gcodeData"), Is.EqualTo(Part("a.html", "gcodeData")).And.Not.Empty);
+    }
+
+    [Test]
     public void Findings_are_listed_for_a_named_printer()
     {
         File.WriteAllText("a.gcode", Code.Replace("X60", "X600"));

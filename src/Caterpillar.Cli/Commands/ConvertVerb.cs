@@ -104,7 +104,7 @@ internal sealed class ConvertVerb : Verb
         }
         var (lines, bytes) = Write(output, document, stage, dialect, arguments, session);
         session.Made(() => summary!.Result.Print, lines, bytes,
-            print => $"{(output == "-" ? "standard output" : output)}: {Changes(summary!.Result.Edits, original, dialect, target is not null, code)}; "
+            print => $"{Session.NameOfOutput(output)}: {Changes(summary!.Result.Edits, original, dialect, target is not null, code)}; "
                 + $"{PrintSummary.Of(print)}; {NumberFormatter.Format(lines)} lines, {PrintSummary.Size(bytes)}");
         return ExitCode.Done;
     }

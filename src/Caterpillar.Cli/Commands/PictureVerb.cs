@@ -87,7 +87,7 @@ internal sealed class PictureVerb : Verb
         var png = PngWriter.ToBytes(picture);
         var target = arguments.GetValue(_out) ?? Path.GetFileNameWithoutExtension(file == "-" ? "picture" : file) + ".png";
         session.Write(target, stream => stream.Write(png, 0, png.Length));
-        session.Say(() => $"{(target == "-" ? "standard output" : target)}: {width} × {options.Height} pixels; "
+        session.Say(() => $"{Session.NameOfOutput(target)}: {width} × {options.Height} pixels; "
             + $"{Session.NameOf(file)}: {PrintSummary.Of(PrintFigures.Of(decoding, toolpath))}");
         return ExitCode.Done;
     }

@@ -22,6 +22,7 @@ internal static class PrinterImport
             Encoding.UTF8.GetString(headerBytes), footerText, string.IsNullOrWhiteSpace(name)
                 || name == "-" ? "imported" : name, similar, Session.NameOf(header), footer == "-" ? "footer" : footer));
         session.WriteText(output, text => text.Write(ProfileWriter.Write(imported.Printer)));
+        if (output != "-") session.Say(() => $"{output}: {imported.Printer.Title}");
         if (materialOutput is not null) session.WriteText(materialOutput, text => text.Write(ProfileWriter.Write(imported.Material)));
         else if (imported.Material.NozzleTemperature > 0)
         {

@@ -14,6 +14,7 @@ internal sealed class PrintersVerb : Verb
     private readonly Argument<string?> _name = new("NAME")
     {
         Description = "Printer, material or settings to show as JSON; material/clay or settings/clay where both have that name.",
+        HelpName = "NAME",
         Arity = ArgumentArity.ZeroOrOne,
     };
 
@@ -140,10 +141,17 @@ internal sealed class PrintersVerb : Verb
         else if (profiles.SettingsNames.Contains(name)) Settings(name);
         else Printer(name);
 
-        void Printer(string which) => Out(ProfileWriter.Write(session.ValueOrFail(profiles.Printer(which), Code(which))));
-        void Material(string which) => Out(ProfileWriter.Write(session.ValueOrFail(profiles.Material(which), Code(which))));
-        void Settings(string which) => Out(ProfileWriter.Write(session.ValueOrFail(profiles.Settings(which), Code(which))));
-        void Out(string json) => session.WriteText(output, text => text.Write(json));
+        void Printer(string which) => Out(profiles.Printer(which), ProfileWriter.Write, p => p.Title, which);
+        void Material(string which) => Out(profiles.Material(which), ProfileWriter.Write, m => m.Title, which);
+        void Settings(string which) => Out(profiles.Settings(which), ProfileWriter.Write, s => s.Title, which);
+        void Out<T>(Result<T> read, System.Func<T, string> write, System.Func<T, string> title, string which)
+            where T : class
+        {
+            var profile = session.ValueOrFail(read, Code(which));
+            session.WriteText(output, text => text.Write(write(profile)));
+            if (output != "-") session.Say(() => $"{output}: {title(profile)}");
+        }
+
         int Code(string which) => File.Exists(which) ? ExitCode.BadInput : ExitCode.Usage;
     }
 

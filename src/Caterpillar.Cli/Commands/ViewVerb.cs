@@ -71,6 +71,7 @@ internal sealed class ViewVerb : Verb
         var content = source.Read(file);
         var bytes = Page(content, session);
         session.Write(output, stream => stream.Write(bytes));
+        session.Say(() => $"{Session.NameOfOutput(output)}: {PrintSummary.Size(bytes.Length)}; {Session.NameOf(file)}: {source.Summary}");
         if (arguments.GetValue(_open)) Open(Path.GetFullPath(output));
         return ExitCode.Done;
     }

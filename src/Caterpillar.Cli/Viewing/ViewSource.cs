@@ -20,6 +20,9 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
 {
     private const string Reason = "Made to be looked at in a viewer page, not to be printed.";
 
+    /// <summary>What was read last, in one line.</summary>
+    public string Summary { get; private set; } = "";
+
     /// <exception cref="CliException">The file cannot be read.</exception>
     public ViewerContent Read(string file) => Path.GetExtension(Plain(file)).ToUpperInvariant() switch
     {
@@ -44,6 +47,7 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
             points.AddRange(mesh.Vertices);
             corners.AddRange(mesh.Indices.Select(i => i + first));
         }
+        Summary = NumberFormatter.Format(corners.Count / 3) + " triangles";
         return new ViewerContent(Title(file)) { Model = TriMesh.Create(points, corners), Printer = setup.Resolve(arguments, session).Printer };
     }
 
@@ -51,9 +55,9 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
     private ViewerContent Design(string file, Verb verb)
     {
         using var memory = new MemoryStream();
-        var inner = new Session(() => Stream.Null, () => memory, session.Messages) 
+        var inner = new Session(() => Stream.Null, () => memory, session.Messages)
         {
-            Cancel = session.Cancel, Profiles = session.Profiles, Quiet = session.Quiet, Memory = session.Memory,
+            IsPart = true, Cancel = session.Cancel, Profiles = session.Profiles, Quiet = session.Quiet, Memory = session.Memory,
         };
         string[] given = [file, "--output", "-", "--override", Reason, .. setup.Given(arguments)];
         var code = verb.Run(verb.Parse(given), inner);
@@ -74,10 +78,11 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
         var findings = setup.IsGiven(arguments)
             ? session.WithProgress("Checking " + name, progress => PrintCheck.Run(decoded, resolved, progress, session.Cancel))
             : [];
+        Summary = PrintSummary.Of(PrintFigures.Of(decoded, decoded.Toolpath) with { Seconds = timeline.Duration });
         return new ViewerContent(Title(file))
         {
             Toolpath = decoded.Toolpath,
-            GCode = withLines && !bytes.AsSpan().StartsWith("GCDE"u8) ? bytes : null,
+            GCode = withLines && !bytes.AsSpan().StartsWith("GCDE"u8) ? Unpacked(bytes) : null,
             EndOf = timeline.EndOf,
             Limits = motion.Limits,
             Printer = motion.Setup.Printer,
@@ -85,5 +90,14 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
             Density = resolved.Material.Density,
             Findings = [.. findings],
         };
+    }
+
+    private static byte[] Unpacked(byte[] bytes)
+    {
+        if (!GzipReader.IsPacked(bytes, bytes.Length)) return bytes;
+        using var text = GzipReader.Open(new MemoryStream(bytes, false));
+        using var memory = new MemoryStream();
+        text.CopyTo(memory);
+        return memory.ToArray();
     }
 }

@@ -3,7 +3,7 @@
 ; Printer pen_plotter, material pen, settings pen
 ;TIME:23
 ;TYPE:Custom
-G21 (millimetres)
+G21 (millimeters)
 G17 (arcs in XY)
 G94 (F for each minute)
 G90 (absolute positions; zero is the lower left corner of the paper, Z 0 its surface)

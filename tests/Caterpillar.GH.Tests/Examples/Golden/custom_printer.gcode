@@ -10,7 +10,7 @@ M104 S235 ; heat the nozzle
 G28 ; home
 M190 S80 ; wait for the bed
 M109 S235 ; wait for the nozzle
-G21 ; millimetres
+G21 ; millimeters
 G90 ; absolute positions
 M83 ; relative E
 G92 E0

@@ -10,7 +10,7 @@ M104 S215 ; heat the nozzle
 G28 ; home
 M190 S60 ; wait for the bed
 M109 S215 ; wait for the nozzle
-G21 ; millimetres
+G21 ; millimeters
 G90 ; absolute positions
 M83 ; relative E
 G92 E0
