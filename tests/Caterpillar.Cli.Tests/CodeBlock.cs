@@ -22,10 +22,12 @@ public sealed partial record CodeBlock(string Page, int Number, string Language,
     private static IEnumerable<CodeBlock> OfPage(string file)
     {
         var text = File.ReadAllText(file).Replace("\r\n", "\n", StringComparison.Ordinal);
-        return Fence().Matches(text).Select((m, i) => new CodeBlock(Path.GetFileName(file), i + 1, m.Groups[2].Value, Flush(m.Groups[3].Value, m.Groups[1].Value)));
+        return Fence().Matches(text).Select((m, i)
+            => new CodeBlock(Path.GetFileName(file), i + 1, m.Groups[2].Value, Flush(m.Groups[3].Value, m.Groups[1].Value)));
     }
 
-    private static string Flush(string text, string margin) => margin.Length == 0 ? text : text.Replace("\n" + margin, "\n", StringComparison.Ordinal)[margin.Length..];
+    private static string Flush(string text, string margin)
+        => margin.Length == 0 ? text : text.Replace("\n" + margin, "\n", StringComparison.Ordinal)[margin.Length..];
 
     [GeneratedRegex("^( *)```([a-z]*)\n(.*?)^ *```$", RegexOptions.Singleline | RegexOptions.Multiline)]
     private static partial Regex Fence();

@@ -37,7 +37,8 @@ public class ManualCodeTests : CliFixture
     // What new console projects import, and what the pages that show a few lines take as given.
     private const string Imports = "global using System; global using System.Collections.Generic; global using System.IO; global using System.Linq;";
 
-    private const string Given = "using Caterpillar.Display; using Caterpillar.Machines; using Caterpillar.Planning; using Caterpillar.Simulation; using Caterpillar.Turtles;\n"
+    private const string Given = "using Caterpillar.Display; using Caterpillar.Machines; using Caterpillar.Planning; using Caterpillar.Simulation; using "
+        + "Caterpillar.Turtles;\n"
         + "var setup = new ProfileLibrary().Setup(\"generic\").OrThrow();\n"
         + "var toolpath = Planner.Plan(new Turtle().StartAt(90, 120, 0.2).SetBead(width: 0.6, height: 0.2).Forward(40).ToSteps(), setup).OrThrow();\n";
 
@@ -52,9 +53,11 @@ public class ManualCodeTests : CliFixture
     public void Every_code_block_of_the_manual_is_tested_or_listed_with_the_reason()
     {
         var rest = CodeBlock.OfManual()
-            .Where(b => !(b.Language is "turtle" or "csharp" || IsData(b) || b.CallsTheProgram || b.Text.StartsWith("#SBATCH", StringComparison.Ordinal))).ToArray();
+            .Where(b => !(b.Language is "turtle" or "csharp" || IsData(b) || b.CallsTheProgram || b.Text.StartsWith("#SBATCH", StringComparison.Ordinal)))
+                .ToArray();
         Assert.That(rest.Where(b => !NotRun.Any(n => n.Page == b.Page && b.Text.StartsWith(n.Begins, StringComparison.Ordinal))), Is.Empty);
-        Assert.That(NotRun.Where(n => !rest.Any(b => n.Page == b.Page && b.Text.StartsWith(n.Begins, StringComparison.Ordinal))), Is.Empty, "is no longer there");
+        Assert.That(NotRun.Where(n => !rest.Any(b => n.Page == b.Page && b.Text.StartsWith(n.Begins, StringComparison.Ordinal))), Is.Empty,
+            "is no longer there");
     }
 
     [TestCaseSource(nameof(Programs))]
@@ -108,7 +111,8 @@ public class ManualCodeTests : CliFixture
     {
         var references = ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator)
             .Append(typeof(ProfileLibrary).Assembly.Location).Distinct().Where(File.Exists).Select(f => MetadataReference.CreateFromFile(f));
-        var compilation = CSharpCompilation.Create("Program" + Guid.NewGuid().ToString("N"), [CSharpSyntaxTree.ParseText(Imports), CSharpSyntaxTree.ParseText(text)],
+        var compilation = CSharpCompilation.Create("Program" + Guid.NewGuid().ToString("N"),
+            [CSharpSyntaxTree.ParseText(Imports), CSharpSyntaxTree.ParseText(text)],
             references, new CSharpCompilationOptions(OutputKind.ConsoleApplication));
         using var memory = new MemoryStream();
         var made = compilation.Emit(memory);

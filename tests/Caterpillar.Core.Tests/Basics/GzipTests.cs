@@ -211,4 +211,11 @@ public class GzipTests
             return part;
         }
     }
+
+    [Test]
+    public void Packed_data_may_grow_250_times_and_to_64_MB_in_any_case()
+    {
+        Assert.That(GzipReader.Limit(1), Is.EqualTo(64L << 20));
+        Assert.That(GzipReader.Limit(1L << 30), Is.EqualTo(250L << 30));
+    }
 }

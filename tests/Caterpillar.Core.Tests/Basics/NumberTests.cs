@@ -161,4 +161,31 @@ public class NumberTests
     [TestCase("2e308")]
     [TestCase("-2e308")]
     public void Just_beyond_the_range_of_double_is_no_number(string text) => Assert.That(NumberReader.TryParse(text, out _), Is.False);
+
+    [TestCase(1)]
+    [TestCase(17)]
+    [TestCase(18)]
+    [TestCase(19)]
+    [TestCase(799)]
+    [TestCase(801)]
+    [TestCase(2500)]
+    public void Zeros_before_the_digits_are_made_good_by_the_exponent(int zeros)
+    {
+        // 0.00…0625 with so many zeros, times 10 to the number of zeros, is 0.0625; 19 digits more take the exact path.
+        Assert.That(NumberReader.TryParse("0." + new string('0', zeros) + "625e" + (zeros - 1), out var few), Is.True);
+        Assert.That(few, Is.EqualTo(0.0625));
+        Assert.That(NumberReader.TryParse("0." + new string('0', zeros) + "625000000000000000000000e" + zeros, out var many), Is.True);
+        Assert.That(many, Is.EqualTo(0.625));
+        Assert.That(NumberReader.TryParse(new string('0', zeros) + "625000000000000000000000e-24", out var before), Is.True);
+        Assert.That(before, Is.EqualTo(0.625));
+    }
+
+    [Test]
+    public void Nothing_is_left_of_numbers_below_the_smallest_double()
+    {
+        foreach (var text in new[] { "1e-324", "2e-324", "1e-400", "1e-401", "1e-999", "0.0000001e-395" })
+            Assert.That(NumberReader.TryParse(text, out var value) && value == 0, Is.True, text);
+        // Half of the smallest is rounded to even, that is to zero; what is above it is the smallest.
+        Assert.That(NumberReader.TryParse("2.4703282292062328e-324", out var above) && above == double.Epsilon, Is.True);
+    }
 }

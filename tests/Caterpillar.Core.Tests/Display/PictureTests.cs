@@ -77,4 +77,15 @@ public class PictureTests
         builder.Add(to, from.DistanceTo(to), from.DistanceTo(to), 20, MoveKind.Print, Role.OuterWall, -1, 0, 0);
         return builder.Build([new ToolpathTool(1)]);
     }
+
+    [Test]
+    public void A_dip_below_the_strokes_of_a_pen_does_not_hide_them()
+    {
+        // A stroke along X at 1 mm, and a way down to 0 and up again with nothing level there.
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(0, 0, 5));
+        foreach (var to in new[] { new Vec3(0, 0, 1), new Vec3(10, 0, 1), new Vec3(11, 0, 0), new Vec3(12, 0, 5) })
+            builder.Add(to, 0, 0, 20, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        var image = Picture.Draw(builder.Build([new ToolpathTool(1)]), new PictureOptions { Width = 100, Height = 100, View = View.Top, Strokes = true });
+        Assert.That(image[50, 50], Is.Not.EqualTo(new PictureOptions().Background));
+    }
 }

@@ -94,4 +94,15 @@ public sealed class StrandMeshTests
         Assert.That(mesh.Vertices.Select(v => v.LengthXY), Has.All.InRange(9.6, 10.4));
         Assert.That(Volume(mesh), Is.EqualTo(0.9 * 0.6 * 0.2 * 5 * Math.PI).Within(1).Percent);
     }
+
+    [Test]
+    public void A_strand_straight_up_has_its_width_along_Y_and_stays_closed()
+    {
+        var bead = Bead.FromWidth(0.6, 0.2, shape: BeadShape.Stadium);
+        var up = Of(new PrintPath([new Vec3(10, 10, 0.2), new Vec3(10, 10, 5.2)], bead) { Layer = new Layer(0, 0.2, 0.2) });
+        var box = Bounds.Of(up.Vertices);
+        Assert.That((box.Size.X, box.Size.Y), Is.EqualTo((0.0, 0.6)).Within(1e-9));
+        Assert.That(box.Max.Z, Is.EqualTo(5.2).Within(1e-9));
+        Assert.That(IsClosed(up), Is.True);
+    }
 }

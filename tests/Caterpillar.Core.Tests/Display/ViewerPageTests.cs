@@ -101,6 +101,22 @@ public class ViewerPageTests
     }
 
     [Test]
+    public void Every_finding_is_an_entry_of_its_own_with_its_row_and_line()
+    {
+        var toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Code)).Value!.Toolpath;
+        Diagnostic[] findings =
+        [
+            new(Severity.Error, "bed.outside", "Out.", new SourceLocation("a.gcode", 8, Move: 2)), new(Severity.Remark, "gcode.ignored", "Nothing.", null),
+            new(Severity.Warning, "strand.width", "Wide.", new SourceLocation(Move: 1_000_000)),
+        ];
+        var head = Head(Page(new ViewerContent("a") { Toolpath = toolpath, Findings = findings }));
+        Assert.That(head["findings"]!.Select(f => (string)f["severity"]!), Is.EqualTo(new[] { "Error", "Remark", "Warning" }));
+        Assert.That((int)head["findings"]![0]!["line"]!, Is.EqualTo(8));
+        Assert.That(head["findings"]![1]!["row"], Is.Null);
+        Assert.That((int)head["findings"]![2]!["row"]!, Is.EqualTo((int)head["rows"]!));
+    }
+
+    [Test]
     public void A_model_keeps_its_triangles()
     {
         var mesh = TriMesh.Create([new Vec3(0, 0, 0), new Vec3(10.5, 0, 0), new Vec3(0, -7.25, 0), new Vec3(0, 0, 3)], [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]);
@@ -137,8 +153,8 @@ public class ViewerPageTests
     public void Columns_take_numbers_of_any_size()
     {
         var column = new PackedColumn("a");
-        foreach (var value in new[] { 0.0004, 0.0006, -1e300, 1e300, double.NaN, double.PositiveInfinity }) column.Add(value, 1e-3);
-        Assert.That(Numbers(column.ToBytes(), false), Is.EqualTo(new[] { 0L, 1, -(long)1e15, (long)1e15, 0, (long)1e15 }));
+        foreach (var value in new[] { 0.0004, 0.0006, -1e300, 1e300, double.NaN, double.PositiveInfinity, 1.2e12 }) column.Add(value, 1e-3);
+        Assert.That(Numbers(column.ToBytes(), false), Is.EqualTo(new[] { 0L, 1, -(long)1e15, (long)1e15, 0, (long)1e15, (long)1e15 }));
     }
 
     private static string Page(ViewerContent content)

@@ -162,4 +162,15 @@ public class CurvePathsTests
         Assert.That(made.Value, Is.Null);
         Assert.That(made.Diagnostics.Select(d => (d.Code, d.Source!.Line)), Does.Contain(("curves.too_fine", (int?)7)));
     }
+
+    [Test]
+    public void Merged_curves_state_the_first_of_them_and_those_after_it_their_own()
+    {
+        UserCurve Line(double from, double to, int line)
+            => new(new LineCurve(new Vec3(from, 0, 0.2), new Vec3(to, 0, 0.2))) { Source = new SourceLocation("a.csv", line) };
+        var steps = CurvePaths.ToSteps([Line(0, 10, 1), Line(10, 20, 2), Line(20, 30, 3), Line(50, 60, 4), Line(80, 90, 5), Line(90, 95, 6)],
+            new CurveOptions { MergeTolerance = 0.01 }).Value!;
+        Assert.That(steps.Select(s => ((PathStep)s).Path.End.X), Is.EqualTo(new[] { 30.0, 60, 95 }));
+        Assert.That(steps.Select(s => s.Source!.Line), Is.EqualTo(new int?[] { 1, 4, 5 }));
+    }
 }

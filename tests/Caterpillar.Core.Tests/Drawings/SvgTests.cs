@@ -197,4 +197,48 @@ public class SvgTests
         var deep = string.Concat(Enumerable.Repeat("<g>", 5000));
         Assert.That(CurveReaderTests.Read("<svg>" + deep, "a.svg").HasErrors, Is.True);
     }
+
+    [TestCase("M0 0 L10 0 L10 10 L0 0 Z", 3)]
+    [TestCase("M0 0 L10 0 L10 10 Z", 3)]
+    [TestCase("M0 0 L10 0 L10 10 L0 10 L0 0 Z", 4)]
+    public void A_path_that_returns_to_its_start_and_closes_has_its_corners_once(string data, int corners)
+    {
+        var curve = (PolylineCurve)One($"<path d=\"{data}\"/>").Curve;
+        Assert.That(curve.IsClosed, Is.True);
+        Assert.That(curve.Polyline.Points, Has.Count.EqualTo(corners));
+        Assert.That(curve.Polyline.Points, Is.Unique);
+    }
+
+    [TestCase("<path d=\"M0 0 L10 0 L0 0 Z\"/>", 20)]
+    [TestCase("<polygon points=\"0,0 10,0\"/>", 10)]
+    [TestCase("<polygon points=\"0,0 10,0 10,0\"/>", 10)]
+    public void Two_corners_are_a_line_there_and_back_at_most(string content, double length)
+    {
+        var curve = One(content).Curve;
+        Assert.That(curve.Length, Is.EqualTo(length).Within(1e-9));
+    }
+
+    [TestCase("skewX(0)", 10, 90)]
+    [TestCase("skewX(45)", 20, 90)]
+    [TestCase("skewY(45)", 10, 80)]
+    public void A_skew_moves_points_by_the_tangent_of_its_angle(string transform, double x, double y)
+        => Near(One($"<g transform=\"{transform}\"><path d=\"M0 0 L10 10\"/></g>").Curve.End, new Vec3(x, y));
+
+    [TestCase("<path transform=\"skewX(90)\" d=\"M0 0 L10 10\"/>")]
+    [TestCase("<path d=\"M0 0 L1e10 10\"/>")]
+    public void What_has_no_finite_place_is_an_error(string content)
+        => Assert.That(CurveReaderTests.Read(Page(content), "a.svg").Value, Is.Null);
+
+    [TestCase("0 0 0 10")]
+    [TestCase("0 0 10 0")]
+    [TestCase("0 0 -5 10")]
+    public void A_viewBox_without_an_area_is_an_error(string box)
+        => Assert.That(CurveReaderTests.Read($"<svg width=\"10mm\" height=\"10mm\" viewBox=\"{box}\"><path d=\"M0 0L1 1\"/></svg>", "a.svg").Value, Is.Null);
+
+    [TestCase("display:none")]
+    [TestCase("visibility: hidden")]
+    [TestCase("fill: red; display: none")]
+    [TestCase("fill: red; visibility:hidden")]
+    public void What_a_style_hides_is_not_drawn(string style)
+        => Assert.That(One($"<path d=\"M0 0 L5 5\" style=\"{style}\"/><path d=\"M1 1 L2 1\"/>").Curve.Length, Is.EqualTo(1).Within(1e-9));
 }

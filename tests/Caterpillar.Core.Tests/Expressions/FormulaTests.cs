@@ -175,4 +175,41 @@ internal sealed class FormulaTests
             result.Value?.Evaluate(1, 2);
         }
     }
+
+    [TestCase("not 0", 1)]
+    [TestCase("not 1", 0)]
+    [TestCase("not 0.5", 0)]
+    [TestCase("not not 3", 1)]
+    [TestCase("not not 0", 0)]
+    [TestCase("1 != 2", 1)]
+    [TestCase("2 != 2", 0)]
+    [TestCase("1 <> 2", 1)]
+    [TestCase("(1 < 2) + (2 > 1) + (1 <= 1) + (1 >= 1) + (1 == 1)", 5)]
+    [TestCase("(2 and 3) + (0 or 5)", 2)]
+    public void Comparisons_and_logic_are_1_or_0(string text, double value)
+    {
+        Assert.That(Value(text), Is.EqualTo(value));
+        Assert.That(Value(text.Replace("2", "a"), ("a", 2)), Is.EqualTo(value), "with a variable");
+    }
+
+    [TestCase("step(1, 0.9)", 0)]
+    [TestCase("step(1, 1)", 1)]
+    [TestCase("step(1, 1.1)", 1)]
+    public void A_step_is_1_from_its_edge_on(string text, double value) => Assert.That(Value(text), Is.EqualTo(value));
+
+    [Test]
+    public void A_formula_without_variables_is_constant()
+    {
+        Assert.That(Formula.Compile("2 * (3 + sin(30))", []).Value!.IsConstant, Is.True);
+        Assert.That(Formula.Compile("2 * x", ["x"]).Value!.IsConstant, Is.False);
+    }
+
+    [TestCase("(1 + 2", "'(' is never closed by ')'.")]
+    [TestCase("(1 + 2 [3]", "'(' is never closed by ')'.")]
+    [TestCase("(1 + 2; 3", "'(' is never closed by ')'.")]
+    public void A_bracket_that_is_not_closed_is_named_where_it_opens(string text, string message)
+    {
+        var error = Error(text);
+        Assert.That((error.Message, error.Source!.Column), Is.EqualTo((message, 1)));
+    }
 }

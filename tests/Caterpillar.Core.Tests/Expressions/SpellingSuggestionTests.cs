@@ -26,4 +26,8 @@ internal sealed class SpellingSuggestionTests
         Assert.That(SpellingSuggestion.Hint("forwrd", ["forward"]), Is.EqualTo(" Did you mean 'forward'?"));
         Assert.That(SpellingSuggestion.Hint("xyzzyx", ["forward"]), Is.Empty);
     }
+
+    [TestCase("ol", "lo")]
+    public void Letters_swapped_at_the_beginning_are_one_mistake(string word, string meant)
+        => Assert.That(SpellingSuggestion.Nearest(word, [meant]), Is.EqualTo(meant));
 }

@@ -248,4 +248,22 @@ public class HeaderImportTests
         var toolpath = Planner.Plan([path], setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).Value!;
         return Template.Parse(template(found.Printer)).Value!.Render(TemplateValues.Of(setup, toolpath)).Value!;
     }
+
+    [TestCase("G28\nG1 X90 Y60 Z5", 180, 120)]
+    [TestCase("G28\nG1 X20 Y20 Z5", 40, 40)]
+    [TestCase("G28\nG1 X90 Y60\nG1 X200 Y10\nG1 X90 Y60", 200, 120)]
+    public void A_header_that_ends_in_the_middle_of_the_bed_tells_its_size(string header, double width, double depth)
+    {
+        var printer = HeaderImport.Read(header, "").Value!.Printer;
+        Assert.That((printer.BuildVolume.X, printer.BuildVolume.Y), Is.EqualTo((width, depth)));
+        Assert.That(printer.Origin, Is.EqualTo(BedOrigin.Corner));
+    }
+
+    [Test]
+    public void A_header_that_goes_to_negative_places_has_its_origin_in_the_middle()
+    {
+        var printer = HeaderImport.Read("G28\nG1 X-150 Y0\nG1 X0 Y-140 Z5\nG1 X40 Y20", "").Value!.Printer;
+        Assert.That(printer.Origin, Is.EqualTo(BedOrigin.Center));
+        Assert.That((printer.BuildVolume.X, printer.BuildVolume.Y), Is.EqualTo((300.0, 280.0)));
+    }
 }

@@ -48,6 +48,10 @@ public class SetupTests
     [TestCase("layer_height_mm=NaN", "profile.wrong_kind", "NaN")]
     [TestCase("title=x", "profile.unknown_key", "title")]
     [TestCase("wall_count=1e99", "profile.wrong_kind", "integer")]
+    [TestCase("overhang_classes=101 20 100 1", "profile.out_of_range", "up to 100")]
+    [TestCase("overhang_classes=50 20 101 1", "profile.out_of_range", "up to 100")]
+    [TestCase("overhang_classes=50 20 100 0", "profile.out_of_range", "above 0")]
+    [TestCase("overhang_classes=50 20 100 1;50 10 100 1", "profile.out_of_range", "ascending")]
     public void Bad_values_are_named(string value, string code, string word)
     {
         var result = new PrintSetup().With("wall_count=3", value);
@@ -121,5 +125,20 @@ public class SetupTests
         Assert.That(library.Setup(values: ["line_width_mm=0.1"]).Value, Is.Null);
         Assert.That(library.Setup(values: ["layer_height_mm=0.42"]).Diagnostics.Single().Code, Is.EqualTo("setup.high_layer"));
         Assert.That(library.Setup("pen_plotter", values: ["firmware_retraction=true"]).Diagnostics.Single().Code, Is.EqualTo("setup.no_firmware_retraction"));
+    }
+
+    [Test]
+    public void Values_at_the_ends_of_their_range_are_good()
+    {
+        var setup = new PrintSetup().With("overhang_classes=50 20 100 1;100 10 100 0.5", "infill_percent=100", "layer_ranges_mm=0 1 0.001", "wall_count=0")
+            .Value!;
+        Assert.That(setup.Settings.OverhangClasses.Select(c => (c.Percent, c.Speed, c.FanPercent, c.Flow)), Is.EqualTo(new[]
+        {
+            (50.0, 20.0, 100.0, 1.0), (100.0, 10.0, 100.0, 0.5),
+        }));
+        Assert.That(setup.Settings.LayerRanges.Single(), Is.EqualTo(new LayerRange(0, 1, 0.001)));
+        // Every whole number at the top of its range.
+        foreach (var key in ProfileKeys.Settings.Where(k => k.Kind == KeyKind.Integer && k.Range.Contains(" to ")))
+            Assert.That(new PrintSetup().With($"{key.Name}={key.Range.Split(' ').Last()}").Diagnostics, Is.Empty, key.Name + ": " + key.Range);
     }
 }

@@ -97,4 +97,23 @@ public class DeformationTests
         Assert.That(negative.Diagnostics.Single().Code, Is.EqualTo("shape.value"));
         Assert.That(() => Deformation.Cartesian().Apply([path], -1), Throws.InstanceOf<ArgumentOutOfRangeException>());
     }
+
+    [Test]
+    public void A_path_through_the_axis_keeps_the_angle_that_it_has_beside_it()
+    {
+        // Radius unchanged, a quarter turn on: begins on the axis, leaves along +Y, comes back and goes through.
+        var seen = new System.Collections.Generic.List<Vec3>();
+        var quarter = Deformation.Cylindrical(p =>
+        {
+            seen.Add(p);
+            return p with { Y = p.Y + 90 };
+        });
+        Vec3[] points = [Vec3.Zero, new(0, 4, 0), Vec3.Zero, new(0, 2, 1)];
+        var mapped = quarter.Map(points);
+        Assert.That(seen.Select(p => p.Y), Is.All.EqualTo(90).Within(1e-12));
+        Assert.That(mapped[1].DistanceTo(new Vec3(-4, 0, 0)), Is.LessThan(1e-12));
+        seen.Clear();
+        quarter.Map([Vec3.Zero, new Vec3(0, 0, 5)]);
+        Assert.That(seen.Select(p => p.Y), Is.All.EqualTo(0), "A path on the axis has the angle 0.");
+    }
 }

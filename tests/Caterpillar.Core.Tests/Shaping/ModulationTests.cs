@@ -111,4 +111,55 @@ public class ModulationTests
         var zero = new Modulation(ModulationMode.Speed, Fields.Constant(1), 1, 0).Apply([Line]);
         Assert.That(zero.Diagnostics.Single().Code, Is.EqualTo("shape.modulation"));
     }
+
+    [Test]
+    public void Fields_and_masks_count_from_0_to_1()
+    {
+        Bead Of(double field, double? mask = null) => new Modulation(ModulationMode.Flow, Fields.Constant(field), 0.5, 1.5)
+            { Mask = mask is { } m ? Fields.Constant(m) : null }.Apply([Line]).Value!.Single().BeadOf(0);
+        Assert.That(Of(-3).Area, Is.EqualTo(0.4 * 0.5).Within(1e-12));
+        Assert.That(Of(1.7).Area, Is.EqualTo(0.4 * 1.5).Within(1e-12));
+        Assert.That(Of(1, 0.5).Area, Is.EqualTo(0.4 * 1.25).Within(1e-12));
+        Assert.That(Of(1, 1.7).Area, Is.EqualTo(0.4 * 1.5).Within(1e-12));
+    }
+
+    [TestCase(ModulationMode.Flow, 0, true)]
+    [TestCase(ModulationMode.Flow, -0.1, false)]
+    [TestCase(ModulationMode.Speed, 0, false)]
+    [TestCase(ModulationMode.Speed, 0.1, true)]
+    public void A_flow_may_stop_and_a_speed_may_not(ModulationMode mode, double factor, bool works)
+        => Assert.That(new Modulation(mode, Fields.Constant(0), factor, 1).Apply([Line]).Value is not null, Is.EqualTo(works));
+
+    [Test]
+    public void Rows_along_paths_repeat_and_a_path_without_length_is_at_its_beginning()
+    {
+        var mapping = ImageMappings.Along(4);
+        PathSample At(double distance, double length, int path) => new(Vec3.Zero, distance, length, path, Role.Infill);
+        Assert.That(mapping(At(5, 20, 0)), Is.EqualTo((0.25, 0.125)));
+        Assert.That(mapping(At(20, 20, 3)), Is.EqualTo((1.0, 0.875)));
+        Assert.That(mapping(At(20, 20, 5)), Is.EqualTo((1.0, 0.375)));
+        Assert.That(mapping(At(0, 0, 1)), Is.EqualTo((0.0, 0.375)));
+    }
+
+    [Test]
+    public void Masks_of_roles_and_their_opposite()
+    {
+        PathSample Of(Role role) => new(Vec3.Zero, 0, 1, 0, role);
+        var walls = Fields.OfRole(Role.OuterWall, Role.InnerWall);
+        Assert.That(new[] { Role.OuterWall, Role.InnerWall, Role.Infill }.Select(r => walls(Of(r))), Is.EqualTo(new[] { 1.0, 1, 0 }));
+        Assert.That(Fields.Inverted(walls)(Of(Role.Infill)), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Noise_is_the_same_in_a_cell_and_differs_along_every_axis_and_between_seeds()
+    {
+        PathSample At(double x, double y, double z) => new(new Vec3(x, y, z), 0, 1, 0, Role.Infill);
+        var noise = Fields.Noise(7, 2);
+        Assert.That(noise(At(0.1, 0.1, 0.1)), Is.EqualTo(noise(At(1.9, 1.9, 1.9))).And.InRange(0, 1));
+        var values = new[] { noise(At(1, 1, 1)), noise(At(3, 1, 1)), noise(At(1, 3, 1)), noise(At(1, 1, 3)), noise(At(-1, 1, 1)),
+            Fields.Noise(8, 2)(At(1, 1, 1)) };
+        Assert.That(values, Is.Unique);
+        // Evenly spread: the mean of 1,000 cells is near a half.
+        Assert.That(Enumerable.Range(0, 1000).Average(i => noise(At(2 * i + 1, 1, 1))), Is.EqualTo(0.5).Within(0.05));
+    }
 }

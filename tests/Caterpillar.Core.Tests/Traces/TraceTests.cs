@@ -133,4 +133,47 @@ public class TraceTests
         Assert.That(() => new Trace(1).Circle(Vec3.Zero, 1, 2), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => new FlowRamp(2), Throws.InstanceOf<ArgumentOutOfRangeException>());
     }
+
+    [Test]
+    public void A_polyline_is_moved_to_and_drawn_and_closed_where_it_is_closed()
+    {
+        Vec3[] points = [new(5, 0, 0), new(9, 0, 0), new(9, 4, 0)];
+        var open = new Trace(0.2).Draw(new Polyline(points)).Strings;
+        Assert.That(open.Select(s => (s.Start, s.End)), Is.EqualTo(new[] { (points[0], points[1]), (points[1], points[2]) }));
+        var closed = new Trace(0.2).Draw(new Polyline(points, true)).Strings;
+        Assert.That(closed.Select(s => s.End), Is.EqualTo(new[] { points[1], points[2], points[0] }));
+        Assert.That(new Trace(0.2).Draw(new Polyline(points.Take(2), true)).Strings, Has.Count.EqualTo(1), "Nothing goes back over a line.");
+    }
+
+    [Test]
+    public void A_trace_begins_where_it_is_told_to()
+        => Assert.That(new Trace(0.2, new Vec3(3, 4, 5)).Draw(new Vec3(3, 4, 9)).Strings.Single().Start, Is.EqualTo(new Vec3(3, 4, 5)));
+
+    [Test]
+    public void A_filled_cylinder_goes_out_in_one_layer_and_back_in_the_next()
+    {
+        var strings = new Trace(0.2).Cylinder(new Vec3(50, 50, 0.3), radius: 4, height: 0.9, verticalPitch: 0.3, horizontalPitch: 1, stringsPerTurn: 12)
+            .Strings;
+        Assert.That(strings.Select(s => Math.Round(s.End.Z, 9)).Distinct(), Is.EqualTo(new[] { 0.3, 0.6, 0.9 }));
+        double Radius(Vec3 p) => (p - new Vec3(50, 50, p.Z)).Length;
+        Assert.That(Radius(strings[0].Start), Is.Zero.Within(1e-9));
+        // Layers of 48 strings, and one up between them: the first ends at the edge, the second in the middle, the third at the edge again.
+        Assert.That(strings, Has.Count.EqualTo(3 * 48 + 2));
+        Assert.That(new[] { 47, 48 + 48, 48 + 49 + 48 }.Select(i => Math.Round(Radius(strings[i].End), 9)), Is.EqualTo(new[] { 4.0, 0, 4 }));
+        Assert.That(strings.Zip(strings.Skip(1), (a, b) => a.End == b.Start), Is.All.True, "One strand.");
+    }
+
+    [Test]
+    public void Sizes_that_make_no_shape_are_refused()
+    {
+        var trace = new Trace(0.2);
+        Assert.That(() => trace.Circle(Vec3.Zero, 0), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => trace.Spiral(Vec3.Zero, 0, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => trace.Cone(Vec3.Zero, -1, 1, 5, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => trace.Cone(Vec3.Zero, 1, -1, 5, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => trace.Cylinder(Vec3.Zero, 5, 5, 0, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => trace.Cylinder(Vec3.Zero, 5, 0, 1, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => trace.Helix(Vec3.Zero, 5, 1e9, 0.001), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(trace.Strings, Is.Empty);
+    }
 }

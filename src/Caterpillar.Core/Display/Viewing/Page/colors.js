@@ -36,7 +36,7 @@ function colorings(moves, head) {
     { id: "speed", name: "Speed", unit: "mm/s", of: (i) => moves.speed[i] },
     { id: "flow", name: "Flow", unit: "mm³/s", of: (i) => moves.area[i] * moves.speed[i] },
     { id: "width", name: "Width", unit: "mm", of: (i) => moves.width[i] },
-    { id: "height", name: "Layer height", unit: "mm", of: (i) => moves.height[i] },
+    { id: "height", name: "Layer height", unit: "mm", of: (i) => (moves.layer[i] >= 0 ? head.layers[moves.layer[i]][2] : 0) },
     { id: "layer", name: "Layer", unit: "", of: (i) => moves.layer[i] },
     { id: "time", name: "Time", unit: "s", of: head.timed ? (i) => moves.time[i] : (i) => i },
     { id: "layertime", name: "Time of the layer", unit: "s", lazy: () => layerTimes(moves, head) },
@@ -58,13 +58,13 @@ function layerTimes(moves, head) {
   return Float32Array.from({ length: moves.rows }, (_, i) => sums[moves.layer[i] + 1]);
 }
 
-// The scale leaves out the rarest values at both ends, so that one odd strand does not hide all differences.
-function rangeOf(values, moves) {
+// The scale leaves out what start code prints, and the rarest values at both ends, so that one odd strand does not hide all differences.
+function rangeOf(values, moves, head) {
   const sample = [];
   const step = Math.max(1, Math.floor(moves.rows / 20000));
   let least = Infinity, greatest = -Infinity;
   for (let i = 0; i < moves.rows; i++) {
-    if (moves.kind[i] !== kinds.print || !(moves.area[i] > 0)) continue;
+    if (moves.kind[i] !== kinds.print || !(moves.area[i] > 0) || head.roles[moves.role[i]][0] === "Purge") continue;
     least = Math.min(least, values[i]);
     greatest = Math.max(greatest, values[i]);
     if (i % step === 0) sample.push(values[i]);
@@ -90,7 +90,7 @@ function paint(coloring, moves, head, into) {
     }
     return null;
   }
-  const range = rangeOf(values, moves);
+  const range = rangeOf(values, moves, head);
   const size = Math.max(range.high - range.low, 1e-9);
   const table = Array.from({ length: 256 }, (_, i) => scaleColor(scale, i / 255));
   for (let i = 0; i < moves.rows; i++) {

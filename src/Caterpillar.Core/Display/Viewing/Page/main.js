@@ -117,7 +117,9 @@ function setMoment(row, part = 1) {
 
 function pickRow(row) {
   showMove(row, moves, head);
-  lines.show(row >= 0 && head.source === "line" ? moves.line[row] : 0, byId("lines"));
+  lines.show(row >= 0 && head.source === "line" ? moves.line[row] : 0, byId("lines")).then(() => {
+    if (row >= 0) byId("pickedSection").scrollIntoView({ block: "nearest" });
+  });
 }
 
 function momentAt(seconds) {
@@ -211,6 +213,7 @@ const keys = [
 function listen() {
   for (const [id, key] of Object.entries(switches)) {
     byId(id).addEventListener("change", () => flip(id));
+    if (byId(id).parentElement.hidden) continue;
     keys.push([key, byId(id).parentElement.textContent.trim().toLowerCase(), () => {
       byId(id).checked = !byId(id).checked;
       flip(id);
@@ -314,12 +317,15 @@ async function start() {
     scene.mesh("bedThin", bed.thin, 3);
     scene.mesh("bedBold", bed.bold, 3);
     scene.mesh("head", headMesh(head.printer), 6);
+    scene.mesh("headBoxes", headBoxLines(head.printer), 3);
   }
   if (modelData) {
     scene.mesh("model", modelTriangles(modelData, middle), 6);
     byId("modelSwitch").hidden = !moves;
   }
   for (const id of ["coloring", "pickedSection"]) byId(id).hidden = !moves;
+  for (const id of ["travel", "retractions", "seams", "nozzle"]) byId(id).parentElement.hidden = !moves;
+  if (!moves) byId("printTitle").textContent = "Model";
   if (moves) {
     total = sums(moves, head.start);
     scene.load(moves, head.start);
@@ -339,7 +345,9 @@ async function start() {
     setLayers(0, lastLayer);
     setMoment(moves.rows - 1);
     state.nozzle = null;
+    showMove(-1, moves, head);
   }
+  byId("layersRow").hidden = heights.length < 2;
   showStatistics(moves, head, total, box, heights.length);
   showFindings(head, goTo);
   listen();

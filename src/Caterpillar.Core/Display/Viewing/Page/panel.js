@@ -63,14 +63,15 @@ function showStatistics(moves, head, total, box, layers) {
 function showLegend(coloring, range, head, total, hidden, toggled) {
   const legend = byId("legend");
   if (!coloring.category) {
-    const ticks = Array.from({ length: 5 }, (_, i) => range.low + (range.high - range.low) * i / 4);
+    const isDuration = coloring.unit === "s" && range.high >= 100, last = isDuration ? 2 : 4;
+    const ticks = Array.from({ length: last + 1 }, (_, i) => range.low + (range.high - range.low) * i / last);
     const decimals = range.high - range.low > 20 ? 0 : range.high - range.low > 1 ? 1 : 3;
-    const show = coloring.unit === "s" && range.high >= 100 ? (v) => duration(v) : (v) => number(v, decimals);
-    const edge = (i) => (i === 0 && range.clippedLow ? "≤ " : i === 4 && range.clippedHigh ? "≥ " : "");
+    const show = isDuration ? (v) => duration(v) : (v) => number(v, decimals);
+    const edge = (i) => (i === 0 && range.clippedLow ? "≤ " : i === last && range.clippedHigh ? "≥ " : "");
     legend.replaceChildren(
       element("div", { className: "scale", style: `background: linear-gradient(to right, ${head.scale.join(", ")})` }),
       element("div", { className: "ticks" }, ...(range.high > range.low ? ticks : [range.low]).map((v, i) => element("span", {}, edge(i) + show(v)))),
-      element("div", { className: "ticks" }, element("span", {}, coloring.unit === "s" && range.high >= 100 ? "" : coloring.unit)));
+      element("div", { className: "ticks" }, element("span", {}, isDuration ? "" : coloring.unit)));
     return;
   }
   if (coloring.id !== "role") {
@@ -101,7 +102,7 @@ function showFindings(head, go) {
 
 function showMove(row, moves, head) {
   if (row < 0 || row >= moves.rows) {
-    fillTable(byId("picked"), []);
+    fillTable(byId("picked"), [["Click a strand to see its move and its line.", ""]]);
     return;
   }
   const layer = moves.layer[row] >= 0 ? head.layers[moves.layer[row]] : null;

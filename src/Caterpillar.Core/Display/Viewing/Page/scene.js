@@ -85,7 +85,8 @@ void main() {
 const plainVertex = `#version 300 es
 layout(location = 0) in vec3 place;
 uniform mat4 matrix;
-void main() { gl_Position = matrix * vec4(place, 1); }`;
+uniform vec3 shift;
+void main() { gl_Position = matrix * vec4(place + shift, 1); }`;
 
 const plainFragment = `#version 300 es
 precision highp float;
@@ -286,11 +287,12 @@ class Scene {
     gl.drawArraysInstanced(mode, 0, points, this.rowsOf(name));
   }
 
-  drawLines(name, camera, tint) {
+  drawLines(name, camera, tint, shift = [0, 0, 0]) {
     const mesh = this.meshes[name];
     if (!mesh?.count) return;
     const gl = this.gl, uniforms = this.use(this.plain, camera);
     gl.uniform4fv(uniforms.tint, tint);
+    gl.uniform3fv(uniforms.shift, shift);
     gl.bindBuffer(gl.ARRAY_BUFFER, mesh.buffer);
     gl.enableVertexAttribArray(0);
     gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
@@ -333,9 +335,13 @@ class Scene {
     gl.enable(gl.DEPTH_TEST);
     if (state.model) this.drawSolid("model", camera, [0.62, 0.74, 0.6, 1], [0, 0, 0]);
     if (state.head && state.nozzle) {
+      // What lies behind the head stays visible.
+      this.drawLines("headBoxes", camera, [0.45, 0.5, 0.58, 1], state.nozzle);
       gl.enable(gl.BLEND);
+      gl.depthMask(false);
       gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-      this.drawSolid("head", camera, [0.5, 0.55, 0.62, 0.4], state.nozzle);
+      this.drawSolid("head", camera, [0.4, 0.45, 0.52, 0.45], state.nozzle);
+      gl.depthMask(true);
       gl.disable(gl.BLEND);
     }
   }

@@ -16,7 +16,7 @@ function prism(sides) {
   return { corners: new Float32Array(corners), triangles: new Uint16Array(triangles) };
 }
 
-// Nozzle and head around their axis, and boxes, as triangles with flat normals: x y z nx ny nz each.
+// Nozzle and head around their axis as triangles with flat normals: x y z nx ny nz each.
 function headMesh(printer) {
   const out = [];
   const face = (...points) => {
@@ -36,14 +36,15 @@ function headMesh(printer) {
   for (let r = 1; r < rings.length; r++) {
     for (let k = 0; k < around; k++) face(at(rings[r - 1], k), at(rings[r - 1], k + 1), at(rings[r], k + 1), at(rings[r], k));
   }
+  return new Float32Array(out);
+}
+
+// The edges of the boxes of the head; x y z by point.
+function headBoxLines(printer) {
+  const out = [];
   for (let b = 0; b < printer.boxes.length; b += 6) {
-    const [x0, y0, z0, x1, y1, z1] = printer.boxes.slice(b, b + 6);
-    face([x0, y0, z0], [x0, y1, z0], [x1, y1, z0], [x1, y0, z0]);
-    face([x0, y0, z1], [x1, y0, z1], [x1, y1, z1], [x0, y1, z1]);
-    face([x0, y0, z0], [x1, y0, z0], [x1, y0, z1], [x0, y0, z1]);
-    face([x0, y1, z0], [x0, y1, z1], [x1, y1, z1], [x1, y1, z0]);
-    face([x0, y0, z0], [x0, y0, z1], [x0, y1, z1], [x0, y1, z0]);
-    face([x1, y0, z0], [x1, y1, z0], [x1, y1, z1], [x1, y0, z1]);
+    const corner = (i) => [0, 1, 2].map((axis) => printer.boxes[b + axis + (i >> axis & 1) * 3]);
+    for (let i = 0; i < 8; i++) for (const bit of [1, 2, 4]) if (!(i & bit)) out.push(...corner(i), ...corner(i | bit));
   }
   return new Float32Array(out);
 }
