@@ -5,7 +5,7 @@ namespace Caterpillar.Examples;
 
 /// <summary>
 /// Writes the example models: <c>dotnet run --project examples/make [FOLDER]</c>; without a folder into examples/models of the repository. With <c>--pictures
-/// FOLDER</c> it draws the examples instead.
+/// FOLDER</c> it draws the examples instead; with <c>--curved</c> it slices, checks and simulates the curved ones.
 /// </summary>
 internal static class Program
 {
@@ -21,6 +21,7 @@ internal static class Program
             if (ModelsFolder() is { } models) ModelPictures.Write(models, arguments[1]);
             return 0;
         }
+        if (arguments is ["--curved"]) return CurvedReport.WriteAll(Console.Out) ? 0 : 1;
         var folder = arguments.Length > 0 ? arguments[0] : ModelsFolder();
         if (folder is null)
         {

@@ -27,7 +27,7 @@ internal static class CurvedExamples
     };
 
     /// <summary>Their names, what makes them, and from where they are looked at.</summary>
-    public static IReadOnlyList<(string Name, Func<Toolpath> Make, ColorBy Color, View View)> All { get; } =
+    public static IReadOnlyList<(string Name, Func<CurvedExample> Make, ColorBy Color, View View)> All { get; } =
     [
         ("roof", Roof, ColorBy.Role, new View(-60, 22)),
         ("between", Between, ColorBy.Layer, new View(-60, 22)),
@@ -39,21 +39,21 @@ internal static class CurvedExamples
     ];
 
     /// <summary>A level start, and layers parallel to a saddle at the top.</summary>
-    public static Toolpath Roof()
+    public static CurvedExample Roof()
     {
         var part = SaddleRoof.Make().Moved(Middle);
         return Sliced(part, LayerField.Vertical(PlanSurface.Of(part), new LayerBlend(2, 18)), Plain);
     }
 
     /// <summary>As many layers everywhere between the bed and the saddle.</summary>
-    public static Toolpath Between()
+    public static CurvedExample Between()
     {
         var part = SaddleRoof.Make().Moved(Middle);
         return Sliced(part, LayerField.Between(PlanSurface.Level(0), PlanSurface.Of(part)), Plain);
     }
 
     /// <summary>Wavy rings drawn level, printed onto terrain.</summary>
-    public static Toolpath TerrainPattern()
+    public static CurvedExample TerrainPattern()
     {
         var land = Terrain.Make();
         // Hills that the head can go around.
@@ -75,7 +75,7 @@ internal static class CurvedExamples
     }
 
     /// <summary>Layers that change evenly from the foot of a trunk to the ends of its branches.</summary>
-    public static Toolpath Branches()
+    public static CurvedExample Branches()
     {
         var part = Welded(Branching.Make()).Moved(Middle);
         var setup = Plain with { Settings =
@@ -84,7 +84,7 @@ internal static class CurvedExamples
     }
 
     /// <summary>A shell over a saddle whose ribs follow both of its principal curvatures.</summary>
-    public static Toolpath Ribs()
+    public static CurvedExample Ribs()
     {
         static double Saddle(double x, double y) => 9 + ((x - 110) * (x - 110) - (y - 110) * (y - 110) / 2) / 130 + (x - 110) * (y - 110) / 220;
         var plan = new Bounds(Middle - new Vec3(30, 24), Middle + new Vec3(30, 24));
@@ -97,14 +97,16 @@ internal static class CurvedExamples
     }
 
     /// <summary>A hat whose brim overhangs by 70 degrees, in layers that lean on what is printed before them.</summary>
-    public static Toolpath Overhang()
+    public static CurvedExample Overhang()
     {
         var hat = SlicingPictures.Revolved((4, 0), (4, 6), (20, 12), (20, 14)).Moved(Middle);
-        return Sliced(hat, LayerField.Vertical(PlanSurface.AgainstOverhangs([new NamedMesh("hat", hat)], Plain).OrThrow()), Plain);
+        // Thick layers would reach out by more than half of their strands.
+        var setup = Plain with { Settings = Plain.Settings with { LayerHeight = 0.25, FirstLayerHeight = 0.25 } };
+        return Sliced(hat, LayerField.Vertical(PlanSurface.AgainstOverhangs([new NamedMesh("hat", hat)], setup).OrThrow()), setup);
     }
 
     /// <summary>A vase of one spiral strand that stands on a saddle.</summary>
-    public static Toolpath VaseOnSaddle()
+    public static CurvedExample VaseOnSaddle()
     {
         static double Saddle(double x, double y) => 5 + ((x - 110) * (x - 110) - (y - 110) * (y - 110)) / 90;
         var vase = SlicingPictures.Revolved((2, 0), (5, 0), (8, 0), (11, 0), (14, 0), (16, 0), (18, 6), (20, 12), (17, 19), (14, 26), (16, 31),
@@ -118,17 +120,23 @@ internal static class CurvedExamples
 
     private static PrintSetup Steep(double degrees) => Plain with { Settings = Plain.Settings with { CurvedMaxSlope = degrees } };
 
-    private static Toolpath Sliced(TriMesh part, LayerField field, PrintSetup setup, CurvedOptions? options = null, TriMesh? under = null)
+    private static CurvedExample Sliced(TriMesh part, LayerField field, PrintSetup setup, CurvedOptions? options = null, TriMesh? under = null)
         => Checked(CurvedSlicer.Slice([new NamedMesh("part", part)], field, setup, options).OrThrow().ToSteps(), setup, under);
 
     // What the writer refuses is no example.
-    private static Toolpath Checked(IReadOnlyList<Step> steps, PrintSetup setup, TriMesh? under)
+    private static CurvedExample Checked(IReadOnlyList<Step> steps, PrintSetup setup, TriMesh? under)
     {
         var over = setup with { Settings = setup.Settings with { TravelLift = TravelLift.Corridor } };
         var toolpath = Planner.Plan(steps, over, new PlanOptions { Obstacle = under }).OrThrow();
         SafeWriter.ToDocument(toolpath, over).OrThrow();
-        return toolpath;
+        return new CurvedExample(toolpath, over, under is not null);
     }
 
     private static TriMesh Welded(TriMesh mesh) => MeshReader.Read(StlWriter.ToBytes(mesh, "mesh"), "mesh.stl").OrThrow()[0].Mesh;
 }
+
+/// <summary>A curved print that passed the checks.</summary>
+/// <param name="Toolpath">What the machine does.</param>
+/// <param name="Setup">What it was planned for.</param>
+/// <param name="OnObject">Whether it lies on an object, of which the checks know nothing.</param>
+internal sealed record CurvedExample(Toolpath Toolpath, PrintSetup Setup, bool OnObject);

@@ -13,7 +13,7 @@ internal static class CurvedPictures
         foreach (var (name, make, color, view) in CurvedExamples.All)
         {
             var options = new PictureOptions { Width = 480, Height = 360, View = view, ColorBy = color };
-            var bytes = PngWriter.ToBytes(Picture.Draw(make(), options));
+            var bytes = PngWriter.ToBytes(Picture.Draw(make().Toolpath, options));
             File.WriteAllBytes(Path.Combine(folder, "curved_" + name + ".png"), bytes);
             Console.WriteLine($"curved_{name}.png: {bytes.Length} bytes");
         }

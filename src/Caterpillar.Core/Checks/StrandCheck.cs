@@ -59,6 +59,8 @@ internal sealed class StrandCheck
         var known = move.Thickness > 0 && area >= 0.5 * move.Thickness * move.Thickness
             && area <= PrintedSoFar.Widest * _printer.NozzleDiameter * move.Thickness;
         var nominal = known ? move.Thickness : _usualHeight;
+        // On curved layers strands may be much thinner than their layer says: what they lie on is nearer, then.
+        var least = Math.Min(nominal, area / _printer.NozzleDiameter);
         var count = (int)Math.Min(Math.Max(Math.Ceiling(move.Length / SampleStep), 1), MostSamples);
         var step = move.Length / count;
         var reach = 2 * Math.Max(nominal, _printer.NozzleDiameter / 2) + Touch;
@@ -69,10 +71,10 @@ internal sealed class StrandCheck
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
             gap = GapBelow(p, nominal);
             tight = Math.Min(tight, gap);
-            var lies = gap <= reach;
+            var lies = gap <= reach || GapBelow(p, least) <= reach;
             if (lies || move.Role == Role.Purge) Land(move.Index);
             else Fly(move.Index, step);
-            if (gap == p.Z && lies && move.Role is not (Role.Skirt or Role.Purge)) _standing += step * area / Math.Max(gap, nominal / 2);
+            if (gap == p.Z && gap <= reach && move.Role is not (Role.Skirt or Role.Purge)) _standing += step * area / Math.Max(gap, nominal / 2);
         }
         _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
         var height = known ? move.Thickness : Math.Max(0, Math.Min(gap, nominal));
@@ -117,10 +119,10 @@ internal sealed class StrandCheck
     private static string Number(double value) => NumberFormatter.Format(value, 2);
 
     // mm to the bed or to a strand below; what is about as high as the strand itself lies beside it.
-    private double GapBelow(Vec3 p, double nominal)
+    private double GapBelow(Vec3 p, double height)
     {
         var (top, under) = _printed.Deposit.CellAt(p.X, p.Y);
-        var highest = p.Z - 0.5 * nominal;
+        var highest = p.Z - 0.5 * height;
         var below = top <= highest ? top : under <= highest ? under : 0;
         return p.Z - Math.Max(below, 0);
     }
@@ -173,7 +175,7 @@ internal sealed class StrandCheck
     private void Doubles(in CheckedMove move, double area, double height)
     {
         var half = new Bead(area, height).Width(_shape) / 2;
-        // On curved layers strands may be much thinner than their layer says; those above each other are not in each other's place.
+        // Thin strands above each other are not in each other's place.
         var thickness = Math.Min(height, area / _printer.NozzleDiameter);
         var count = (int)Math.Min(Math.Max(Math.Ceiling(move.Length), 1), 16);
         for (var k = 0; k < count; k++)

@@ -79,12 +79,20 @@ internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyLi
     }
 
     private bool IsOff(int a, int b, double t)
-        => field.ToFlat(Vec3.Lerp(part[a], part[b], t)).DistanceTo(Vec3.Lerp(flat[a], flat[b], t)) > tolerance;
+        => IsOff(Vec3.Lerp(part[a], part[b], t), Vec3.Lerp(flat[a], flat[b], t));
 
     private bool IsOff(int a, int b, int c, double u, double v)
     {
         var w = 1 - u - v;
-        return field.ToFlat(part[a] * u + part[b] * v + part[c] * w).DistanceTo(flat[a] * u + flat[b] * v + flat[c] * w) > tolerance;
+        return IsOff(part[a] * u + part[b] * v + part[c] * w, flat[a] * u + flat[b] * v + flat[c] * w);
+    }
+
+    // Where layers are thin, what is much for the field is little in the part.
+    private bool IsOff(Vec3 place, Vec3 straight)
+    {
+        var off = field.ToFlat(place) - straight;
+        if (!(off.LengthSquared > tolerance * tolerance)) return false;
+        return off.LengthXY > tolerance || Math.Abs(off.Z) * Math.Min(1, field.Spread(place)) > tolerance;
     }
 
     private (bool Divide, Vec3 Part, Vec3 Flat) Divided(int a, int b)

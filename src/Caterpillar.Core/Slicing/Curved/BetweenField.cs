@@ -71,6 +71,17 @@ internal sealed class BetweenField : LayerField
         return low + (high - low) * (value - _values[i - 1]) / (_values[i] - _values[i - 1]);
     }
 
+    internal override double Spread(Vec3 point)
+    {
+        var low = _surfaces[0].Height(point.X, point.Y);
+        for (var i = 1; ; i++)
+        {
+            var high = _surfaces[i].Height(point.X, point.Y);
+            if (point.Z <= high || i + 1 == _surfaces.Length) return (high - low) / (_values[i] - _values[i - 1]);
+            low = high;
+        }
+    }
+
     public override Vec3 Normal(Vec3 point)
     {
         var i = 1;

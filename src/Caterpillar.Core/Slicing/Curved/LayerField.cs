@@ -60,6 +60,9 @@ public abstract class LayerField
     /// <summary>Values at which the field has a crease: a mesh that is bent is divided along them.</summary>
     internal virtual IReadOnlyList<double> Creases => [];
 
+    /// <summary>How far layers at a place lie apart, along Z, for each mm of the field; 1 where that is not known.</summary>
+    internal virtual double Spread(Vec3 point) => 1;
+
     /// <summary>Whether the field moves points in plan, too.</summary>
     internal virtual bool BendsPlan => false;
 

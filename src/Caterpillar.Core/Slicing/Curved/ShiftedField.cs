@@ -15,6 +15,8 @@ internal sealed class ShiftedField(LayerField inner, double shift) : LayerField
 
     internal override bool BendsPlan => inner.BendsPlan;
 
+    internal override double Spread(Vec3 point) => inner.Spread(point);
+
     internal override double Span(Vec3 step) => inner.Span(step);
 
     public override double Value(Vec3 point) => inner.Value(point) + shift;

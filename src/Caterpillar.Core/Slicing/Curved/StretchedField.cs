@@ -86,6 +86,8 @@ internal sealed class StretchedField : LayerField
         return TriMesh.Own(Array.ConvertAll(flat.RawVertices, Stretched), flat.RawTriangles);
     }
 
+    internal override double Spread(Vec3 point) => _inner.Spread(point);
+
     internal override double Span(Vec3 step) => _inner.Span(step);
 
     internal override (double First, double Second) Heights(double x, double y, double first, double second) => _inner.Heights(x, y, first, second);

@@ -52,6 +52,13 @@ internal sealed class VerticalField : LayerField
         return blend.From + (point.Z - blend.From) * zone / (zone + shift);
     }
 
+    internal override double Spread(Vec3 point)
+    {
+        if (_blend is not { } blend || point.Z <= blend.From) return 1;
+        var shift = _plan.Height(point.X, point.Y) - _level;
+        return point.Z >= blend.To + shift ? 1 : 1 + shift / (blend.To - blend.From);
+    }
+
     public override double Height(double x, double y, double value) => HeightOf(value, _plan.Height(x, y) - _level);
 
     public override Vec3 Normal(Vec3 point)

@@ -144,6 +144,22 @@ public class CurvedSlicerTests
         Assert.That(wanted.Select(m => m.End.Z).Distinct().Count(), Is.GreaterThan(1000), "The layers are curved.");
     }
 
+    // Layers of 0.04 to 0.5 mm: those that are too thin are printed several at once, or all of them where that is asked for.
+    [TestCase(0)]
+    [TestCase(0.001)]
+    public void Thin_strands_above_each_other_lie_on_each_other_and_not_in_each_others_place(double least)
+    {
+        static double Roof(double x, double y) => 0.5 + 0.1375 * (x - 90);
+        var part = CurvedSolids.Between(CurvedSolids.Plan(90, 100, 130, 112), 20, (_, _) => 0, Roof);
+        var setup = new PrintSetup { Settings = CurvedSolids.Massive with { LineWidth = 0.45, CurvedMinGap = least, InfillPercent = 0 } };
+        var sliced = CurvedSlicer.Slice([new NamedMesh("part", part)], LayerField.Between(PlanSurface.Level(0), PlanSurface.Of(Roof)), setup);
+        Assert.That(sliced.Diagnostics.Any(d => d.Code == "curved.merged_layers"), Is.EqualTo(least == 0));
+        var findings = PrintCheck.Run(Planner.Plan(sliced.Value!.ToSteps(), setup).OrThrow(), setup);
+        Assert.That(findings.Select(f => f.Code), Has.No.Member(CheckCodes.Doubled).And.No.Member(CheckCodes.Unsupported));
+        var heights = sliced.Value.Layers.SelectMany(l => l.Steps).SelectMany(s => Enumerable.Range(0, s.Path.SegmentCount).Select(k => s.Path.BeadOf(k).Height));
+        Assert.That(heights.Min(), least == 0 ? Is.GreaterThan(0.06) : Is.LessThan(0.05));
+    }
+
     private static Move[] Prints(Toolpath toolpath) => toolpath.Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
 
     [Test]

@@ -1,0 +1,75 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Machines;
+using Caterpillar.Simulation;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Examples;
+
+/// <summary>A curved example after all checks, simulated to its end.</summary>
+internal sealed class CurvedReport
+{
+    // Speeds that the machine does not reach on slopes, the flat of the wide nozzle on slopes, lines of strands that miss each other a little.
+    private static readonly string[] Usual = [CheckCodes.Speed, CheckCodes.DigsIn, CheckCodes.Gap];
+
+    // The checks know nothing of objects: what lies on them lies in the air.
+    private static readonly Dictionary<string, string[]> Also = new(StringComparer.Ordinal)
+    {
+        ["terrain"] = [CheckCodes.Unsupported],
+        ["ribs"] = [CheckCodes.Unsupported],
+
+        // The spiral begins with no height.
+        ["vase"] = [CheckCodes.Unsupported, CheckCodes.Width],
+
+        // Some lines of the sparse infill begin where the branches part.
+        ["branching"] = [CheckCodes.Unsupported],
+    };
+
+    private CurvedReport(Toolpath toolpath, IReadOnlyList<Diagnostic> findings, double duration)
+    {
+        Toolpath = toolpath;
+        Findings = findings;
+        Duration = duration;
+    }
+
+    public Toolpath Toolpath { get; }
+
+    public IReadOnlyList<Diagnostic> Findings { get; }
+
+    /// <summary>Seconds.</summary>
+    public double Duration { get; }
+
+    /// <summary>Makes an example, checks and simulates it.</summary>
+    public static CurvedReport Of(CurvedExample example)
+        => new(example.Toolpath, PrintCheck.Run(example.Toolpath, example.Setup), PrintStatistics.Of(Timeline.Of(example.Toolpath, example.Setup)).Duration);
+
+    /// <summary>What the checks noted beyond what is expected of an example.</summary>
+    public IEnumerable<Diagnostic> Unexpected(string name)
+        => Findings.Where(f => f.Severity == Severity.Error || !(Usual.Contains(f.Code) || (Also.TryGetValue(name, out var codes) && codes.Contains(f.Code))));
+
+    /// <summary>A table of all examples; false where one has findings that are not expected.</summary>
+    public static bool WriteAll(TextWriter output)
+    {
+        var good = true;
+        output.WriteLine("| example | printing moves | time of print | noted by the checks |");
+        output.WriteLine("|---|---|---|---|");
+        foreach (var (name, make, _, _) in CurvedExamples.All)
+        {
+            var report = Of(make());
+            var moves = report.Toolpath.Moves().Count(m => m.Kind == MoveKind.Print).ToString("N0", CultureInfo.InvariantCulture);
+            var time = TimeSpan.FromSeconds(Math.Round(report.Duration)).ToString(@"h\:mm\:ss", CultureInfo.InvariantCulture);
+            output.WriteLine($"| {name} | {moves} | {time} | {string.Join(", ", report.Findings.Select(f => $"`{f.Code}`"))} |");
+            foreach (var finding in report.Unexpected(name))
+            {
+                good = false;
+                output.WriteLine($"Not expected: {finding}");
+            }
+        }
+        return good;
+    }
+}
