@@ -13,10 +13,16 @@ version=$(sed -n 's:.*<Version>\(.*\)</Version>.*:\1:p' Directory.Build.props)
 dotnet pack src/Caterpillar.Core -c Release -o "$out" --nologo -v quiet
 dotnet pack src/Caterpillar.Cli -c Release -o "$out" --nologo -v quiet
 
+# For the machine's own kind of system the program is machine code, where it can be linked; the others bring the runtime with them.
+host=$(dotnet --info | sed -n 's/^ *RID: *//p' | head -n 1)
+native() { [ "$1" = "$host" ] && { command -v cc >/dev/null || [[ $1 == win-* ]]; }; }
+
 for runtime in "$@"; do
   name=caterpillar-$version-$runtime
   rm -rf "${out:?}/$name" && mkdir "$out/$name"
-  dotnet publish src/Caterpillar.Cli -c Release -r "$runtime" --self-contained -p:PublishSingleFile=true -p:DebugType=none -o "$out/$name/build" --nologo -v quiet
+  kind=-p:PublishSingleFile=true
+  native "$runtime" && kind=-p:Native=true
+  dotnet publish src/Caterpillar.Cli -c Release -r "$runtime" --self-contained "$kind" -p:DebugType=none -o "$out/$name/build" --nologo -v quiet
   case $runtime in
     win-*) mv "$out/$name/build/Caterpillar.Cli.exe" "$out/$name/caterpillar.exe" ;;
     *) mv "$out/$name/build/Caterpillar.Cli" "$out/$name/caterpillar" ;;

@@ -123,7 +123,8 @@ public sealed partial class Deposit
         if (!(bin.Dropped > z)) return false;
         for (var i = 0; i < bin.Cells.Length; i++)
         {
-            if (Math.Min(bin.Cells[i], bin.Dropped) is var top && top > z && Meets(Center(column, row, i), top, query.From, query.To, ref query)) return true;
+            var top = Math.Min(bin.Cells[i].Top, bin.Dropped);
+            if (top > z && Meets(Center(column, row, i), top, query.From, query.To, ref query)) return true;
         }
         return false;
     }
@@ -164,7 +165,7 @@ public sealed partial class Deposit
         var z = Math.Min(a.Z, b.Z) + tolerance + box.Min.Z;
         for (var i = 0; i < bin.Cells.Length; i++)
         {
-            if (!(bin.Cells[i] > z) || !MeetsCell(Center(column, row, i), bin.Cells[i] - tolerance - box.Min.Z, a, b, box)) continue;
+            if (!(bin.Cells[i].Top > z) || !MeetsCell(Center(column, row, i), bin.Cells[i].Top - tolerance - box.Min.Z, a, b, box)) continue;
             for (var k = bin.Count - 1; k >= 0 && tag < 0; k--)
             {
                 if (bin.Tops[k] > z) tag = _store[bin.Strands[k]].Tag;

@@ -6,9 +6,11 @@ namespace Caterpillar.Toolpaths;
 /// <summary>What lies at a place.</summary>
 public sealed partial class Deposit
 {
-    private const double SameHeight = 0.02;
     private const int TopBits = 3;
     private const int MostParallel = 128;
+
+    // mm; far more than an interpolated height is off.
+    private const double Rounding = 1e-6;
 
     // Cosine of 18°.
     private const double Parallel = 0.95;
@@ -27,9 +29,11 @@ public sealed partial class Deposit
         int binColumn = (column >> DepositBin.Bits) - _left, binRow = (row >> DepositBin.Bits) - _bottom;
         if (binColumn < 0 || binRow < 0 || binColumn >= _columns || binRow >= _rows || _bins[binRow * _columns + binColumn] is not { } bin)
             return (double.NegativeInfinity, double.NegativeInfinity);
-        var cell = ((row & (DepositBin.Side - 1)) << DepositBin.Bits) | (column & (DepositBin.Side - 1));
-        return (bin.Cells[cell], bin.Under[cell]);
+        ref var cell = ref bin.Cells[CellOf(column, row)];
+        return (cell.Top, cell.Under);
     }
+
+    private static int CellOf(int column, int row) => ((row & (DepositBin.Side - 1)) << DepositBin.Bits) | (column & (DepositBin.Side - 1));
 
     /// <summary>
     /// True if one of the last strands around a point is about as high, as wide, and runs in its place: their axes are less than a quarter of their widths
@@ -44,10 +48,15 @@ public sealed partial class Deposit
         if (column < 0 || row < 0 || column >= _columns || row >= _rows || _bins[row * _columns + column] is not { } bin) return false;
         var length = along.LengthXY;
         if (!(length > 0)) return false;
+        var lowest = p.Z - 0.5 * height - Rounding;
+        // A strand in its place would have raised the cell.
+        if (bin.Cells[CellOf(Index(p.X), Index(p.Y))].Top < lowest) return false;
         for (int i = bin.Count - 1, last = Math.Max(0, bin.Count - MostParallel); i >= last; i--)
         {
+            var top = bin.Tops[i];
             // The layer below begins here.
-            if (bin.Tops[i] < p.Z - 2 * height) return false;
+            if (top < p.Z - 2 * height) return false;
+            if (top < lowest) continue;
             ref var strand = ref _store[bin.Strands[i]];
             if (Math.Min(half, strand.Half) < 0.6 * Math.Max(half, strand.Half)) continue;
             double dx = strand.Bx - strand.Ax, dy = strand.By - strand.Ay;

@@ -17,6 +17,7 @@ public sealed partial class Deposit
     // Bins on each side of the origin: 2 m with the usual cell. Everything farther out has one height.
     private const int MaxBins = 1024;
     private readonly double _cell;
+    private readonly double _perCell;
     private readonly double _keepDepth;
     private readonly StrandStore _store = new();
     private DepositBin?[] _bins = [];
@@ -31,6 +32,7 @@ public sealed partial class Deposit
         if (!(cell > 0) || double.IsInfinity(cell)) throw new ArgumentOutOfRangeException(nameof(cell), "The cell size must be positive.");
         if (!(keepDepth > 0)) throw new ArgumentOutOfRangeException(nameof(keepDepth), "The depth must be positive.");
         _cell = cell;
+        _perCell = 1 / cell;
         _keepDepth = keepDepth;
     }
 
@@ -181,7 +183,7 @@ public sealed partial class Deposit
         var reach = radius + _cell * 0.7072;
         for (var i = 0; i < bin.Cells.Length; i++)
         {
-            var top = Math.Min(bin.Cells[i], bin.Dropped);
+            var top = Math.Min(bin.Cells[i].Top, bin.Dropped);
             if (top > best && FlatSegment.SquareDistance(Center(column, row, i), a, b) <= reach * reach) best = top;
         }
         return best;
@@ -192,7 +194,7 @@ public sealed partial class Deposit
         var reach = radius + _cell * 0.7072;
         for (var i = 0; i < bin.Cells.Length; i++)
         {
-            var top = Math.Min(bin.Cells[i], bin.Dropped);
+            var top = Math.Min(bin.Cells[i].Top, bin.Dropped);
             if (top > best && top <= limit && FlatSegment.SquareDistance(Center(column, row, i), point, point) <= reach * reach) best = top;
         }
         return best;
@@ -210,20 +212,30 @@ public sealed partial class Deposit
         var square = dx * dx + dy * dy;
         var inverse = square > 0 ? 1 / square : 0;
         var spread = square > 0 ? Math.Abs(rise) / Math.Sqrt(square) * halfDiagonal : 0;
-        var a = new Vec3(ax, ay);
-        var b = new Vec3(strand.Bx, strand.By);
+        var perY = dy != 0 ? 1 / dy : 0;
         var lastRow = Index(Math.Max(ay, strand.By) + half);
         for (var row = Index(Math.Min(ay, strand.By) - half); row <= lastRow; row++)
         {
-            var y = row * _cell;
-            if (!FlatSegment.RowSpan(a, b, y - half, y + _cell + half, out var x0, out var x1)) continue;
-            var py = y + _cell / 2 - ay;
-            var lastColumn = Index(x1 + half);
+            var y = row * _cell - ay;
+            // The part of the axis from which the strand may reach the row.
+            double from = 0, to = 1;
+            if (dy != 0)
+            {
+                double enter = (y - half) * perY, leave = (y + _cell + half) * perY;
+                from = Math.Max(0, Math.Min(enter, leave));
+                to = Math.Min(1, Math.Max(enter, leave));
+                if (from > to) continue;
+            }
+            double left = dx * from, right = dx * to;
+            if (left > right) (left, right) = (right, left);
+            var py = y + _cell / 2;
+            var along = py * dy;
+            var lastColumn = Index(ax + right + half);
             DepositBin? bin = null;
-            for (var column = Index(x0 - half); column <= lastColumn; column++)
+            for (var column = Index(ax + left - half); column <= lastColumn; column++)
             {
                 var px = (column + 0.5) * _cell - ax;
-                var t = Math.Min(1, Math.Max(0, (px * dx + py * dy) * inverse));
+                var t = Math.Min(1, Math.Max(0, (px * dx + along) * inverse));
                 double u = px - dx * t, v = py - dy * t;
                 if (u * u + v * v > reach) continue;
                 if (bin is null || (column & (DepositBin.Side - 1)) == 0)
@@ -233,22 +245,12 @@ public sealed partial class Deposit
                     if (highest > bin.Top) Raise(bin, column >> DepositBin.Bits, row >> DepositBin.Bits, highest);
                 }
                 var top = rise == 0 ? az : square > 0 ? Math.Min(highest, az + rise * t + spread) : highest;
-                var cell = ((row & (DepositBin.Side - 1)) << DepositBin.Bits) | (column & (DepositBin.Side - 1));
-                if (top > bin.Cells[cell])
-                {
-                    // The same height again is no layer of its own.
-                    if (top > bin.Cells[cell] + SameHeight) bin.Under[cell] = bin.Cells[cell];
-                    bin.Cells[cell] = top;
-                }
-                else if (top > bin.Under[cell] && top < bin.Cells[cell] - SameHeight)
-                {
-                    bin.Under[cell] = top;
-                }
+                bin.Cells[CellOf(column, row)].Lay(top);
             }
         }
     }
 
-    private int Index(double x) => (int)Math.Floor(x / _cell);
+    private int Index(double x) => (int)Math.Floor(x * _perCell);
 
     private static int Clamp(double x, double side, int first, int count)
         => (int)Math.Min(Math.Max(Math.Floor(x / side), first), first + count - 1);

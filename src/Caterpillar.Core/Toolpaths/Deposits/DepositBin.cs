@@ -11,11 +11,7 @@ internal sealed class DepositBin
     public const int Block = 1 << BlockBits;
     private const int FirstCompaction = 32;
 
-    /// <summary>Highest top in each cell, mm; negative infinity in empty cells.</summary>
-    public readonly double[] Cells = new double[Side * Side];
-
-    /// <summary>In each cell the highest top that is clearly below the highest, mm; negative infinity if there is none.</summary>
-    public readonly double[] Under = new double[Side * Side];
+    public readonly DepositCell[] Cells = new DepositCell[Side * Side];
 
     /// <summary>Numbers of the strands, in the order in which they were added.</summary>
     public int[] Strands = new int[4];
@@ -38,7 +34,7 @@ internal sealed class DepositBin
 
     public DepositBin()
     {
-        for (var i = 0; i < Cells.Length; i++) Cells[i] = Under[i] = double.NegativeInfinity;
+        for (var i = 0; i < Cells.Length; i++) Cells[i].Top = Cells[i].Under = double.NegativeInfinity;
     }
 
     public void Add(int strand, StrandStore store, double keepDepth)
@@ -79,5 +75,32 @@ internal sealed class DepositBin
         var block = at >> BlockBits;
         if (block == BlockTops.Length) Array.Resize(ref BlockTops, block * 2);
         BlockTops[block] = (at & (Block - 1)) == 0 ? top : Math.Max(BlockTops[block], top);
+    }
+}
+
+/// <summary>A cell of a <see cref="Deposit"/>.</summary>
+internal struct DepositCell
+{
+    // Tops up to so many mm apart are of one layer.
+    private const double SameHeight = 0.02;
+
+    /// <summary>Highest top, mm; negative infinity where nothing is.</summary>
+    public double Top;
+
+    /// <summary>The highest top that is clearly below the highest, mm; negative infinity if there is none.</summary>
+    public double Under;
+
+    public void Lay(double top)
+    {
+        if (top > Top)
+        {
+            // The same height again is no layer of its own.
+            if (top > Top + SameHeight) Under = Top;
+            Top = top;
+        }
+        else if (top > Under && top < Top - SameHeight)
+        {
+            Under = top;
+        }
     }
 }
