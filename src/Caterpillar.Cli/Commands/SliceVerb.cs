@@ -69,16 +69,21 @@ internal sealed class SliceVerb : Verb
         _curved.Check(arguments);
         var setup = _setup.Resolve(arguments, session);
         var curved = _curved.IsGiven(arguments) ? new CurvedSlicing(_curved, arguments, setup, arguments.GetValue(_threads), session) : null;
-        var (steps, layers) = Sliced(files, arguments, setup, curved, session);
-        var options = (curved?.Plan ?? new PlanOptions()) with { Memory = session.Memory };
-        var plan = session.ValueOrFail(session.WithProgress("Planning",
-            progress => Planner.PlanWithReport(steps, curved?.PlanSetup ?? setup, options, progress, session.Cancel)));
+        var (plan, layers) = Planned(files, arguments, setup, curved, session);
         var written = _write.WriteGCode(arguments, session, curved?.Tilted(plan.Toolpath) ?? plan.Toolpath, setup, output);
         if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson(files, output, [new("layers", layers)], plan, written)));
         return ExitCode.Done;
     }
 
     // The memory of each stage is free for the next one: models can be large.
+    private (Plan Plan, int Layers) Planned(string[] files, ParseResult arguments, PrintSetup setup, CurvedSlicing? curved, Session session)
+    {
+        var (steps, layers) = Sliced(files, arguments, setup, curved, session);
+        var options = (curved?.Plan ?? new PlanOptions()) with { Memory = session.Memory };
+        var plan = session.WithProgress("Planning", progress => Planner.PlanWithReport(steps, curved?.PlanSetup ?? setup, options, progress, session.Cancel));
+        return (session.ValueOrFail(plan), layers);
+    }
+
     private (IReadOnlyList<Step> Steps, int Layers) Sliced(
         string[] files, ParseResult arguments, PrintSetup setup, CurvedSlicing? curved, Session session)
     {

@@ -11,7 +11,7 @@ internal static class CheckRun
 {
     private const int Pulse = 4096;
 
-    public static void Run(Toolpath toolpath, IReadOnlyList<IMoveCheck> checks, IProgress<double>? progress, CancellationToken cancel)
+    public static void Run(Toolpath toolpath, IMoveCheck[] checks, IProgress<double>? progress, CancellationToken cancel)
     {
         var seen = new CheckedMove { End = toolpath.Start ?? Vec3.Zero };
         var known = toolpath.Start is not null;

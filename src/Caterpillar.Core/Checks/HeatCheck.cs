@@ -51,10 +51,7 @@ internal sealed class HeatCheck : IMoveCheck
         if (!(move.E > 0)) return;
         if (_firstExtrusion < 0) _firstExtrusion = move.Index;
         var celsius = _nozzles.At(move.Tool, out var set);
-        if (!(celsius < _needed)) return;
-        var index = move.Index;
-        _findings.Add(CheckCodes.ColdExtrusion, () => ColdPlace(index, set),
-            () => $"A move extrudes at {NumberFormatter.Format(celsius, 0)} °C; {_printer.Title} needs {NumberFormatter.Format(_needed, 0)} °C.");
+        if (celsius < _needed) ReportCold(move.Index, celsius, set);
     }
 
     public void End(Toolpath toolpath)
@@ -67,6 +64,10 @@ internal sealed class HeatCheck : IMoveCheck
         if (_bed is { Event: BedTemperatureEvent { Celsius: > 0 } left } bed)
             _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(bed), () => Left("bed", left.Celsius));
     }
+
+    private void ReportCold(int move, double celsius, MoveEvent? set)
+        => _findings.Add(CheckCodes.ColdExtrusion, () => ColdPlace(move, set),
+            () => $"A move extrudes at {NumberFormatter.Format(celsius, 0)} °C; {_printer.Title} needs {NumberFormatter.Format(_needed, 0)} °C.");
 
     private static string Left(string part, double celsius) => $"The {part} is still heated to {Number(celsius)} °C at the end.";
 

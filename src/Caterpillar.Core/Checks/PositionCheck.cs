@@ -28,7 +28,7 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
         foreach (var area in printer.ExcludedAreas)
         {
             if (!Crosses(move, area)) continue;
-            findings.Add(CheckCodes.PrintArea, move.Index, () => $"A strand to {end} lies on an excluded area of {printer.Title}: {area}.");
+            Report(move.Index, end, area);
             return;
         }
     }
@@ -45,6 +45,9 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
             findings.Add(CheckCodes.Outside, move, () => $"A move goes to {end}, outside the build volume of {printer.Title}: "
                 + $"{printer.BuildBounds}{(printer.BedShape == BedShape.Round ? ", round" : "")}.");
     }
+
+    private void Report(int move, Vec3 end, Bounds area)
+        => findings.Add(CheckCodes.PrintArea, move, () => $"A strand to {end} lies on an excluded area of {printer.Title}: {area}.");
 
     private bool ReachesAlong(Arc arc, Vec3 start, Vec3 end)
     {

@@ -27,12 +27,15 @@ internal sealed class StationaryCheck(Printer printer, Findings findings) : IMov
         var most = printer.MaxStationaryVolume * (1 + 1e-9);
         var volume = Math.Abs(move.Pushed) > Math.Abs(_pushed) ? move.Pushed : _pushed;
         if (!(Math.Abs(volume) > most) || (before > most && Math.Abs(move.Pushed) <= most)) return;
-        findings.Add(CheckCodes.Stationary, move.Index,
-            () => $"{Figures.Short(Math.Abs(volume))} mm³ are {(volume > 0 ? "pushed out" : "pulled back")} while the head stands still; "
-                + $"{printer.Title} allows {Figures.Short(printer.MaxStationaryVolume)} mm³.");
+        Report(move.Index, volume);
     }
 
     public void End(Toolpath toolpath)
     {
     }
+
+    private void Report(int move, double volume)
+        => findings.Add(CheckCodes.Stationary, move,
+            () => $"{Figures.Short(Math.Abs(volume))} mm³ are {(volume > 0 ? "pushed out" : "pulled back")} while the head stands still; "
+                + $"{printer.Title} allows {Figures.Short(printer.MaxStationaryVolume)} mm³.");
 }

@@ -149,23 +149,26 @@ internal sealed class StrandCheck
 
     private void Dimensions(in CheckedMove move, double area, double height, bool known)
     {
-        if (known && height > _printer.NozzleDiameter * 1.001)
-            _findings.Add(CheckCodes.Height, move.Index,
-                () => $"A layer is {Number(height)} mm high; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.");
+        if (known && height > _printer.NozzleDiameter * 1.001) ReportHeight(move.Index, height);
         var width = new Bead(area, height).Width(_shape);
         if (width > Widest * _printer.NozzleDiameter * 1.001) Odd(ref _wide, ref _wideMove, move, width);
         else if (width < Thinnest * _printer.NozzleDiameter && move.Role is not (Role.Ironing or Role.GapFill)) Odd(ref _thin, ref _thinMove, move, width);
     }
+
+    // Reports are apart from what they are about, which would allocate what they capture for each move.
+    private void ReportHeight(int move, double height)
+        => _findings.Add(CheckCodes.Height, move, () => $"A layer is {Number(height)} mm high; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.");
 
     private void Odd(ref double length, ref int first, in CheckedMove move, double width)
     {
         if (length == 0) first = move.Index;
         var before = length;
         length += move.Length;
-        if (length <= MostOdd) return;
-        _findings.Add(CheckCodes.Width, before > MostOdd ? move.Index : first,
-            () => $"Strands are {Number(width)} mm wide; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.");
+        if (length > MostOdd) ReportWidth(before > MostOdd ? move.Index : first, width);
     }
+
+    private void ReportWidth(int move, double width)
+        => _findings.Add(CheckCodes.Width, move, () => $"Strands are {Number(width)} mm wide; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.");
 
     private void Squeezed(in CheckedMove move, double area, double gap)
         => _findings.Add(CheckCodes.Squeezed, move.Index,
@@ -190,9 +193,11 @@ internal sealed class StrandCheck
             if (before == 0) _doubledMove = move.Index;
             _doubled += move.Length / count;
             // Once for each run.
-            if (before > MostDoubled || _doubled <= MostDoubled) continue;
-            _findings.Add(CheckCodes.Doubled, _doubledMove, () => "Strands are printed in the place of others"
-                + (other >= 0 && _findings.PlaceOf(other) is { } place ? $" ({place with { Origin = null, Step = null }})." : "."));
+            if (before <= MostDoubled && _doubled > MostDoubled) ReportDoubled(_doubledMove, other);
         }
     }
+
+    private void ReportDoubled(int move, int other)
+        => _findings.Add(CheckCodes.Doubled, move, () => "Strands are printed in the place of others"
+            + (other >= 0 && _findings.PlaceOf(other) is { } place ? $" ({place with { Origin = null, Step = null }})." : "."));
 }

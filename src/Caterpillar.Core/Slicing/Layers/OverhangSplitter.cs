@@ -22,6 +22,10 @@ internal sealed class OverhangSplitter
     private readonly RegionEngine _engine;
     private readonly LineClipper?[] _clippers;
     private readonly List<(double From, double To)> _parts = [];
+    private readonly List<Vec3> _points = [];
+    private readonly List<Bead> _beads = [];
+    private List<(double To, int Kind)> _pieces = [];
+    private List<(double To, int Kind)> _next = [];
 
     private OverhangSplitter(SliceRules rules, Region below, RegionEngine engine)
     {
@@ -43,8 +47,8 @@ internal sealed class OverhangSplitter
     /// <summary>The path, with other segments and beads where it hangs over.</summary>
     public PrintPath Split(PrintPath path)
     {
-        var points = new List<Vec3>();
-        var beads = new List<Bead>();
+        _points.Clear();
+        _beads.Clear();
         var lengths = new double[_classes.Count + 1];
         for (var i = 0; i < path.SegmentCount; i++)
         {
@@ -52,8 +56,8 @@ internal sealed class OverhangSplitter
             var from = 0.0;
             foreach (var (to, kind) in Pieces(a, b))
             {
-                points.Add(Vec3.Lerp(a, b, from));
-                beads.Add(kind < 0 ? path.BeadOf(i) : Changed(path.BeadOf(i), _classes[kind], path));
+                _points.Add(Vec3.Lerp(a, b, from));
+                _beads.Add(kind < 0 ? path.BeadOf(i) : Changed(path.BeadOf(i), _classes[kind], path));
                 lengths[kind + 1] += (to - from) * a.DistanceTo(b);
                 from = to;
             }
@@ -61,8 +65,8 @@ internal sealed class OverhangSplitter
         double supported = lengths[0], all = 0;
         foreach (var length in lengths) all += length;
         if (supported == all) return path;
-        if (!path.IsClosed) points.Add(path.End);
-        var split = path.WithGeometry(points, beads, path.IsClosed);
+        if (!path.IsClosed) _points.Add(path.End);
+        var split = path.WithOwn(_points.ToArray(), _beads.ToArray(), path.IsClosed);
         // The usual speed belongs to the role: it is stated before that changes.
         if (supported < all / 2)
         {
@@ -94,39 +98,40 @@ internal sealed class OverhangSplitter
     // The ends of the pieces of a segment, and the class of each; −1 where it is supported.
     private List<(double To, int Kind)> Pieces(Vec3 a, Vec3 b)
     {
-        var pieces = new List<(double To, int Kind)> { (1, -1) };
-        if (a.X == b.X && a.Y == b.Y) return pieces;
+        _pieces.Clear();
+        _pieces.Add((1, -1));
+        if (a.X == b.X && a.Y == b.Y) return _pieces;
         for (var kind = 0; kind < _classes.Count; kind++)
         {
             _parts.Clear();
             Clipper(kind).Parts(a, b, _parts);
             if (_parts.Count == 0) break;
-            var next = new List<(double To, int Kind)>();
+            _next.Clear();
             var from = 0.0;
-            foreach (var (to, old) in pieces)
+            foreach (var (to, old) in _pieces)
             {
                 // What is supported by a smaller region is not looked at again.
-                if (old == kind - 1) Cut(from, to, old, kind, Shortest / a.DistanceTo(b), next);
-                else next.Add((to, old));
+                if (old == kind - 1) Cut(from, to, old, kind, Shortest / a.DistanceTo(b));
+                else _next.Add((to, old));
                 from = to;
             }
-            pieces = next;
+            (_pieces, _next) = (_next, _pieces);
         }
-        return pieces;
+        return _pieces;
     }
 
-    private void Cut(double from, double to, int old, int kind, double least, List<(double To, int Kind)> next)
+    private void Cut(double from, double to, int old, int kind, double least)
     {
         foreach (var part in _parts)
         {
             double start = Math.Max(part.From, from), end = Math.Min(part.To, to);
             if (end - start < least) continue;
-            if (start - from > least) next.Add((start, old));
-            next.Add((end, kind));
+            if (start - from > least) _next.Add((start, old));
+            _next.Add((end, kind));
             from = end;
         }
-        if (to - from > least || next.Count == 0) next.Add((to, old));
-        else next[next.Count - 1] = (to, next[next.Count - 1].Kind);
+        if (to - from > least || _next.Count == 0) _next.Add((to, old));
+        else _next[_next.Count - 1] = (to, _next[_next.Count - 1].Kind);
     }
 
     private LineClipper Clipper(int kind)

@@ -56,15 +56,11 @@ internal readonly record struct LoopPlace(int Segment, double T, Vec3 Point)
         if (Point.DistanceTo(points[Segment]) <= Snap) return loop.StartingAt(Segment);
         if (Point.DistanceTo(points[next]) <= Snap) return loop.StartingAt(next);
         var moved = new Vec3[points.Length + 1];
-        var beads = new Bead[moved.Length];
         moved[0] = Point;
-        beads[0] = loop.BeadOf(Segment);
-        for (var i = 1; i < moved.Length; i++)
-        {
-            var from = (Segment + i) % points.Length;
-            moved[i] = points[from];
-            beads[i] = loop.BeadOf(from);
-        }
-        return loop.WithGeometry(moved, beads, closed: true);
+        for (var i = 1; i < moved.Length; i++) moved[i] = points[(Segment + i) % points.Length];
+        if (loop.OnlyBead is { } only) return loop.WithOwn(moved, [only], closed: true);
+        var beads = new Bead[moved.Length];
+        for (var i = 0; i < moved.Length; i++) beads[i] = loop.BeadOf((Segment + i) % points.Length);
+        return loop.WithOwn(moved, beads, closed: true);
     }
 }

@@ -206,7 +206,13 @@ public sealed class PrintPath
     /// <summary>Takes ownership of the arrays without a copy; for code that has just made them.</summary>
     internal static PrintPath Own(Vec3[] points, Bead[] beads, bool closed, Arc?[]? arcs = null) => new(points, beads, closed, arcs, beads.Length != 1);
 
+    /// <summary>The same settings along other geometry; takes ownership of the arrays. One bead is for all segments.</summary>
+    internal PrintPath WithOwn(Vec3[] points, Bead[] beads, bool closed) => Settings(Own(points, beads, closed));
+
     internal Vec3[] RawPoints => _points;
+
+    /// <summary>The bead of all segments; null where each has its own.</summary>
+    internal Bead? OnlyBead => _beads.Length == 1 ? _beads[0] : null;
 
     private PrintPath With(Vec3[] points, Bead[] beads, Arc?[]? arcs) => Settings(new PrintPath(points, beads, IsClosed, arcs, beads.Length != 1));
 
