@@ -24,7 +24,7 @@ internal static class SupportFiller
         {
             var island = islands[i];
             var line = new SupportLine(level, island, FirstIsland + i, steps);
-            var walls = builder.Build(island);
+            var walls = builder.Outline(island);
             var near = level.Interface.IsEmpty ? Region.Empty : island.Intersect(level.Interface, engine);
             var role = near.Area > island.Area / 2 ? Role.SupportInterface : Role.Support;
             foreach (var wall in walls.Paths) line.Add(wall.ToPath(level.Top, level.Work.Rules.Walls), role, 0);

@@ -22,6 +22,16 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         return output.Result(Classic(island, output));
     }
 
+    /// <summary>One wall around an island of supports: single strands where it is thin, and gaps that are not filled.</summary>
+    public WallResult Outline(Region island)
+    {
+        var output = new WallOutput(rules);
+        if (IsThick(island)) return output.Result(Classic(island, output));
+        var area = island.Offset(-rules.Edge, JoinStyle.Miter, 4, ArcTolerance, engine);
+        if (area.IsEmpty) return output.Result(area);
+        return output.Result(new WallLevel(rules, rules.OuterWidth, rules.InnerWidth, engine, _offset).Walls(area, 0, output));
+    }
+
     /// <summary>
     /// Beads along the contours of an area, round after round, until it is full. The beads cover it by their spacings: its border may be the inner edge of
     /// walls.
