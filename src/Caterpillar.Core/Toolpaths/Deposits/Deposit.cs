@@ -222,9 +222,10 @@ public sealed partial class Deposit
             if (dy != 0)
             {
                 double enter = (y - half) * perY, leave = (y + _cell + half) * perY;
-                from = Math.Max(0, Math.Min(enter, leave));
-                to = Math.Min(1, Math.Max(enter, leave));
-                if (from > to) continue;
+                if (enter > leave) (enter, leave) = (leave, enter);
+                if (enter > 1 || leave < 0) continue;
+                if (enter > 0) from = enter;
+                if (leave < 1) to = leave;
             }
             double left = dx * from, right = dx * to;
             if (left > right) (left, right) = (right, left);
@@ -235,22 +236,34 @@ public sealed partial class Deposit
             for (var column = Index(ax + left - half); column <= lastColumn; column++)
             {
                 var px = (column + 0.5) * _cell - ax;
-                var t = Math.Min(1, Math.Max(0, (px * dx + along) * inverse));
+                var t = (px * dx + along) * inverse;
+                if (t < 0) t = 0;
+                else if (t > 1) t = 1;
                 double u = px - dx * t, v = py - dy * t;
                 if (u * u + v * v > reach) continue;
-                if (bin is null || (column & (DepositBin.Side - 1)) == 0)
-                {
-                    bin = BinAt(column >> DepositBin.Bits, row >> DepositBin.Bits);
-                    bin.Add(index, _store, _keepDepth);
-                    if (highest > bin.Top) Raise(bin, column >> DepositBin.Bits, row >> DepositBin.Bits, highest);
-                }
+                if (bin is null || (column & (DepositBin.Side - 1)) == 0) bin = Enter(column >> DepositBin.Bits, row >> DepositBin.Bits, index, highest);
                 var top = rise == 0 ? az : square > 0 ? Math.Min(highest, az + rise * t + spread) : highest;
                 bin.Cells[CellOf(column, row)].Lay(top);
             }
         }
     }
 
-    private int Index(double x) => (int)Math.Floor(x * _perCell);
+    // Rounded down. Plain comparisons: this, and the drawing of strands, is most of what a check costs.
+    private int Index(double x)
+    {
+        var cells = x * _perCell;
+        var index = (int)cells;
+        return cells < index ? index - 1 : index;
+    }
+
+    // The bin, with a strand that reaches into it.
+    private DepositBin Enter(int column, int row, int strand, double highest)
+    {
+        var bin = BinAt(column, row);
+        bin.Add(strand, _store, _keepDepth);
+        if (highest > bin.Top) Raise(bin, column, row, highest);
+        return bin;
+    }
 
     private static int Clamp(double x, double side, int first, int count)
         => (int)Math.Min(Math.Max(Math.Floor(x / side), first), first + count - 1);
