@@ -24,6 +24,9 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
 
     public IReadOnlyCollection<string> Problems => _problems;
 
+    /// <summary>The members that were found, by what shows that they exist.</summary>
+    public SortedDictionary<string, HashSet<string>> Found { get; } = new(StringComparer.Ordinal);
+
     public static bool IsHost(IMetadataScope? scope) => scope is not null && IsHostName(scope.Name);
 
     /// <summary>Everything that an assembly of the host shows.</summary>
@@ -128,8 +131,10 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
             if (IsObject(name, parameters)) return;
             // A struct's parameterless constructor is not in metadata; of an interface, the members of its bases are.
             if (!allow.Allows(isPublic ? allow.Public : allow.Protected, text)) _problems.Add($"{text} does not exist.");
+            else Shows("a fact with its source", text);
             return;
         }
+        Shows("metadata", text);
         if (member.IsStatic != isStatic) _problems.Add($"{text} is {(member.IsStatic ? "" : "not ")}static.");
         if (isPublic && member.IsProtected) _problems.Add($"{text} is protected.");
         if (access == 's' && !member.CanWrite) _problems.Add($"{text} can't be set.");
@@ -144,7 +149,11 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
     private void CheckGrasshopper(
         string owner, string name, string[] parameters, char access, bool isStatic, bool isPublic, MethodDefinition? definition, string text)
     {
-        if (allow.Allows(isPublic ? allow.Public : allow.Protected, text)) return;
+        if (allow.Allows(isPublic ? allow.Public : allow.Protected, text))
+        {
+            Shows("a fact with its source", text);
+            return;
+        }
         if (IsObject(name, parameters)) return;
         var inDocumentation = documented.Types.TryGetValue(owner, out var documentedType)
             && documentedType.Members.Any(m => m.Name == name && m.Parameters!.SequenceEqual(parameters));
@@ -161,12 +170,19 @@ internal sealed class ApiCheck(ApiList exact, ApiList documented, ApiList stubs,
             _problems.Add($"{text} does not exist.");
             return;
         }
+        Shows(!inDocumentation ? "stubs" : same.Count > 0 ? "documentation and stubs" : "documentation", text);
         if (isPublic && shown && evidence is null && same.Count == 0
             && !(definition?.DeclaringType.IsInterface ?? false)) _problems.Add($"{text} is not public.");
         if (!isPublic && same.Count > 0 && name != "#ctor") _problems.Add($"{text} is public.");
         if (same.Count > 0 && name != "#ctor" && same.All(m => m.IsStatic != isStatic)) _problems.Add($"{text} is {(isStatic ? "not " : "")}static.");
         if (access == 's' && same.Count > 0 && same.All(m => !m.CanWrite)) _problems.Add($"{text} can't be set.");
         if (access == 'g' && same.Count > 0 && same.All(m => !m.CanRead)) _problems.Add($"{text} can't be read.");
+    }
+
+    private void Shows(string source, string text)
+    {
+        if (!Found.TryGetValue(source, out var members)) Found.Add(source, members = new HashSet<string>(StringComparer.Ordinal));
+        members.Add(text);
     }
 
     private void CheckField(TypeDefinition type, FieldDefinition field)
