@@ -212,7 +212,10 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         _given.Add(a => a.SetDataList(output, list));
     }
 
-    public void SetTree(int output, IGH_Structure tree) => _given.Add(a => a.SetDataTree(output, tree));
+    /// <summary>Gives a copy of a tree, which is kept: what Grasshopper does with it (reverse, graft) must not reach the next solve.</summary>
+    public void SetTree<T>(int output, GH_Structure<T> tree)
+        where T : IGH_Goo
+        => _given.Add(a => a.SetDataTree(output, tree.ShallowDuplicate()));
 
     /// <summary>Shows something in the viewports, as long as the result of the item.</summary>
     public void Show(IDrawn drawn) => _given.Add(_ => component.Show(drawn));

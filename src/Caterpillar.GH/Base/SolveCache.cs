@@ -13,8 +13,11 @@ internal sealed class SolveCache
     private Dictionary<SolveKey, object> _last = [];
     private Dictionary<SolveKey, object> _current = [];
 
-    /// <summary>A solve begins.</summary>
-    public void Begin() => _current = [];
+    /// <summary>A solve begins. Where the end of the one before was not heard of, as after an abort, what it had is kept.</summary>
+    public void Begin()
+    {
+        if (_current.Count > 0) End();
+    }
 
     /// <summary>A solve ends; it is not complete while long work for it goes on.</summary>
     public void End(bool complete = true)

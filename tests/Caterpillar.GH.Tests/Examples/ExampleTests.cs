@@ -11,6 +11,7 @@ using Caterpillar.GH.Plugin;
 using GH_IO.Serialization;
 using Grasshopper;
 using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
 using Grasshopper.Kernel.Special;
 using NUnit.Framework;
 
@@ -53,7 +54,7 @@ public sealed class ExampleTests
     }
 
     [TestCaseSource(nameof(Names))]
-    public void Opening_it_with_every_toggle_at_true_writes_nothing(string name)
+    public void Opening_it_with_every_Boolean_at_true_writes_nothing(string name)
     {
         var folder = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N"));
         Directory.CreateDirectory(folder);
@@ -63,7 +64,10 @@ public sealed class ExampleTests
             foreach (var save in document.Objects.OfType<GH_Panel>().Where(p => p.UserText == "example.gcode"))
                 save.UserText = Path.Combine(folder, save.UserText);
             foreach (var toggle in document.Objects.OfType<GH_BooleanToggle>()) toggle.Value = true;
-            Solve(document);
+            foreach (var port in document.Objects.OfType<IGH_Component>().SelectMany(c => c.Params.Input).OfType<Param_Boolean>()
+                .Where(p => p.SourceCount == 0))
+                port.SetPersistentData(true);
+            document.NewSolution(true);
             document.NewSolution(true);
             while (document.RunSchedule())
             {

@@ -72,6 +72,13 @@ namespace Grasshopper.Kernel.Data
 
         public void Clear() => _branches.Clear();
 
+        public GH_Structure<T> ShallowDuplicate()
+        {
+            var copy = new GH_Structure<T>();
+            foreach (var branch in _branches) copy.AppendRange(branch.Value, branch.Key);
+            return copy;
+        }
+
         public IEnumerable<IGH_Goo> AllData(bool skipNulls) => _branches.Values.SelectMany(b => b).Where(g => !skipNulls || g != null).Cast<IGH_Goo>();
 
         public bool Write(GH_IWriter writer)

@@ -96,6 +96,11 @@ namespace Grasshopper.Kernel
 
         public bool AddVolatileDataTree(IGH_Structure tree)
         {
+            if (SolveLoop.SharesTrees && m_data.IsEmpty && tree is GH_Structure<T> same)
+            {
+                m_data = same;
+                return true;
+            }
             for (var i = 0; i < tree.PathCount; i++) AddVolatileDataList(tree.get_Path(i), tree.get_Branch(i));
             return true;
         }
@@ -198,14 +203,32 @@ namespace Grasshopper.Kernel
         {
             var branches = m_data.Branches;
             if (Reverse) branches.ForEach(b => b.Reverse());
-            if (DataMapping == GH_DataMapping.None) return;
+            if (DataMapping != GH_DataMapping.None) m_data = Mapped(branches);
+            if (Simplify) m_data = Simplified();
+        }
+
+        private GH_Structure<T> Mapped(List<List<T>> branches)
+        {
             var mapped = new GH_Structure<T>();
             for (var i = 0; i < branches.Count; i++)
             {
                 if (DataMapping == GH_DataMapping.Flatten) mapped.AppendRange(branches[i], new GH_Path(0));
+                else if (branches[i].Count == 0 && SolveLoop.GraftKeepsEmpty) mapped.EnsurePath(m_data.get_Path(i));
                 else for (var k = 0; k < branches[i].Count; k++) mapped.Append(branches[i][k], m_data.get_Path(i).AppendElement(k));
             }
-            m_data = mapped;
+            return mapped;
+        }
+
+        // Without the elements that all paths begin with; one stays.
+        private GH_Structure<T> Simplified()
+        {
+            var paths = m_data.Paths;
+            if (paths.Count == 0) return m_data;
+            var shared = 0;
+            while (paths.All(p => p.Length > shared + 1 && p.Indices[shared] == paths[0].Indices[shared])) shared++;
+            var simple = new GH_Structure<T>();
+            for (var i = 0; i < paths.Count; i++) simple.AppendRange(m_data.Branches[i], new GH_Path(paths[i].Indices.Skip(shared).ToArray()));
+            return simple;
         }
 
         protected override void ExpireDownStreamObjects()

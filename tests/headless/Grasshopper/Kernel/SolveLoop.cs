@@ -13,6 +13,15 @@ namespace Grasshopper.Kernel
     /// </summary>
     internal sealed class SolveLoop : IGH_DataAccess
     {
+        // Where outputs go is not documented for every mix of inputs: a test may send them elsewhere.
+        internal static Func<GH_Path, GH_Path> Target = path => path;
+
+        // Nor whether a tree that a component gives is copied.
+        internal static bool SharesTrees;
+
+        // Nor whether grafting keeps empty branches.
+        internal static bool GraftKeepsEmpty;
+
         private readonly GH_Component _component;
         private readonly List<IGH_Param> _matched;
         private readonly bool _anyItems;
@@ -105,7 +114,7 @@ namespace Grasshopper.Kernel
         }
 
         public GH_Path ParameterTargetPath(int paramIndex)
-            => _component.Params.Output[paramIndex].Access != GH_ParamAccess.item && _anyItems ? _path.AppendElement(_item) : _path;
+            => Target(_component.Params.Output[paramIndex].Access != GH_ParamAccess.item && _anyItems ? _path.AppendElement(_item) : _path);
 
         public int ParameterTargetIndex(int paramIndex) => _item;
 
@@ -119,7 +128,7 @@ namespace Grasshopper.Kernel
             {
                 var output = _component.Params.Output[i];
                 if (_set.Contains(i) || output.Access == GH_ParamAccess.tree) continue;
-                if (output.Access == GH_ParamAccess.item) output.AddVolatileData(_path, _item, null);
+                if (output.Access == GH_ParamAccess.item) output.AddVolatileData(Target(_path), _item, null);
                 else output.AddVolatileDataList(ParameterTargetPath(i), new object[0]);
             }
         }
