@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace Caterpillar.Bench;
 
-/// <summary>A job with the time (or amount) it may take (NaN where only other programs say), and what it took. Smaller is better.</summary>
+/// <summary>A job with the time (or amount) it may take (NaN where nothing is demanded, or other programs say), and what it took. Smaller is better.</summary>
 internal sealed record Target(string Job, string Unit, double Allowed, double Measured, string Remark = "")
 {
     public bool HasTarget => !double.IsNaN(Allowed);
@@ -16,7 +16,7 @@ internal sealed record Target(string Job, string Unit, double Allowed, double Me
     public string Text(double value)
         => value.ToString(value >= 100 ? "0" : value >= 10 ? "0.#" : value >= 1 ? "0.##" : "0.###", CultureInfo.InvariantCulture) + " " + Unit;
 
-    public string ToRow() => $"| {Job} | {(HasTarget ? Text(Allowed) : "peers")} | {Text(Measured)} | {Verdict} | {Remark} |";
+    public string ToRow() => $"| {Job} | {(HasTarget ? Text(Allowed) : "–")} | {Text(Measured)} | {Verdict} | {Remark} |";
 
     private string Verdict => !HasTarget ? "" : IsMet ? "met" : $"**{Math.Round(Share, 1).ToString(CultureInfo.InvariantCulture)} ×**";
 

@@ -22,8 +22,8 @@ internal static class Targets
         try
         {
             var targets = new List<Target>();
-            foreach (var target in Files(program, gcode, work).Concat(Helix(program, work)).Concat(Motion()).Concat(Checks()).Concat(Guard())
-                .Concat(Meshes(program, meshes, work)))
+            foreach (var target in Start(program).Concat(Files(program, gcode, work)).Concat(Pages(program, gcode, work)).Concat(Helix(program, work))
+                .Concat(Motion()).Concat(Checks()).Concat(Guard()).Concat(Meshes(program, meshes, work)).Concat(LargeMesh(program, work)))
             {
                 Console.Error.WriteLine(target.ToRow());
                 targets.Add(target);
@@ -43,6 +43,33 @@ internal static class Targets
     private static string Machine() => string.Create(CultureInfo.InvariantCulture,
         $"{Environment.ProcessorCount} cores, {GC.GetGCMemoryInfo().TotalAvailableMemoryBytes / 1e9:0} GB, .NET {Environment.Version}, Linux "
             + $"{(Environment.Is64BitProcess ? "x64" : "x86")}.");
+
+    private static IEnumerable<Target> Start(string program)
+    {
+        var runs = ProcessRuns.Of(program, ["--version"]);
+        yield return new Target("the program says its version", "s", 0.1, runs.Wall, runs.Remark);
+    }
+
+    // A page of the viewer: what the manual says of its size.
+    private static IEnumerable<Target> Pages(string program, string gcode, string work)
+    {
+        var page = Path.Combine(work, "page.html");
+        var whole = ProcessRuns.Of(program, ["view", gcode, "-o", page, "--quiet"], 3);
+        var size = new FileInfo(page).Length;
+        var megabytes = (new FileInfo(gcode).Length / 1e6).ToString("0", CultureInfo.InvariantCulture);
+        yield return new Target($"`view`, {megabytes} MB: a page with its lines", "s", double.NaN, whole.Wall,
+            string.Create(CultureInfo.InvariantCulture, $"{whole.Remark}, a page of {size / 1e6:0} MB"));
+        var moves = GCodeDecoder.DecodeFile(gcode).OrThrow().Toolpath.Count;
+        ProcessRuns.Of(program, ["view", gcode, "-o", page, "--quiet", "--no-lines"], 1);
+        yield return new Target("bytes of that page for a move, without the lines", "bytes", 10, (double)new FileInfo(page).Length / moves);
+        var sphere = Path.Combine(work, "page.stl");
+        Samples.WriteSphere(20_000, sphere);
+        var print = Path.Combine(work, "page.gcode");
+        ProcessRuns.Of(program, ["slice", sphere, "-o", print, "--quiet"], 1);
+        ProcessRuns.Of(program, ["view", print, "-o", page, "--quiet", "--no-lines"], 1);
+        moves = GCodeDecoder.DecodeFile(print).OrThrow().Toolpath.Count;
+        yield return new Target("the same for a sliced sphere", "bytes", 10, (double)new FileInfo(page).Length / moves, $"{moves} moves");
+    }
 
     // The big file: 300 MB/s where every line changes.
     private static IEnumerable<Target> Files(string program, string gcode, string work)
@@ -88,7 +115,9 @@ internal static class Targets
 
     private static IEnumerable<Target> Motion()
     {
+        var free = GC.GetTotalMemory(true);
         var toolpath = Samples.Print(2_500_000);
+        yield return new Target("memory of a move of a toolpath", "bytes", double.NaN, (GC.GetTotalMemory(true) - free) / (double)toolpath.Count);
         foreach (var rule in new[] { CornerRule.JunctionDeviation, CornerRule.Jerk, CornerRule.SquareCornerVelocity })
         {
             var setup = new PrintSetup { Printer = new Printer { CornerRule = rule } };
@@ -150,6 +179,16 @@ internal static class Targets
             yield return new Target($"`slice` of igea (268,686 triangles): {what}", "s", double.NaN, runs.Wall, runs.Remark);
             yield return new Target($"its peak memory: {what}", "MB", 150, runs.Peak);
         }
+    }
+
+    // Its peak memory is to be below that of other slicers: bench/peers.sh with the same mesh.
+    private static IEnumerable<Target> LargeMesh(string program, string work)
+    {
+        var mesh = Path.Combine(work, "sphere.stl");
+        Samples.WriteSphere(500_000, mesh);
+        var runs = ProcessRuns.Of(program, ["slice", mesh, "--set", "infill_percent=20", "--set", "top_layers=0", "--set", "bottom_layers=0",
+            "-o", Path.Combine(work, "sphere.gcode"), "--override", "benchmark"], 3);
+        yield return new Target("`slice` of a sphere of 500,000 triangles: 2 walls, 20 % infill", "s", double.NaN, runs.Wall, runs.Remark);
     }
 
     // Median of five in seconds, after one to warm up.

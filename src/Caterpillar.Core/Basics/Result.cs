@@ -14,6 +14,7 @@ public sealed class Result<T>
     /// <summary>The diagnostics, one entry per kind, in the order of first appearance.</summary>
     public IReadOnlyList<Diagnostic> Diagnostics { get; }
 
+    /// <summary>A value or null, and what was found; both may be there.</summary>
     public Result(T? value, IReadOnlyList<Diagnostic> diagnostics)
     {
         Value = value;

@@ -10,31 +10,43 @@ public static class DialectTable
     /// <summary>The neutral reading: the rules of slicers' own viewers.</summary>
     public static DialectRules Slicer { get; } = Dialects.Slicer.Rules;
 
+    /// <summary>Marlin 2.</summary>
     public static DialectRules Marlin2 { get; } = Dialects.Marlin2.Rules;
 
+    /// <summary>Marlin 1.</summary>
     public static DialectRules Marlin1 { get; } = Dialects.Marlin1.Rules;
 
+    /// <summary>Prusa-Firmware.</summary>
     public static DialectRules Prusa { get; } = Dialects.Prusa.Rules;
 
+    /// <summary>Firmware of Bambu Lab's printers.</summary>
     public static DialectRules Bambu { get; } = Dialects.Bambu.Rules;
 
+    /// <summary>Klipper.</summary>
     public static DialectRules Klipper { get; } = Dialects.Klipper.Rules;
 
+    /// <summary>RepRapFirmware.</summary>
     public static DialectRules RepRapFirmware { get; } = Dialects.RepRapFirmware.Rules;
 
+    /// <summary>Repetier.</summary>
     public static DialectRules Repetier { get; } = Dialects.Repetier.Rules;
 
+    /// <summary>Smoothieware.</summary>
     public static DialectRules Smoothie { get; } = Dialects.Smoothie.Rules;
 
+    /// <summary>Sailfish and MakerWare.</summary>
     public static DialectRules Sailfish { get; } = Dialects.Sailfish.Rules;
 
     /// <summary>Mach3 and LinuxCNC: the extruder is the A axis.</summary>
     public static DialectRules Cnc { get; } = Dialects.Cnc.Rules;
 
+    /// <summary>UltiGCode.</summary>
     public static DialectRules Ultigcode { get; } = Dialects.Ultigcode.Rules;
 
+    /// <summary>Bits from Bytes, whose extruders are switched on and off.</summary>
     public static DialectRules Bfb { get; } = Dialects.Bfb.Rules;
 
+    /// <summary>Grbl, for pens and lasers.</summary>
     public static DialectRules Grbl { get; } = Dialects.Grbl.Rules;
 
     /// <summary>All of them; the first is the neutral one, the second is taken where a file says nothing.</summary>

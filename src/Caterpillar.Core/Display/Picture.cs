@@ -12,22 +12,35 @@ namespace Caterpillar.Display;
 /// <summary>What the colors of a picture show.</summary>
 public enum ColorBy
 {
+    /// <summary>The role of the strand.</summary>
     Role,
+
+    /// <summary>The height, Z.</summary>
     Height,
+
+    /// <summary>The speed of the move.</summary>
     Speed,
+
+    /// <summary>The number of the layer.</summary>
     Layer,
+
+    /// <summary>The place in the order of printing.</summary>
     Progress,
 }
 
 /// <summary>Options of a picture.</summary>
 public sealed record PictureOptions
 {
+    /// <summary>Pixels.</summary>
     public int Width { get; init; } = 960;
 
+    /// <summary>Pixels.</summary>
     public int Height { get; init; } = 720;
 
+    /// <summary>From where it is seen; the part fills the picture.</summary>
     public View View { get; init; } = View.ThreeQuarter;
 
+    /// <summary>What the colors of strands show.</summary>
     public ColorBy ColorBy { get; init; } = ColorBy.Role;
 
     /// <summary>Draw travel moves as thin lines.</summary>
@@ -51,6 +64,7 @@ public sealed record PictureOptions
     /// <summary>How much memory the picture may take while it is drawn.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
+    /// <summary>The color where nothing is drawn.</summary>
     public Rgb Background { get; init; } = new(250, 250, 248);
 }
 

@@ -13,6 +13,7 @@ public sealed class View
     private readonly Vec3 _up;
     private readonly Vec3 _toEye;
 
+    /// <summary>Azimuth in degrees from +X counterclockwise, elevation in degrees above the bed, limited to −90 to 90.</summary>
     public View(double azimuth, double elevation)
     {
         var (sa, ca) = Angle.SinCos(azimuth);

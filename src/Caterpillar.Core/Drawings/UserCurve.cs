@@ -11,11 +11,13 @@ namespace Caterpillar.Drawings;
 /// </summary>
 public sealed record UserCurve
 {
+    /// <summary>A curve that is printed with the settings of all.</summary>
     public UserCurve(Curve curve) => Curve = curve ?? throw new ArgumentNullException(nameof(curve));
 
     /// <summary>Material extruded in place at a point, mm³.</summary>
     public static UserCurve DotAt(Vec3 point, double volume) => new(new PolylineCurve([point, point])) { Dot = volume };
 
+    /// <summary>The course, mm.</summary>
     public Curve Curve { get; init; }
 
     /// <summary>Display name, or empty.</summary>
@@ -42,13 +44,16 @@ public sealed record UserCurve
     /// <summary>Settings that vary along the curve; they take precedence over those of the whole curve.</summary>
     public PointValues? Along { get; init; }
 
+    /// <summary>What the strand is for.</summary>
     public Role Role { get; init; }
 
+    /// <summary>The layer that the curve belongs to, if any.</summary>
     public Layer? Layer { get; init; }
 
     /// <summary>Number of the tool, from 0.</summary>
     public int Tool { get; init; }
 
+    /// <summary>Temperature, fan and acceleration while it is printed.</summary>
     public PathOverrides? Overrides { get; init; }
 
     /// <summary>Where it was read from, for messages.</summary>

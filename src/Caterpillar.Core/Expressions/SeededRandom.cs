@@ -12,6 +12,7 @@ public sealed class SeededRandom
 
     private ulong _state;
 
+    /// <summary>The same seed gives the same numbers everywhere.</summary>
     public SeededRandom(int seed = 0)
     {
         Seed = seed;

@@ -31,6 +31,7 @@ public sealed class AtomicFile : IDisposable
         _stream = FileLinks.Create(_temporary, _target);
     }
 
+    /// <summary>Where to write; the temporary file.</summary>
     public Stream Stream => _stream ?? throw new ObjectDisposedException(nameof(AtomicFile));
 
     /// <summary>False for a device or a pipe: what is written to it cannot be taken back.</summary>

@@ -21,6 +21,7 @@ public readonly struct Affine : IEquatable<Affine>
     /// <summary>Image of the origin, mm.</summary>
     public Vec3 Shift { get; }
 
+    /// <summary>The images of the unit vectors, and of the origin (mm).</summary>
     public Affine(Vec3 xAxis, Vec3 yAxis, Vec3 zAxis, Vec3 shift)
     {
         XAxis = xAxis;
@@ -29,13 +30,16 @@ public readonly struct Affine : IEquatable<Affine>
         Shift = shift;
     }
 
+    /// <summary>Changes nothing.</summary>
     public static Affine Identity => new(Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ, Vec3.Zero);
 
     /// <summary>Volume factor of the map; negative if it mirrors, zero if it flattens.</summary>
     public double Determinant => Vec3.Dot(XAxis, Vec3.Cross(YAxis, ZAxis));
 
+    /// <summary>A shift, mm.</summary>
     public static Affine Move(Vec3 shift) => new(Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ, shift);
 
+    /// <summary>A scaling about the origin.</summary>
     public static Affine Scale(double factor) => Scale(factor, factor, factor);
 
     /// <summary>Scales along the axes of the world, about the origin.</summary>

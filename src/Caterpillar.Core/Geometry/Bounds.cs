@@ -8,8 +8,10 @@ public readonly struct Bounds : IEquatable<Bounds>
 {
     private readonly bool _any;
 
+    /// <summary>The corner with the least coordinates, mm.</summary>
     public Vec3 Min { get; }
 
+    /// <summary>The corner with the greatest coordinates, mm.</summary>
     public Vec3 Max { get; }
 
     /// <summary>A box from its corners.</summary>
@@ -22,13 +24,16 @@ public readonly struct Bounds : IEquatable<Bounds>
         _any = true;
     }
 
+    /// <summary>The box of nothing.</summary>
     public static Bounds Empty => default;
 
+    /// <summary>Nothing is in it, not even a point.</summary>
     public bool IsEmpty => !_any;
 
     /// <summary>Extent in mm along each axis; zero when empty.</summary>
     public Vec3 Size => Max - Min;
 
+    /// <summary>The middle, mm.</summary>
     public Vec3 Center => (Min + Max) * 0.5;
 
     /// <summary>The box around points; empty for none.</summary>
@@ -39,12 +44,14 @@ public readonly struct Bounds : IEquatable<Bounds>
         return bounds;
     }
 
+    /// <summary>The box with a point.</summary>
     public Bounds Include(Vec3 p) => _any
         ? new Bounds(
             new Vec3(Math.Min(Min.X, p.X), Math.Min(Min.Y, p.Y), Math.Min(Min.Z, p.Z)),
             new Vec3(Math.Max(Max.X, p.X), Math.Max(Max.Y, p.Y), Math.Max(Max.Z, p.Z)))
         : new Bounds(p, p);
 
+    /// <summary>The box of both.</summary>
     public Bounds Include(Bounds other) => other.IsEmpty ? this : Include(other.Min).Include(other.Max);
 
     /// <summary>The box grown by <paramref name="margin"/> mm on every side; empty stays empty.</summary>

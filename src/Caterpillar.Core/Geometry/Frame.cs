@@ -9,12 +9,16 @@ namespace Caterpillar.Geometry;
 /// </summary>
 public readonly struct Frame : IEquatable<Frame>
 {
+    /// <summary>mm.</summary>
     public Vec3 Origin { get; }
 
+    /// <summary>A unit vector.</summary>
     public Vec3 X { get; }
 
+    /// <summary>A unit vector, at a right angle to X.</summary>
     public Vec3 Y { get; }
 
+    /// <summary>A unit vector, X × Y.</summary>
     public Vec3 Z { get; }
 
     private Frame(Vec3 origin, Vec3 x, Vec3 y, Vec3 z)
@@ -42,6 +46,7 @@ public readonly struct Frame : IEquatable<Frame>
         return new Frame(origin, ux, Vec3.Cross(uz, ux), uz);
     }
 
+    /// <summary>The same axes at another place, mm.</summary>
     public Frame WithOrigin(Vec3 origin) => new(origin, X, Y, Z);
 
     /// <summary>A point given in this frame, in world coordinates.</summary>

@@ -21,12 +21,16 @@ public sealed class Polyline
         IsClosed = closed;
     }
 
+    /// <summary>mm; the first is not repeated at the end of a closed one.</summary>
     public IReadOnlyList<Vec3> Points => _points;
 
+    /// <summary>Number of points.</summary>
     public int Count => _points.Length;
 
+    /// <summary>The last point is joined to the first.</summary>
     public bool IsClosed { get; }
 
+    /// <summary>A point, mm.</summary>
     public Vec3 this[int index] => _points[index];
 
     /// <summary>Number of segments; a closed polyline has one back to its first point.</summary>
@@ -43,6 +47,7 @@ public sealed class Polyline
         }
     }
 
+    /// <summary>Box of the points, mm.</summary>
     public Bounds Bounds => Bounds.Of(_points);
 
     /// <summary>Signed area of the projection on XY in mm²: positive when counterclockwise seen from above.</summary>

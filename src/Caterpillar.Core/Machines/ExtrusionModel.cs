@@ -28,6 +28,7 @@ public sealed record ExtrusionModel
         Multiplier = Positive(multiplier, nameof(multiplier));
     }
 
+    /// <summary>What E counts.</summary>
     public ExtrusionUnit Unit { get; }
 
     /// <summary>mm.</summary>

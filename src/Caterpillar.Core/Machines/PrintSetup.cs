@@ -14,6 +14,7 @@ public sealed record PrintSetup
     {
     }
 
+    /// <summary>Printer, material and settings of a print.</summary>
     public PrintSetup(Printer printer, Material material, PrintSettings settings)
     {
         Printer = printer ?? throw new ArgumentNullException(nameof(printer));
@@ -21,10 +22,13 @@ public sealed record PrintSetup
         Settings = settings ?? throw new ArgumentNullException(nameof(settings));
     }
 
+    /// <summary>The machine.</summary>
     public Printer Printer { get; init; }
 
+    /// <summary>What is printed.</summary>
     public Material Material { get; init; }
 
+    /// <summary>How it is printed.</summary>
     public PrintSettings Settings { get; init; }
 
     /// <summary>Converts strands to amounts of E.</summary>

@@ -22,8 +22,10 @@ public sealed partial record Printer
     /// <summary>Size of the space that the nozzle can reach, mm.</summary>
     public Vec3 BuildVolume { get; init => field = PrinterKeys.BuildVolume.Check(value); } = new(220, 220, 250);
 
+    /// <summary>Where the coordinates of the bed begin.</summary>
     public BedOrigin Origin { get; init; } = BedOrigin.Corner;
 
+    /// <summary>Outline of the bed.</summary>
     public BedShape BedShape { get; init; } = BedShape.Rectangle;
 
     /// <summary>mm.</summary>
@@ -35,8 +37,10 @@ public sealed partial record Printer
     /// <summary>Settings that are used if none are given.</summary>
     public string DefaultSettings { get; init => field = PrinterKeys.DefaultSettings.Check(value); } = "standard";
 
+    /// <summary>Whether E is absolute (M82) or relative (M83).</summary>
     public ExtrusionMode ExtrusionMode { get; init; } = ExtrusionMode.Relative;
 
+    /// <summary>Whether E is a length of filament or a volume.</summary>
     public ExtrusionUnit ExtrusionUnit { get; init; } = ExtrusionUnit.Mm;
 
     /// <summary>X, Y and Z are written as differences (G91); E is then relative, too.</summary>
@@ -90,6 +94,7 @@ public sealed partial record Printer
     /// <summary>Acceleration of moves of the extruder alone, mm/s².</summary>
     public double RetractionAcceleration { get; init => field = PrinterKeys.RetractionAcceleration.Check(value); } = 1000;
 
+    /// <summary>How the firmware limits the speed at corners.</summary>
     public CornerRule CornerRule { get; init; } = CornerRule.JunctionDeviation;
 
     /// <summary>For <see cref="CornerRule.Jerk"/>: sudden change of speed allowed for each axis, mm/s.</summary>

@@ -17,10 +17,13 @@ public sealed class ValueList<T> : IReadOnlyList<T>, IEquatable<ValueList<T>>
     {
     }
 
+    /// <summary>The list without items.</summary>
     public static ValueList<T> Empty { get; } = new();
 
+    /// <summary>Number of items.</summary>
     public int Count => _items.Length;
 
+    /// <summary>An item.</summary>
     public T this[int index] => _items[index];
 
     public IEnumerator<T> GetEnumerator() => ((IEnumerable<T>)_items).GetEnumerator();

@@ -18,6 +18,7 @@ public enum PlanPolicy : byte
 /// <summary>Options of planning. All numbers come from the settings of the printer, the material and the print.</summary>
 public sealed record PlanOptions
 {
+    /// <summary>What is added to the design.</summary>
     public PlanPolicy Policy { get; init; }
 
     /// <summary>How paths are sorted inside their groups; ignored as drawn.</summary>

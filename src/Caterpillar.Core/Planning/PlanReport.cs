@@ -51,6 +51,7 @@ public sealed record PlanReport
     /// <summary>Paths whose extrusion was started or stopped early to compensate for the pressure lag.</summary>
     public int LaggedPaths { get; internal set; }
 
+    /// <summary>Changes to another tool.</summary>
     public int ToolChanges { get; internal set; }
 
     /// <summary>Waits for layers to cool.</summary>

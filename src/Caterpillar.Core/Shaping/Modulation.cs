@@ -35,6 +35,7 @@ public sealed record Modulation
     /// <summary>The minimum ratio of speeds or areas that prints well (Kanada 2016: 1 to 0.6 or 0.7).</summary>
     public const double MinRatio = 0.6;
 
+    /// <summary>Low and high are factors of speed or flow, or displacements in mm, where the field is 0 and 1.</summary>
     public Modulation(ModulationMode mode, Field field, double low, double high)
     {
         Mode = mode;
@@ -43,8 +44,10 @@ public sealed record Modulation
         High = high;
     }
 
+    /// <summary>What is modulated.</summary>
     public ModulationMode Mode { get; }
 
+    /// <summary>Where, from 0 (low) to 1 (high).</summary>
     public Field Field { get; }
 
     /// <summary>Where the field is 0: the factor on speed or area, or the displacement in mm.</summary>

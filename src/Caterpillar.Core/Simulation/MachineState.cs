@@ -35,13 +35,16 @@ public readonly record struct MachineState
     /// <summary>Material that is deposited, mm³/s; null where the factor of the tool is not known.</summary>
     public double? Flow { get; init; }
 
+    /// <summary>What the move does.</summary>
     public MoveKind Kind { get; init; }
 
+    /// <summary>What the strand is for.</summary>
     public Role Role { get; init; }
 
     /// <summary>Index into the layers of the toolpath, or −1.</summary>
     public int Layer { get; init; }
 
+    /// <summary>The tool in use.</summary>
     public int Tool { get; init; }
 
     /// <summary>Line of the file (from 1) or number of the step (from 0), as the toolpath says; −1 where there is none.</summary>

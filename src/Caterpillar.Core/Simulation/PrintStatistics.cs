@@ -35,6 +35,7 @@ public sealed record LayerTime(int Layer, double Start, double Time, double Leng
 /// <param name="Homing">For homing.</param>
 public readonly record struct WaitTimes(double Heating, double Dwells, double ToolChanges, double Homing)
 {
+    /// <summary>All waits, s.</summary>
     public double Total => Heating + Dwells + ToolChanges + Homing;
 }
 
@@ -44,6 +45,7 @@ public sealed record PrintStatistics
     /// <summary>Motion and waits.</summary>
     public double Duration { get; init; }
 
+    /// <summary>Time in which the head stands still, s.</summary>
     public WaitTimes Waits { get; init; }
 
     /// <summary>Time of printing moves.</summary>
@@ -55,8 +57,10 @@ public sealed record PrintStatistics
     /// <summary>Time of the extruder alone.</summary>
     public double ExtruderTime { get; init; }
 
+    /// <summary>Length of printing moves, mm.</summary>
     public double PrintLength { get; init; }
 
+    /// <summary>Length of all other moves, mm.</summary>
     public double TravelLength { get; init; }
 
     /// <summary>Retractions in place or in motion.</summary>

@@ -31,8 +31,10 @@ public sealed class Timeline
         for (var tool = 0; tool < toolpath.Tools.Count; tool++) _volumesKnown &= toolpath.VolumePerE(tool) is not null;
     }
 
+    /// <summary>What is timed.</summary>
     public Toolpath Toolpath { get; }
 
+    /// <summary>Whose limits were used.</summary>
     public PrintSetup Setup { get; }
 
     /// <summary>Seconds in all.</summary>

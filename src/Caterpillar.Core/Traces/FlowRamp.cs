@@ -17,10 +17,13 @@ public sealed class FlowRamp
         End = end;
     }
 
+    /// <summary>Factor of the flow at the ends, 0 to 1.</summary>
     public double Minimum { get; }
 
+    /// <summary>The flow grows along the first turn.</summary>
     public bool Start { get; }
 
+    /// <summary>The flow falls along the last turn.</summary>
     public bool End { get; }
 
     /// <summary>Factor on the area after some turns, with some turns left to go.</summary>

@@ -24,6 +24,7 @@ public sealed class LSystemWord
     /// <summary>Number of letters.</summary>
     public int Count => _symbols.Length;
 
+    /// <summary>A letter.</summary>
     public char this[int index] => _symbols[index];
 
     /// <summary>How many values a letter has.</summary>

@@ -22,6 +22,7 @@ public sealed partial class Turtle
     private readonly List<Frame>? _poses;
     private TurtleState _state;
 
+    /// <summary>Where the options say (at the origin, looking along +X), with the pen down.</summary>
     public Turtle(TurtleOptions? options = null)
     {
         _options = options ?? new TurtleOptions();
@@ -44,12 +45,16 @@ public sealed partial class Turtle
     /// <summary>Position and axes: X is forward, Y left, Z up.</summary>
     public Frame Pose => _state.Pose;
 
+    /// <summary>mm.</summary>
     public Vec3 Position => _state.Pose.Origin;
 
+    /// <summary>mm.</summary>
     public double X => Position.X;
 
+    /// <summary>mm.</summary>
     public double Y => Position.Y;
 
+    /// <summary>mm.</summary>
     public double Z => Position.Z;
 
     /// <summary>Angle of the heading in the XY plane from +X, −180° to 180°; straight up or down it includes the roll.</summary>
@@ -79,12 +84,16 @@ public sealed partial class Turtle
     /// <summary>Turns about forward; positive lifts the left side.</summary>
     public Turtle TurnRoll(double angle) => Turn(Pose.Roll(Degrees(angle)));
 
+    /// <summary>Yaws to the left, degrees.</summary>
     public Turtle Left(double angle) => TurnYaw(angle);
 
+    /// <summary>Yaws to the right, degrees.</summary>
     public Turtle Right(double angle) => TurnYaw(-angle);
 
+    /// <summary>Raises the nose, degrees.</summary>
     public Turtle PitchUp(double angle) => TurnPitch(angle);
 
+    /// <summary>Lowers the nose, degrees.</summary>
     public Turtle PitchDown(double angle) => TurnPitch(-angle);
 
     /// <summary>Lowers the left side.</summary>
@@ -140,6 +149,7 @@ public sealed partial class Turtle
         return MoveTo(Position + ahead * distance + Vec3.UnitZ * rise, deposit: true);
     }
 
+    /// <summary>Goes backward, mm; with the pen down it draws.</summary>
     public Turtle Backward(double distance) => Forward(-distance);
 
     /// <summary>Moves along forward; deposits nothing, even with the pen down.</summary>

@@ -23,11 +23,13 @@ public sealed class TurtleCommand
         Body = body;
     }
 
+    /// <summary>What it does.</summary>
     public TurtleAction Action { get; }
 
     /// <summary>Its numbers; NaN keeps a coordinate.</summary>
     public IReadOnlyList<double> Values => _values;
 
+    /// <summary>Its text, where it has one; else empty.</summary>
     public string Text { get; }
 
     /// <summary>The commands of a repetition.</summary>

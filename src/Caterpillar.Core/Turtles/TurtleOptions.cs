@@ -42,6 +42,9 @@ public sealed record TurtleOptions
 /// <summary>Unit of angles.</summary>
 public enum AngleUnit : byte
 {
+    /// <summary>Degrees.</summary>
     Degrees,
+
+    /// <summary>Radians.</summary>
     Radians,
 }

@@ -28,6 +28,7 @@ public sealed class TurtleScript
         _code = code;
     }
 
+    /// <summary>The program.</summary>
     public string Text { get; }
 
     /// <summary>Variables that can be set from outside, in order (<c>param name = default</c>).</summary>

@@ -17,8 +17,10 @@ public sealed class GrayImage
         _pixels = (double[])pixels.Clone();
     }
 
+    /// <summary>Pixels.</summary>
     public int Width { get; }
 
+    /// <summary>Pixels.</summary>
     public int Height { get; }
 
     /// <summary>Brightness of a pixel; x from the left, y from the top.</summary>

@@ -16,12 +16,15 @@ public sealed class RasterImage
         for (var i = 0; i < Bytes.Length; i += 3) Set(i, background);
     }
 
+    /// <summary>Pixels.</summary>
     public int Width { get; }
 
+    /// <summary>Pixels.</summary>
     public int Height { get; }
 
     internal byte[] Bytes { get; }
 
+    /// <summary>The color of a pixel, from the upper left.</summary>
     public Rgb this[int x, int y]
     {
         get

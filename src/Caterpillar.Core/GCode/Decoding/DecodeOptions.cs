@@ -21,6 +21,7 @@ public sealed record DecodeOptions
     /// <summary>The dialect, or null to detect it from the file.</summary>
     public DialectRules? Dialect { get; init; }
 
+    /// <summary>What counts as printing.</summary>
     public ExtrusionRule Rule { get; init; } = ExtrusionRule.Balance;
 
     /// <summary>Diameter of the filament in mm where the file does not say; null leaves volumes unknown.</summary>

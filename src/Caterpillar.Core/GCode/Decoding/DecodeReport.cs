@@ -18,65 +18,88 @@ public sealed record DecodeReport
     /// <summary>SHA-256 of the unpacked bytes in hexadecimal, or empty where it was not asked for.</summary>
     public string Sha256 { get; init; } = "";
 
+    /// <summary>Length of the text, unpacked.</summary>
     public long Bytes { get; init; }
 
     /// <summary>E, A, B, A+B, M101 (a switch, no amounts) or none.</summary>
     public string ExtrusionAxis { get; init; } = "none";
 
+    /// <summary>Straight moves that print.</summary>
     public int PrintSegments { get; init; }
 
+    /// <summary>Straight moves that do not print.</summary>
     public int TravelSegments { get; init; }
 
     /// <summary>Travels with negative E (wipes).</summary>
     public int TravelsWithRetract { get; init; }
 
+    /// <summary>G2 and G3 that print.</summary>
     public int PrintArcs { get; init; }
 
+    /// <summary>G2 and G3 that do not print.</summary>
     public int TravelArcs { get; init; }
 
     /// <summary>Prints by G0, and travels by others.</summary>
     public int PrintsByG0 { get; init; }
 
+    /// <summary>Travels by other commands than G0.</summary>
     public int TravelsByG1 { get; init; }
 
+    /// <summary>Commands G0.</summary>
     public int RapidMoves { get; init; }
 
+    /// <summary>Commands G1, G2 and G3.</summary>
     public int FeedMoves { get; init; }
 
+    /// <summary>Retractions in place, by E.</summary>
     public int Retracts { get; init; }
 
+    /// <summary>Restores in place, by E.</summary>
     public int Unretracts { get; init; }
 
+    /// <summary>Retractions by the firmware (G10).</summary>
     public int FirmwareRetracts { get; init; }
 
+    /// <summary>Restores by the firmware (G11).</summary>
     public int FirmwareUnretracts { get; init; }
 
+    /// <summary>Commands of motion that change nothing.</summary>
     public int NoOps { get; init; }
 
+    /// <summary>Changes to another tool.</summary>
     public int ToolChanges { get; init; }
 
+    /// <summary>Comments that start a layer.</summary>
     public int LayerMarks { get; init; }
 
+    /// <summary>Length of printing moves, mm.</summary>
     public double PrintLength { get; init; }
 
+    /// <summary>Length of printing moves seen from above, mm.</summary>
     public double PrintLengthXY { get; init; }
 
+    /// <summary>Length of moves that do not print, mm.</summary>
     public double TravelLength { get; init; }
 
     /// <summary>False where the file has no amounts of extrusion; then the amounts below are 0 and mean nothing.</summary>
     public bool HasAmounts { get; init; }
 
+    /// <summary>Sum of all increases of E, in its unit.</summary>
     public double EPositive { get; init; }
 
+    /// <summary>Sum of all decreases of E, in its unit; not positive.</summary>
     public double ENegative { get; init; }
 
+    /// <summary>E of printing moves, in its unit.</summary>
     public double EPrint { get; init; }
 
+    /// <summary>Sum of all changes of E, in its unit.</summary>
     public double ENet { get; init; }
 
     /// <summary>Highest value of the running sum, for each tool by itself, added up: what slicers call filament used.</summary>
     public double EUsed { get; init; }
 
+    /// <summary>The highest value of the running sum of E for each tool, ascending by tool.</summary>
     public IReadOnlyList<KeyValuePair<int, double>> EUsedByTool { get; init; } = [];
 
     /// <summary>The sum of E by the rule of Marlin 2 (the last of G90, G91, M82, M83 decides) where it differs, else null.</summary>
@@ -85,19 +108,25 @@ public sealed record DecodeReport
     /// <summary>Different heights (to 1 µm) at the ends of strands; the same of flat strands only.</summary>
     public int Heights { get; init; }
 
+    /// <summary>Heights at which a level strand is printed.</summary>
     public int FlatHeights { get; init; }
 
+    /// <summary>How often the height of printing changes.</summary>
     public int HeightChanges { get; init; }
 
+    /// <summary>Box of the ends of printing moves, mm, as written in the file.</summary>
     public Bounds PrintBounds { get; init; }
 
+    /// <summary>Box of the ends of all moves, mm, as written in the file.</summary>
     public Bounds AllBounds { get; init; }
 
+    /// <summary>Where the file ends, mm, as written in it.</summary>
     public Vec3 EndPosition { get; init; }
 
     /// <summary>Number of lines with each notation by which dialects differ.</summary>
     public IReadOnlyList<KeyValuePair<string, int>> Features { get; init; } = [];
 
+    /// <summary>The file began with a byte order mark.</summary>
     public bool ByteOrderMark { get; init; }
 
     /// <summary>The pictures of the print in its comments, in their order.</summary>

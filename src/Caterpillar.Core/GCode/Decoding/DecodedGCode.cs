@@ -30,6 +30,7 @@ public sealed class DecodedGCode
     /// <summary>What the machine does; positions in machine coordinates (G92 does not move them), sources are lines of the file.</summary>
     public Toolpath Toolpath { get; }
 
+    /// <summary>Counts and sums.</summary>
     public DecodeReport Report { get; }
 
     /// <summary>The dialect by which it was read.</summary>
@@ -44,6 +45,7 @@ public sealed class DecodedGCode
     /// <summary>Commands without effect on the toolpath, and how often.</summary>
     public IReadOnlyDictionary<string, int> Ignored { get; }
 
+    /// <summary>What counted as printing.</summary>
     public ExtrusionRule Rule { get; }
 
     /// <summary>

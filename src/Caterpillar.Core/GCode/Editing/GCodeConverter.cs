@@ -11,6 +11,7 @@ namespace Caterpillar.GCode;
 /// <summary>What a file is converted to. Null keeps what the file has.</summary>
 public sealed record ConvertOptions
 {
+    /// <summary>The firmware to write for; null for that of the file.</summary>
     public DialectRules? Dialect { get; init; }
 
     /// <summary>Relative E (true) or absolute E (false).</summary>
@@ -34,6 +35,7 @@ public sealed record ConvertOptions
     /// <summary>Retraction in the unit of E that stands for G10 and G11 where the target has none, and its speed in mm/s; 0 leaves them out.</summary>
     public double RetractionLength { get; init; }
 
+    /// <summary>Speed of retractions that replace G10 and G11, mm/s.</summary>
     public double RetractionSpeed { get; init; } = 35;
 
     /// <summary>
@@ -41,8 +43,10 @@ public sealed record ConvertOptions
     /// </summary>
     public int? DecimalsXyz { get; init; }
 
+    /// <summary>Decimals of E; null for as many as the file has.</summary>
     public int? DecimalsE { get; init; }
 
+    /// <summary>Decimals of F; null for as many as the file has.</summary>
     public int? DecimalsF { get; init; }
 
     /// <summary>Threads; 0 for all cores. The result does not depend on it.</summary>

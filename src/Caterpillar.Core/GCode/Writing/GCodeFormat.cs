@@ -9,6 +9,7 @@ namespace Caterpillar.GCode;
 /// <summary>The format of G-code: everything that the moves themselves do not say.</summary>
 public sealed record GCodeFormat
 {
+    /// <summary>The firmware to write for.</summary>
     public DialectRules Dialect { get; init; } = DialectTable.Marlin2;
 
     /// <summary>Relative E (M83) or absolute E (M82).</summary>
@@ -23,8 +24,10 @@ public sealed record GCodeFormat
     /// <summary>Decimals of X, Y and Z; of E; of F (mm/min).</summary>
     public int DecimalsXyz { get; init; } = 3;
 
+    /// <summary>Decimals of E.</summary>
     public int DecimalsE { get; init; } = 5;
 
+    /// <summary>Decimals of F.</summary>
     public int DecimalsF { get; init; }
 
     /// <summary>Retractions and restores in place are G10 and G11 where the dialect has them.</summary>
@@ -54,6 +57,7 @@ public sealed record GCodeFormat
     /// <summary>Lines before the moves (the start code) and after them.</summary>
     public IReadOnlyList<string> Start { get; init; } = [];
 
+    /// <summary>Lines after the last move.</summary>
     public IReadOnlyList<string> End { get; init; } = [];
 
     /// <summary>Lines at the beginning of each layer but the first, by the number of the layer in <c>Toolpath.Layers</c>; null for none.</summary>

@@ -23,8 +23,10 @@ public sealed class ArcCurve : Curve
         Sweep = sweep;
     }
 
+    /// <summary>Center and plane; the arc starts in the direction of X.</summary>
     public Frame Frame { get; }
 
+    /// <summary>mm.</summary>
     public Vec3 Center => Frame.Origin;
 
     /// <summary>mm.</summary>

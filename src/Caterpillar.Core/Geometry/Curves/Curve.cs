@@ -25,8 +25,10 @@ public abstract class Curve
     /// <summary>Parameter of the end; larger than that of the start.</summary>
     public abstract double DomainEnd { get; }
 
+    /// <summary>The first point, mm.</summary>
     public Vec3 Start => PointAt(DomainStart);
 
+    /// <summary>The last point, mm; the first one of a closed curve.</summary>
     public Vec3 End => PointAt(DomainEnd);
 
     /// <summary>True if it ends where it starts, within <see cref="JoinTolerance"/>.</summary>

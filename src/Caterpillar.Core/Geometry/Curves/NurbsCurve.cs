@@ -64,15 +64,19 @@ public sealed class NurbsCurve : Curve
         _knots = knots;
     }
 
+    /// <summary>Degree of its polynomials.</summary>
     public int Degree { get; }
 
     /// <summary>Control points, not multiplied with their weights.</summary>
     public IReadOnlyList<Vec3> ControlPoints => Array.ConvertAll(_controls, c => c.Point);
 
+    /// <summary>One for each control point.</summary>
     public IReadOnlyList<double> Weights => Array.ConvertAll(_controls, c => c.Weight);
 
+    /// <summary>Control points + degree + 1 of them, ascending.</summary>
     public IReadOnlyList<double> Knots => (double[])_knots.Clone();
 
+    /// <summary>Its weights differ.</summary>
     public bool IsRational => Array.Exists(_controls, c => c.Weight != _controls[0].Weight);
 
     public override double DomainStart => _knots[Degree];

@@ -25,6 +25,7 @@ public sealed class PolyCurve : Curve
         }
     }
 
+    /// <summary>In order; each begins where the one before ends.</summary>
     public IReadOnlyList<Curve> Pieces => _pieces;
 
     public override double DomainStart => 0;

@@ -23,6 +23,7 @@ public sealed class PolylineCurve : Curve
         foreach (var p in _points) Finite(p, nameof(polyline));
     }
 
+    /// <summary>Its points.</summary>
     public Polyline Polyline { get; }
 
     public override double DomainStart => 0;

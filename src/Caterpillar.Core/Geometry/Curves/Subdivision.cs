@@ -19,12 +19,16 @@ public sealed class Subdivision
         IsClosed = closed;
     }
 
+    /// <summary>mm; the first is not repeated at the end of a closed curve.</summary>
     public IReadOnlyList<Vec3> Points => _points;
 
+    /// <summary>The last point is joined to the first.</summary>
     public bool IsClosed { get; }
 
+    /// <summary>Pieces between points.</summary>
     public int SegmentCount => _linear.Length;
 
+    /// <summary>Some pieces are arcs.</summary>
     public bool HasArcs => _arcs is not null;
 
     /// <summary>True if the segment is a linear part of the curve, false if it approximates a piece of a curved part.</summary>

@@ -19,6 +19,7 @@ public sealed class MeshHeights
     private readonly int[] _firsts;
     private readonly int[] _items;
 
+    /// <summary>Sorts the triangles of the mesh by their place.</summary>
     public MeshHeights(TriMesh mesh)
     {
         _mesh = mesh ?? throw new ArgumentNullException(nameof(mesh));

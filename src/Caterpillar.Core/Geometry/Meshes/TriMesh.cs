@@ -59,10 +59,13 @@ public sealed class TriMesh
     /// <summary>Three vertex numbers for each triangle.</summary>
     public IReadOnlyList<int> Indices => _triangles;
 
+    /// <summary>Number of vertices.</summary>
     public int VertexCount => _vertices.Length;
 
+    /// <summary>Number of triangles.</summary>
     public int TriangleCount => _triangles.Length / 3;
 
+    /// <summary>Box of the vertices, mm.</summary>
     public Bounds Bounds { get; }
 
     /// <summary>Vertex numbers of a triangle.</summary>

@@ -66,6 +66,7 @@ public sealed partial class Region
         return new Region(new[] { new[] { new GridPoint(x0, y0), new GridPoint(x1, y0), new GridPoint(x1, y1), new GridPoint(x0, y1) } });
     }
 
+    /// <summary>It has no area.</summary>
     public bool IsEmpty => _paths.Length == 0;
 
     /// <summary>Area in mm², without holes.</summary>

@@ -40,6 +40,7 @@ public abstract class ProfileKey
     /// <summary>One sentence that explains it.</summary>
     public string Summary { get; }
 
+    /// <summary>What kind of value it takes.</summary>
     public abstract KeyKind Kind { get; }
 
     /// <summary>The range of the value in words: <c>0.01 to 100</c>, <c>corner or center</c>.</summary>

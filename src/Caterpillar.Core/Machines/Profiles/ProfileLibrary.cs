@@ -21,10 +21,13 @@ public sealed class ProfileLibrary
     /// <param name="userFolder">Folder of the user's profiles, which need not exist; null for none.</param>
     public ProfileLibrary(string? userFolder = null) => _userFolder = userFolder;
 
+    /// <summary>Names of the printers that are found, sorted.</summary>
     public IReadOnlyList<string> PrinterNames => Names(ProfileKinds.Printer);
 
+    /// <summary>Names of the materials that are found, sorted.</summary>
     public IReadOnlyList<string> MaterialNames => Names(ProfileKinds.Material);
 
+    /// <summary>Names of the print settings that are found, sorted.</summary>
     public IReadOnlyList<string> SettingsNames => Names(ProfileKinds.Settings);
 
     /// <summary>A printer by its name, or from a file (a name with a folder or with <c>.json</c>).</summary>

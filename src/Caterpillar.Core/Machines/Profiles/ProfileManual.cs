@@ -7,6 +7,7 @@ namespace Caterpillar.Machines;
 /// <summary>The manual of the profiles, <c>docs/profiles.md</c>, made from the table of keys.</summary>
 public static class ProfileManual
 {
+    /// <summary>The page as Markdown.</summary>
     public static string Write(ProfileLibrary library)
     {
         var text = new StringBuilder();

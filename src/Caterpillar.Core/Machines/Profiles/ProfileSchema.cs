@@ -8,10 +8,13 @@ namespace Caterpillar.Machines;
 /// </summary>
 public static class ProfileSchema
 {
+    /// <summary>JSON Schema of printers.</summary>
     public static string Printer => Of(ProfileKinds.Printer.Noun, ProfileKeys.Printer);
 
+    /// <summary>JSON Schema of materials.</summary>
     public static string Material => Of(ProfileKinds.Material.Noun, ProfileKeys.Material);
 
+    /// <summary>JSON Schema of print settings.</summary>
     public static string Settings => Of(ProfileKinds.Settings.Noun, ProfileKeys.Settings);
 
     private static string Of(string noun, IEnumerable<ProfileKey> keys)

@@ -7,10 +7,13 @@ namespace Caterpillar.Machines;
 /// <summary>Writes profiles as JSON, with all their keys. Reading the text gives an equal profile.</summary>
 public static class ProfileWriter
 {
+    /// <summary>A printer as JSON with all its keys.</summary>
     public static string Write(Printer printer) => Write(PrinterKeys.All, printer);
 
+    /// <summary>A material as JSON with all its keys.</summary>
     public static string Write(Material material) => Write(MaterialKeys.All, material);
 
+    /// <summary>Print settings as JSON with all their keys.</summary>
     public static string Write(PrintSettings settings) => Write(SettingsKeys.All, settings);
 
     private static string Write<T>(IEnumerable<ProfileKey<T>> keys, T profile)

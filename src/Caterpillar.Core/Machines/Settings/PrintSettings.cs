@@ -77,6 +77,7 @@ public sealed partial record PrintSettings
     /// <summary>mm/s.</summary>
     public double TravelSpeed { get; init => field = SettingsKeys.TravelSpeed.Check(value); } = 150;
 
+    /// <summary>How high the head rises before travels.</summary>
     public TravelLift TravelLift { get; init; } = TravelLift.PrintedTop;
 
     /// <summary>Travels up to this length are made without a lift, mm.</summary>

@@ -10,13 +10,16 @@ namespace Caterpillar.Slicing;
 /// </summary>
 public sealed record SliceModel
 {
+    /// <summary>A model and its own settings.</summary>
     public SliceModel(NamedMesh mesh, PrintSettings settings)
     {
         Mesh = mesh ?? throw new ArgumentNullException(nameof(mesh));
         Settings = settings ?? throw new ArgumentNullException(nameof(settings));
     }
 
+    /// <summary>Its place on the bed, mm.</summary>
     public NamedMesh Mesh { get; }
 
+    /// <summary>Its own settings.</summary>
     public PrintSettings Settings { get; }
 }

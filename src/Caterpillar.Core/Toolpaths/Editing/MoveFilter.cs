@@ -20,6 +20,7 @@ public sealed record MoveFilter
     /// </summary>
     public int? FirstLayer { get; init; }
 
+    /// <summary>The last layer, by its number; null for no limit.</summary>
     public int? LastLayer { get; init; }
 
     /// <summary>Names of objects; null for all.</summary>
@@ -34,6 +35,7 @@ public sealed record MoveFilter
     /// <summary>Printing moves.</summary>
     public static MoveFilter Prints { get; } = new() { Kinds = [MoveKind.Print] };
 
+    /// <summary>True for a move of a layer that the filter lets through.</summary>
     public bool Matches(Move move, Layer? layer)
         => (Roles is null || Roles.Contains(move.Role))
             && (Kinds is null || Kinds.Contains(move.Kind))

@@ -20,14 +20,19 @@ public sealed record Pause
     /// <summary>Filament that is retracted, and what is extruded beyond it afterwards; of the cross-section <see cref="FilamentArea"/>, mm².</summary>
     public double Retraction { get; init; }
 
+    /// <summary>Filament that is extruded beyond what was retracted, before printing goes on, mm.</summary>
     public double Prime { get; init; }
 
+    /// <summary>Cross-section of the filament, mm².</summary>
     public double FilamentArea { get; init; } = 1;
 
+    /// <summary>mm/s.</summary>
     public double TravelSpeed { get; init; } = 100;
 
+    /// <summary>mm/s.</summary>
     public double LiftSpeed { get; init; } = 10;
 
+    /// <summary>mm/s.</summary>
     public double RetractionSpeed { get; init; } = 35;
 
     /// <summary>The command, or empty for that of the dialect.</summary>

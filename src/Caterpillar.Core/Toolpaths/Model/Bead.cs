@@ -69,8 +69,10 @@ public readonly record struct Bead
         return width >= Height ? width : round;
     }
 
+    /// <summary>The same with another cross-section, mm².</summary>
     public Bead WithArea(double area) => new(area, Height, Speed);
 
+    /// <summary>The same with another speed, mm/s.</summary>
     public Bead WithSpeed(double speed) => new(Area, Height, speed);
 
     public override string ToString()

@@ -73,14 +73,19 @@ public sealed class PrintPath
         Overrides = other.Overrides;
     }
 
+    /// <summary>mm; the first is not repeated at the end of a closed path.</summary>
     public IReadOnlyList<Vec3> Points => _points;
 
+    /// <summary>The last point is joined to the first.</summary>
     public bool IsClosed { get; }
 
+    /// <summary>Pieces between points.</summary>
     public int SegmentCount => IsClosed ? _points.Length : _points.Length - 1;
 
+    /// <summary>Some segments are arcs.</summary>
     public bool HasArcs => _arcs is not null;
 
+    /// <summary>What the strand is for.</summary>
     public Role Role { get; init; }
 
     /// <summary>The layer it belongs to, or null if there are none.</summary>
@@ -95,10 +100,13 @@ public sealed class PrintPath
     /// <summary>A color chosen by the designer as 0xRRGGBB, for pictures and baking, or null.</summary>
     public int? Color { get; init; }
 
+    /// <summary>Temperature, fan and acceleration while it is printed.</summary>
     public PathOverrides? Overrides { get; init; }
 
+    /// <summary>The first point, mm.</summary>
     public Vec3 Start => _points[0];
 
+    /// <summary>Where printing ends, mm: the first point of a closed path.</summary>
     public Vec3 End => IsClosed ? _points[0] : _points[_points.Length - 1];
 
     /// <summary>The bead of a segment.</summary>
@@ -139,6 +147,7 @@ public sealed class PrintPath
         }
     }
 
+    /// <summary>Box of the path, its arcs included, mm.</summary>
     public Bounds Bounds
     {
         get

@@ -34,12 +34,14 @@ public readonly record struct StepGroup(int Layer, int Island = 0, int Rank = 0)
 /// <summary>A path to deposit.</summary>
 public sealed class PathStep : Step
 {
+    /// <summary>A path, and the group within which it may be sorted.</summary>
     public PathStep(PrintPath path, StepGroup? group = null)
     {
         Path = path ?? throw new ArgumentNullException(nameof(path));
         Group = group;
     }
 
+    /// <summary>What is laid down.</summary>
     public PrintPath Path { get; }
 
     /// <summary>Paths of one group may be sorted; without a group the path stays where it is.</summary>
@@ -92,23 +94,28 @@ public sealed class TravelStep : Step
         Intent = intent;
     }
 
+    /// <summary>A travel to a point (mm), at a speed in mm/s; 0 for that of the settings.</summary>
     public TravelStep(Vec3 to, double speed = 0, TravelIntent intent = TravelIntent.AsDrawn)
         : this([to], speed, intent)
     {
     }
 
+    /// <summary>Where it goes, mm.</summary>
     public IReadOnlyList<Vec3> Points => _points;
 
     /// <summary>mm/s, or 0 for the travel speed of the settings.</summary>
     public double Speed { get; }
 
+    /// <summary>Why the head goes there.</summary>
     public TravelIntent Intent { get; }
 }
 
 /// <summary>An event at this position. Sorting never crosses it.</summary>
 public sealed class EventStep : Step
 {
+    /// <summary>An event at its place in the order.</summary>
     public EventStep(PrinterEvent what) => Event = what ?? throw new ArgumentNullException(nameof(what));
 
+    /// <summary>What happens.</summary>
     public PrinterEvent Event { get; }
 }

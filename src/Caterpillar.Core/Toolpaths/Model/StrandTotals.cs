@@ -10,6 +10,7 @@ namespace Caterpillar.Toolpaths;
 /// <param name="PartBounds">Box around the strands of the part, without skirts, purge lines and prime towers, mm.</param>
 public sealed record StrandTotals(double Length, double Deposited, double? Volume, Bounds PartBounds)
 {
+    /// <summary>The sums of a toolpath.</summary>
     public static StrandTotals Of(Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));

@@ -66,6 +66,7 @@ public sealed class Toolpath
     /// <summary>Number of moves.</summary>
     public int Count { get; }
 
+    /// <summary>Its moves in shared blocks, in order.</summary>
     public IReadOnlyList<ToolpathBlock> Blocks => _blocks;
 
     /// <summary>The layers of the moves, in order of first appearance.</summary>

@@ -17,6 +17,7 @@ public sealed class ToolpathBlock
 
     internal ToolpathBlock(ToolpathColumns columns) => Columns = columns;
 
+    /// <summary>Number of moves.</summary>
     public int Count => Columns.Count;
 
     internal ToolpathColumns Columns { get; }

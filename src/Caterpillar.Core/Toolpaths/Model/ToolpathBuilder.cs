@@ -17,6 +17,7 @@ public sealed class ToolpathBuilder
     private ToolpathColumns _columns = new(1024);
     private int _sealed;
 
+    /// <summary>Begins at a position in mm; null where it is unknown.</summary>
     public ToolpathBuilder(MoveSource source, Vec3? start)
     {
         _source = source;
@@ -24,6 +25,7 @@ public sealed class ToolpathBuilder
         Position = start ?? Vec3.Zero;
     }
 
+    /// <summary>Where the first move begins, mm; null where it is unknown.</summary>
     public Vec3? Start { get; }
 
     /// <summary>Position of the head after the moves so far, mm.</summary>

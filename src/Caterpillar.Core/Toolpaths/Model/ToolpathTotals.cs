@@ -16,6 +16,7 @@ public sealed record ToolpathTotals(
     double PrintLength, double TravelLength, double DepositedE, double? DepositedVolume, int PrintMoves, int TravelMoves, int Retractions, Bounds PrintBounds,
         Bounds AllBounds)
 {
+    /// <summary>The sums of a toolpath.</summary>
     public static ToolpathTotals Of(Toolpath toolpath)
     {
         double print = 0, travel = 0, deposited = 0;
