@@ -14,6 +14,8 @@ namespace Caterpillar.Cli.Commands;
 /// <summary>Slices along surfaces, or onto an object.</summary>
 internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult arguments, PrintSetup setup, int threads, Session session)
 {
+    private LayerField? _field;
+
     /// <summary>What the planner has to know of the object and the layers.</summary>
     public PlanOptions Plan { get; private set; } = new();
 
@@ -23,8 +25,6 @@ internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult argu
     /// <summary>The planned toolpath with the tool tilted along the normals of the layers, where that was asked for.</summary>
     public Toolpath Tilted(Toolpath toolpath) => options.Tilt(arguments) is not { } tilt || _field is not { } field ? toolpath
         : session.WithProgress("Tilting", progress => tilt.Apply(toolpath, field.Normal, progress, session.Cancel));
-
-    private LayerField? _field;
 
     /// <summary>The steps, and the number of layers.</summary>
     /// <param name="read">The models as they were read.</param>

@@ -10,4 +10,6 @@ public enum FieldKind
     Cone,
     Overhangs,
     Deformed,
+    Harmonic,
+    Geodesic,
 }

@@ -7,6 +7,7 @@ using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
 using Caterpillar.Slicing;
 using Grasshopper.Kernel.Types;
 
@@ -39,6 +40,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
                 if (texts.Length != 3) throw new InputProblem("Deformed needs three expressions: the bent x, y and z.");
                 var bent = LayerField.Deformed(texts[0], texts[1], texts[2], origin ?? Vec3.Zero, Expressions);
                 return Accept(bent) is { } deformed ? new FieldRecipe("Deformed " + string.Join("; ", texts), [origin], deformed) : null;
+            case FieldKind.Harmonic or FieldKind.Geodesic: return BetweenEnds(kind);
             default: throw new InputProblem("There is no such kind of field.");
         }
     }
@@ -71,6 +73,38 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
             if (surfaces.Count == 1) surfaces.Insert(0, PlanSurface.Level(ModelPlacement.BoxOf(models).Min.Z));
             return new Result<LayerField>(LayerField.Between(surfaces.ToArray()), []);
         });
+    }
+
+    private FieldRecipe BetweenEnds(FieldKind kind)
+    {
+        var (upper, lower) = (Ends(1), Ends(11));
+        if (upper.Length == 0 && lower.Length > 0) throw new InputProblem("Lower Ends go with Surfaces, where layers end.");
+        return new FieldRecipe(kind.ToString(), [.. upper.Select(e => e.Key), "from", .. lower.Select(e => e.Key)], (models, _) =>
+        {
+            var part = models.Count == 1 ? models[0].Mesh : TriMesh.Merge(models.Select(m => m.Mesh));
+            var ends = upper.Length == 0 ? MeshBoundaries.Find(part)
+                : MeshBoundaries.Near(part, lower.Length == 0 ? null : BoundaryShape.Of(lower.Select(e => e.Shape).ToArray()),
+                    upper.Select(e => e.Shape).ToArray());
+            if (ends.Value is not { } found) return new Result<LayerField>(null, ends.Diagnostics);
+            return new Result<LayerField>(kind == FieldKind.Harmonic ? LayerField.Harmonic(found) : LayerField.Geodesic(found), ends.Diagnostics);
+        });
+    }
+
+    // Curves and surfaces on the solids, with what tells them from others.
+    private (BoundaryShape Shape, object Key)[] Ends(int port)
+    {
+        var tolerance = run.Positive(10);
+        return run.List<IGH_GeometricGoo>(port).Select(g =>
+        {
+            if (Wrapped.Bare(g.ScriptVariable()) is not Rg.Curve curve)
+            {
+                var mesh = ModelMesh.Of(run, g, tolerance, run.Units);
+                return (BoundaryShape.Of(mesh.Triangles), (object)mesh);
+            }
+            var exact = RhinoCurves.ToCurve(curve, run.Units);
+            var points = CurveSubdivider.Subdivide(exact, new SubdivisionOptions { ChordTolerance = tolerance }).Points;
+            return (BoundaryShape.Of([new Polyline(points, exact.IsClosed)]), string.Join(" ", points));
+        }).ToArray();
     }
 
     private FieldRecipe Cone(Vec3? axis)

@@ -47,6 +47,37 @@ public sealed class CurvedSlicerTests
 
     private static PrintPath[] Walls(Canvas<CurvedSlicerComponent> canvas) => canvas.All("Walls").Cast<PrintPath>().ToArray();
 
+    // The ends of a box of 2 mm height are its bottom and its top: layers are even between them, found or given by a surface and a curve.
+    [TestCase(FieldKind.Harmonic, false)]
+    [TestCase(FieldKind.Geodesic, false)]
+    [TestCase(FieldKind.Harmonic, true)]
+    public void Layers_change_evenly_between_the_ends_of_the_solid(FieldKind kind, bool given)
+    {
+        var box = Shapes.Box();
+        var (low, high) = (box.GetBoundingBox(true).Min, box.GetBoundingBox(true).Max);
+        var corners = new[] { (low.X, low.Y), (high.X, low.Y), (high.X, high.Y), (low.X, high.Y) };
+        var top = new Rg.Mesh();
+        foreach (var (x, y) in corners) top.Vertices.Add(x, y, high.Z);
+        top.Faces.AddFace(0, 1, 2, 3);
+        var edge = new Rg.PolylineCurve(corners.Append(corners[0]).Select(c => new Rg.Point3d(c.Item1, c.Item2, low.Z)));
+        var field = given ? Make(kind, ("Surfaces", new object?[] { top }), ("Lower Ends", new object?[] { edge })) : Make(kind);
+        Assert.That(field.Errors, Is.Empty);
+        var curved = Slice(field.One<FieldRecipe?>("Field"), box);
+        Assert.That(curved.Errors, Is.Empty);
+        if (!given) Assert.That(curved.Component.Message, Is.EqualTo("4 layers"));
+        Assert.That(Walls(curved), Is.Not.Empty);
+        foreach (var wall in Walls(curved)) Assert.That(wall.Points.Max(p => p.Z) - wall.Points.Min(p => p.Z), Is.LessThan(given ? 0.15 : 0.05));
+    }
+
+    [Test]
+    public void The_ends_of_layers_have_to_touch_the_solid()
+    {
+        var far = Shapes.Box(160);
+        var curved = Slice(Field(FieldKind.Harmonic, ("Surfaces", new object?[] { far })), Shapes.Box());
+        Assert.That(curved.Errors.Single(), Does.Contain("touches no vertex"));
+        Assert.That(Make(FieldKind.Harmonic, ("Lower Ends", new object?[] { far })).Errors.Single(), Does.Contain("Lower Ends go with Surfaces"));
+    }
+
     [Test]
     public void The_field_z_gives_planar_layers()
     {

@@ -19,6 +19,18 @@ public sealed class BoundaryShape
         return new BoundaryShape(p => distance.Nearest(p).Point.DistanceTo(p));
     }
 
+    /// <summary>Several at once.</summary>
+    public static BoundaryShape Of(IReadOnlyList<BoundaryShape> shapes)
+    {
+        if (shapes is null) throw new ArgumentNullException(nameof(shapes));
+        return new BoundaryShape(p =>
+        {
+            var least = double.PositiveInfinity;
+            foreach (var shape in shapes) least = Math.Min(least, shape.DistanceTo(p));
+            return least;
+        });
+    }
+
     /// <summary>Curves on the part.</summary>
     public static BoundaryShape Of(IReadOnlyList<Polyline> curves)
     {
@@ -28,19 +40,11 @@ public sealed class BoundaryShape
             var least = double.PositiveInfinity;
             foreach (var curve in curves)
             {
-                for (var i = 0; i < curve.SegmentCount; i++) least = Math.Min(least, ToSegment(p, curve[i], curve[(i + 1) % curve.Count]));
+                for (var i = 0; i < curve.SegmentCount; i++) least = Math.Min(least, p.DistanceToSegment(curve[i], curve[(i + 1) % curve.Count]));
             }
             return least;
         });
     }
 
     internal double DistanceTo(Vec3 point) => _distance(point);
-
-    private static double ToSegment(Vec3 p, Vec3 a, Vec3 b)
-    {
-        var d = b - a;
-        var square = d.LengthSquared;
-        var t = square > 0 ? Math.Min(1, Math.Max(0, Vec3.Dot(p - a, d) / square)) : 0;
-        return p.DistanceTo(a + d * t);
-    }
 }

@@ -19,9 +19,12 @@ public sealed class LayerFieldComponent() : CaterpillarComponent(
         ports.Choice("Kind", "K",
             "What the layers are: copies of a surface moved upward (Vertical) or offset (Normal); a division of the space from the bed to a surface or between "
                 + "several (Between); level sets of a formula (Formula); cones about a vertical axis (Cone); layers that descend from where the solids stand "
-                + "on the bed (Overhangs); or the flat layers of bent solids (Deformed).",
+                + "on the bed (Overhangs); the flat layers of bent solids (Deformed); or an even change along the solids themselves from their lower to "
+                + "their upper ends, also where they branch (Harmonic, or Geodesic by distances).",
             FieldKind.Vertical);
-        ports.Geometry("Surfaces", "S", "Surfaces in document units, from below: the uppermost faces of meshes, Breps, SubDs, extrusions or surfaces.",
+        ports.Geometry("Surfaces", "S",
+            "Surfaces in document units, from below: the uppermost faces of meshes, Breps, SubDs, extrusions or surfaces. For Harmonic and Geodesic: "
+                + "surfaces or curves on the solids, where layers end; without them ends are found.",
             GH_ParamAccess.list, optional: true);
         ports.Text("Expressions", "E",
             "Formulas: the height of a surface in x and y; for Formula the field in x, y, z, r and theta, such as z - 2 * sin(9 * x); for Deformed the bent "
@@ -42,6 +45,8 @@ public sealed class LayerFieldComponent() : CaterpillarComponent(
             "Origin of the formulas, in document units, the world's by default; axis of the cone, by default through the middle of the solids.",
                 optional: true);
         ports.Number("Tolerance", "T", "Maximum deviation of facets from a curved surface, in mm.", 0.05);
+        ports.Geometry("Lower Ends", "LE", "For Harmonic and Geodesic: surfaces or curves on the solids, where layers begin; the bottom by default.",
+            GH_ParamAccess.list, optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)

@@ -156,7 +156,8 @@ public class CurvedSlicerTests
         Assert.That(sliced.Diagnostics.Any(d => d.Code == "curved.merged_layers"), Is.EqualTo(least == 0));
         var findings = PrintCheck.Run(Planner.Plan(sliced.Value!.ToSteps(), setup).OrThrow(), setup);
         Assert.That(findings.Select(f => f.Code), Has.No.Member(CheckCodes.Doubled).And.No.Member(CheckCodes.Unsupported));
-        var heights = sliced.Value.Layers.SelectMany(l => l.Steps).SelectMany(s => Enumerable.Range(0, s.Path.SegmentCount).Select(k => s.Path.BeadOf(k).Height));
+        var paths = sliced.Value.Layers.SelectMany(l => l.Steps).Select(s => s.Path);
+        var heights = paths.SelectMany(p => Enumerable.Range(0, p.SegmentCount).Select(k => p.BeadOf(k).Height));
         Assert.That(heights.Min(), least == 0 ? Is.GreaterThan(0.06) : Is.LessThan(0.05));
     }
 
