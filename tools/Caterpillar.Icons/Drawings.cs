@@ -77,7 +77,7 @@ internal static class Drawings
         ["LayerFieldParam"] = c => c.Hexagon().Polyline(1.6, Ink.Green, 7, 9.5, 10, 8, 14, 10, 17, 8.5)
             .Polyline(1.6, Ink.Light, 7, 12.5, 10, 11, 14, 13, 17, 11.5)
             .Polyline(1.6, Ink.Orange, 7, 15.5, 10, 14, 14, 16, 17, 14.5),
-        ["ReadCurves"] = c => { Page(c); c.Polyline(2, Ink.Green, 7.5, 17, 9, 10, 13, 9, 14, 14, 17, 8); },
+        ["ReadCurves"] = c => { Page(c); c.Ring(12, 13.5, 3.8, 1.9, Ink.Green); },
         ["PlanToolpath"] = c => c.Polyline(2, Ink.Green, 4, 19, 10, 19, 10, 13).Polyline(1.2, Ink.Gray, 10, 13, 12, 6, 16, 6, 17, 12)
             .Polyline(2, Ink.Green, 17, 12, 17, 19, 20.5, 19)
             .Disc(4.5, 19, 2, Ink.Dark).Disc(19.5, 19, 2, Ink.Orange),
@@ -87,9 +87,8 @@ internal static class Drawings
         ["DecodeGCode"] = c => { Page(c); c.Polyline(2, Ink.Green, 8, 17, 11, 10, 14, 14, 18, 7); },
         ["DeconstructPrintPath"] = c => c.Polyline(2.4, Ink.Green, 4, 18, 9, 7, 15, 15, 20, 5).Disc(4.2, 18, 2, Ink.Dark).Disc(9, 7, 2, Ink.Dark)
             .Disc(15, 15, 2, Ink.Dark).Disc(19.8, 5.2, 2, Ink.Dark),
-        ["SortPaths"] = c => c.Line(3.5, 6, 9, 6, 2.2, Ink.Green).Line(9, 6, 15, 12, 1.2, Ink.Gray).Line(15, 12, 20.5, 12, 2.2, Ink.Green)
-            .Line(15, 12, 9, 18, 1.2, Ink.Gray)
-            .Line(3.5, 18, 9, 18, 2.2, Ink.Green).Disc(9, 6, 1.7, Ink.Dark).Disc(15, 12, 1.7, Ink.Dark).Disc(9, 18, 1.7, Ink.Dark),
+        ["SortPaths"] = c => c.Line(3.5, 4.5, 7, 4.5, 2.4, Ink.Green).Line(3.5, 9.5, 9.5, 9.5, 2.4, Ink.Green).Line(3.5, 14.5, 12, 14.5, 2.4, Ink.Green)
+            .Line(3.5, 19.5, 14.5, 19.5, 2.4, Ink.Green).Line(18.5, 4, 18.5, 15, 1.6, Ink.Dark).Polygon(Ink.Dark, 15, 14.5, 22, 14.5, 18.5, 20.5),
         ["GapBead"] = c => c.Polygon(Ink.Gray, 3, 21, 3, 17, 9, 12, 15, 15.5, 21, 11, 21, 21).Polygon(Ink.Green, 3, 16, 9, 11, 15, 14.5, 21, 10, 21, 7, 3, 7)
             .Line(3, 5, 21, 5, 1.4, Ink.Dark),
         ["ConstructPrintPath"] = c => c.Polyline(2.4, Ink.Green, 4, 18, 9, 7, 15, 15, 20, 5).Line(14.5, 19.5, 20.5, 19.5, 1.8, Ink.Dark)
