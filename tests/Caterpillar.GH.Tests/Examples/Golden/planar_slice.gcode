@@ -1,4 +1,4 @@
-; 19594 lines, SHA-256 38ecf4370fa5f9604097823fe5162885129e547b3cb67bace19f3b2d9d4c7535
+; 19594 lines, SHA-256 f3d42637f19e19ac59e981904c3694049ec93b41d6fec820f46b6c17fe85a417
 ; Made with Caterpillar
 ; Dialect marlin2
 ; Printer generic, material pla, settings standard
