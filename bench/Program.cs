@@ -10,6 +10,7 @@ namespace Caterpillar.Bench;
 /// <c>dotnet run -c Release --project bench -- targets PROGRAM BIG.gcode MESHES</c>: every target of speed that can be measured without other programs, with
 /// the published PROGRAM, as a table (bench/targets.sh).
 /// <c>dotnet run -c Release --project bench -- chart bench/RESULTS.md</c>: the chart of that table.
+/// <c>dotnet run -c Release --project bench -- deviation MODEL...</c>: how far outer walls lie from the exact sections.
 /// <c>dotnet run -c Release --project bench -- stages MODEL...</c>: the stages of a slice.
 /// <c>dotnet run -c Release --project bench -- curved PROGRAM MODELS</c>: curved against planar slicing with the published PROGRAM.
 /// <c>dotnet run -c Release --project bench -- mesh TRIANGLES FILE.stl</c>: a bumpy sphere of about so many triangles.
@@ -25,6 +26,7 @@ internal static class Program
         else if (arguments is ["targets", var program, var gcode, var meshes]) Targets.Run(program, gcode, meshes);
         else if (arguments is ["stl", var model, var stl]) Samples.WriteStl(model, stl);
         else if (arguments is ["curved", var published, var models]) CurvedRuns.Run(published, models);
+        else if (arguments is ["deviation", _, ..]) Deviation.Run(arguments[1..]);
         else if (arguments is ["stages", _, ..]) Stages.Run(arguments[1..]);
         else if (arguments is ["mesh", var triangles, var target]) Samples.WriteSphere(int.Parse(triangles, CultureInfo.InvariantCulture), target);
         else BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(arguments);
