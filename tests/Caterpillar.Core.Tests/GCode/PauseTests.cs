@@ -68,6 +68,13 @@ public class PauseTests
     private static Toolpath Decode(string text)
         => GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!.Toolpath;
 
+    [Test]
+    public void The_lift_counts_from_the_highest_place_of_a_strand_that_falls()
+    {
+        var text = Written("G90\nM83\n;LAYER:0\nG0 X10 Y20 Z3 F6000\nG1 X30 Z1 E1 F1200\n;LAYER:1\nG0 Z3.5 F600\nG1 X10 E1 F1200\n", 1, Lifted);
+        Assert.That(text, Does.Contain("G0 Z8 F600\n"), "5 mm above Z 3");
+    }
+
     private static string Written(string text, int layer, Pause pause)
     {
         var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!;

@@ -258,4 +258,16 @@ public class RegionOffsetTests
     }
 
     private static bool Fast => Type.GetType("Mono.Runtime") is null;
+
+    [Test]
+    public void A_closed_line_that_repeats_its_first_point_has_the_same_strip_around_it()
+    {
+        Vec3[] corners = [new(0, 0), new(20, 0), new(20, 10), new(5, 14)];
+        var once = Region.Around([new Polyline(corners, true)], 1);
+        var twice = Region.Around([new Polyline(corners.Append(corners[0]), true)], 1);
+        Assert.That(twice.Area, Is.EqualTo(once.Area).Within(1e-9));
+        Assert.That(twice.Subtract(once).IsEmpty && once.Subtract(twice).IsEmpty, Is.True);
+        // One corner less is another strip.
+        Assert.That(Region.Around([new Polyline(corners.Take(3), true)], 1).Area, Is.Not.EqualTo(once.Area).Within(1));
+    }
 }

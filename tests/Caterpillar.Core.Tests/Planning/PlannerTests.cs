@@ -119,4 +119,17 @@ public class PlannerTests
     {
         Layer = new Layer(layer, z), Role = layer > 0 ? Role.OuterWall : Role.Infill,
     };
+
+    [Test]
+    public void Paths_at_the_heights_of_layers_count_as_these_layers()
+    {
+        // Layers of 0.2 mm without numbers: the fan starts with the third, at 0.6 mm, rounding errors aside.
+        Step[] steps = new[] { 0.2, 0.4, 0.6, 0.8 }.Select(z => (Step)new PathStep(new PrintPath([new Vec3(0, 0, z), new Vec3(10, 0, z)], new Bead(0.1))))
+            .ToArray();
+        var settings = Settings with { FirstLayerHeight = 0.2, LayerHeight = 0.2 };
+        var toolpath = Planner.Plan(steps, new PrintSetup(Printer, new Material { FanPercent = 50, FanOffLayers = 2 }, settings), From0).Value!;
+        var fan = toolpath.Events.Single(e => e.Event is FanEvent);
+        var first = toolpath.Moves().First(m => m.Kind == MoveKind.Print && m.Index >= fan.Move);
+        Assert.That(first.End.Z, Is.EqualTo(0.6).Within(1e-12));
+    }
 }

@@ -107,4 +107,60 @@ public class ImageReaderTests
     ];
 
     private static GrayImage Read(string text) => ImageReader.Read(Encoding.ASCII.GetBytes(text), "a.pgm").Value!;
+
+    [Test]
+    public void Every_filter_works_in_the_first_row_and_below_it()
+    {
+        // 3 × 2 gray pixels of 8 bits: 51, 102, 153 over 204, 153, 102, each row as its filter writes it.
+        byte[] top = [51, 102, 153], low = [204, 153, 102];
+        for (var filter = 0; filter <= 4; filter++)
+        {
+            var image = ImageReader.Read(Png(3, 2, [.. Filtered(top, new byte[3], filter), .. Filtered(low, top, filter)]), "a.png").OrThrow();
+            var read = Enumerable.Range(0, 6).Select(i => Math.Round(image[i % 3, i / 3] * 255)).ToArray();
+            Assert.That(read, Is.EqualTo(new double[] { 51, 102, 153, 204, 153, 102 }), "filter " + filter);
+        }
+    }
+
+    // By the standard: what is written is the difference from the left, from above, from the mean of both, or from the nearest of three.
+    private static byte[] Filtered(byte[] row, byte[] above, int filter)
+    {
+        var result = new byte[row.Length + 1];
+        result[0] = (byte)filter;
+        for (var i = 0; i < row.Length; i++)
+        {
+            int left = i > 0 ? row[i - 1] : 0, up = above[i], corner = i > 0 ? above[i - 1] : 0, guess = left + up - corner;
+            int[] candidates = [left, up, corner];
+            var nearest = candidates.OrderBy(c => Math.Abs(guess - c)).First();
+            result[i + 1] = (byte)(row[i] - new[] { 0, left, up, (left + up) / 2, nearest }[filter]);
+        }
+        return result;
+    }
+
+    private static byte[] Png(int width, int height, byte[] rows)
+    {
+        using var packed = new System.IO.MemoryStream();
+        packed.Write([0x78, 0x9C], 0, 2);
+        using (var deflate = new System.IO.Compression.DeflateStream(packed, System.IO.Compression.CompressionMode.Compress, true)) deflate.Write(rows, 0,
+            rows.Length);
+        uint a = 1, b = 0;
+        foreach (var value in rows)
+        {
+            a = (a + value) % 65521;
+            b = (b + a) % 65521;
+        }
+        packed.Write(Number(b << 16 | a), 0, 4);
+        return
+        [
+            0x89, 0x50, 0x4E, 0x47, 13, 10, 26, 10, .. Chunk("IHDR", [.. Number((uint)width), .. Number((uint)height), 8, 0, 0, 0, 0]),
+            .. Chunk("IDAT", packed.ToArray()), .. Chunk("IEND", []),
+        ];
+    }
+
+    private static byte[] Chunk(string name, byte[] data)
+    {
+        byte[] named = [.. Encoding.ASCII.GetBytes(name), .. data];
+        return [.. Number((uint)data.Length), .. named, .. Number(Crc32.Of(named, 0, named.Length))];
+    }
+
+    private static byte[] Number(uint value) => [(byte)(value >> 24), (byte)(value >> 16), (byte)(value >> 8), (byte)value];
 }

@@ -55,4 +55,25 @@ public class ToolTiltTests
         var block2 = decoded.Blocks[decoded.Blocks.Count - 1].Columns;
         Assert.That((block2.B![block2.Count - 1], block2.C![block2.Count - 1]), Is.EqualTo((11.31, 180.0)));
     }
+
+    [Test]
+    public void Arcs_become_chords_that_keep_their_circle_their_material_and_the_normal_of_each_place()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 0, 0));
+        builder.Add(new Vec3(-10, 0, 0), 4, 4, 20, MoveKind.Print, Role.OuterWall, -1, 0, 0, new Arc(Vec3.Zero, 180));
+        // The normal leans outward by 10 degrees everywhere.
+        var tilted = new ToolTilt(TiltAxes.BC).Apply(builder.Build([new ToolpathTool(1)]), p => (p.Unit() * Angle.Sin(10) + Vec3.UnitZ * Angle.Cos(10)));
+        var moves = tilted.Moves().ToArray();
+        Assert.That(moves, Has.Length.GreaterThan(10));
+        Assert.That(moves.Select(m => m.End.Length), Is.All.EqualTo(10).Within(1e-9));
+        Assert.That(moves.Zip(moves.Skip(1), (a, b) => Angle.Atan2(b.End.Y, b.End.X) - Angle.Atan2(a.End.Y, a.End.X)),
+            Is.All.EqualTo(180.0 / moves.Length).Within(1e-9));
+        Assert.That((moves.Sum(m => m.E), moves.Sum(m => m.Deposited)), Is.EqualTo((4.0, 4.0)).Within(1e-9));
+        var columns = tilted.Blocks.Single().Columns;
+        for (var i = 0; i < moves.Length; i++)
+        {
+            Assert.That(columns.B![i], Is.EqualTo(10).Within(1e-9));
+            Assert.That(columns.C![i], Is.EqualTo(180.0 * (i + 1) / moves.Length).Within(1e-9));
+        }
+    }
 }

@@ -204,4 +204,15 @@ internal sealed class ScriptShapingTests
             error.ToString());
         Assert.That(error.Message, Does.Contain(message));
     }
+
+    [Test]
+    public void Travels_in_a_deformed_block_are_deformed_from_their_first_point_on()
+    {
+        var steps = TurtleScript.Compile("start 100 90 0.3\nbead 0.5 0.2\ndeform x = x + 7, y = 2 * y [ forward 5; penup; left 90; forward 10; right 90; "
+            + "forward 3; pendown; forward 5 ]", "p")
+            .OrThrow().Run().OrThrow().ToSteps();
+        var travel = steps.OfType<TravelStep>().Single(t => t.Points.Count == 2);
+        Assert.That(travel.Points[0].DistanceTo(new Vec3(112, 110, 0.3)), Is.LessThan(1e-9));
+        Assert.That(travel.Points[1].DistanceTo(new Vec3(115, 110, 0.3)), Is.LessThan(1e-9));
+    }
 }
