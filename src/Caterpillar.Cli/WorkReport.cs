@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.IO;
 using Caterpillar.Basics;
-using Caterpillar.Checks;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
 using Newtonsoft.Json;
@@ -15,9 +14,9 @@ internal static class WorkReport
     /// <param name="output">The file that was written.</param>
     /// <param name="counts">Counts of the verb itself, which come first.</param>
     /// <param name="plan">The plan; its toolpath is measured.</param>
-    /// <param name="written">What was written.</param>
+    /// <param name="written">What was written, and what the checks found.</param>
     public static string ToJson(
-        IReadOnlyList<string> inputs, string output, IEnumerable<KeyValuePair<string, double>> counts, Plan plan, WrittenGCode written)
+        IReadOnlyList<string> inputs, string output, IEnumerable<KeyValuePair<string, double>> counts, Plan plan, WrittenFile written)
     {
         using var text = new StringWriter { NewLine = "\n" };
         using var json = new JsonTextWriter(text) { Formatting = Formatting.Indented };
@@ -55,8 +54,10 @@ internal static class WorkReport
         Number("printed_mm", printed);
         Number("deposited_mm3", deposited);
         foreach (var value in plan.Report.ToValues()) Number(value.Key, value.Value);
-        Number("lines", written.Lines);
-        Number("bytes", written.Bytes);
+        Number("lines", written.GCode.Lines);
+        Number("bytes", written.GCode.Bytes);
+        json.WritePropertyName("findings");
+        FindingSummary.Write(json, written.Findings);
         json.WriteEndObject();
         json.Flush();
         return text + "\n";

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Linq;
@@ -57,10 +58,11 @@ internal sealed class WriteOptions
 
     /// <summary>The same, returning details of the file; one larger than <paramref name="maxBytes"/> is not written.</summary>
     /// <exception cref="CliException">A check refused, or the file would be too large.</exception>
-    public WrittenGCode WriteGCode(ParseResult arguments, Session session, Toolpath toolpath, PrintSetup setup, string file,
+    public WrittenFile WriteGCode(ParseResult arguments, Session session, Toolpath toolpath, PrintSetup setup, string file,
         double maxBytes = double.PositiveInfinity)
     {
         WrittenGCode? written = null;
+        IReadOnlyList<Diagnostic> findings = [];
         session.Write(file, (stream, isDraft) => BinaryGCode.WriteAs(file, stream, text =>
         {
             var reason = arguments.GetValue(_reason);
@@ -71,6 +73,8 @@ internal sealed class WriteOptions
             var result = file == "-" ? Write(null) : session.WithProgress("Writing", Write);
             // What the checks merely remark on is for "caterpillar check".
             session.Print(result.Diagnostics.Where(d => d.Severity != Severity.Remark || CheckCodes.Find(d.Code) is null));
+            if (FindingSummary.Of(result.Diagnostics) is { } summary) session.Say(() => summary);
+            findings = result.Diagnostics.Where(d => CheckCodes.Find(d.Code) is not null).ToArray();
             written = result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
             if (written.Bytes > maxBytes)
                 throw new CliException(ExitCode.Refused,
@@ -78,7 +82,7 @@ internal sealed class WriteOptions
         }, session.Cancel));
         session.Made(() => PrintFigures.Of(toolpath, setup, Time(written!, toolpath, setup, session)), written!.Lines, written.Bytes,
             print => $"{Session.NameOfOutput(file)}: {PrintSummary.Of(print)}; {Count(written.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
-        return written!;
+        return new WrittenFile(written!, findings);
     }
 
     // Start and end code apart; written files of some printers are not timed.
@@ -87,3 +91,6 @@ internal sealed class WriteOptions
 
     private static string Count(long number) => NumberFormatter.Format(number);
 }
+
+/// <summary>A G-code file that was written, and what the checks found in it.</summary>
+internal sealed record WrittenFile(WrittenGCode GCode, IReadOnlyList<Diagnostic> Findings);

@@ -122,6 +122,32 @@ public class SliceTests : CliFixture
     }
 
     [Test]
+    public void Findings_name_object_and_layer_in_messages_and_as_data()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        var run = Run("slice", "part.stl", "--json", "--set", "print_speed_mm_s=90", "--set", "max_speed_mm_s=60,60,60,60");
+        Assert.That(run.Messages, Does.Match(@"box, layer 1 -> line \d+, step \d+, move \d+: warning limit\.speed: "));
+        var finding = System.Text.Json.JsonDocument.Parse(run.Output).RootElement.GetProperty("findings").EnumerateArray()
+            .Single(f => f.GetProperty("code").GetString() == "limit.speed");
+        var origin = finding.GetProperty("origin");
+        Assert.That((origin.GetProperty("file").GetString(), origin.GetProperty("layer").GetInt32()), Is.EqualTo(("box", 1)));
+        Assert.That(finding.GetProperty("line").GetInt32(), Is.GreaterThan(10));
+        Assert.That(finding.GetProperty("count").GetInt32(), Is.GreaterThan(10));
+        var check = Run("check", "part.gcode", "--set", "max_speed_mm_s=60,60,60,60");
+        Assert.That(check.Text, Does.Match(@"layer 1 -> part\.gcode:\d+, move \d+: warning limit\.speed"));
+    }
+
+    [Test]
+    public void Several_kinds_of_findings_are_summed_up_in_a_line()
+    {
+        File.WriteAllText("a.turtle", "start 10 10 8\nspeed 900\nforward 80\nforward 80\n");
+        var run = Run("turtle", "a.turtle");
+        Assert.That(run.Messages, Does.Contain("5 findings of 3 kinds: limit.flow 2, limit.speed 2, strand.unsupported 1."));
+        File.WriteAllText("b.turtle", "start 10 10 0.2\nforward 80\n");
+        Assert.That(Run("turtle", "b.turtle").Messages, Does.Not.Contain("kinds"));
+    }
+
+    [Test]
     public void Interrupted_work_leaves_nothing()
     {
         File.WriteAllText("part.stl", Box(20, 10, 2));

@@ -5,6 +5,7 @@ using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
+using Newtonsoft.Json;
 
 namespace Caterpillar.Cli.Commands;
 
@@ -20,6 +21,7 @@ internal sealed class CheckVerb : Verb
     private readonly Option<string?> _dialect = CommonOptions.Dialect();
     private readonly SetupOptions _setup = new();
     private readonly Option<int> _threads = CommonOptions.Threads();
+    private readonly Option<bool> _json = new("--json") { Description = "Print the findings as a JSON array." };
 
     public CheckVerb()
         : base("check", "Check G-code files against a printer: build volume, flow, temperatures.")
@@ -28,12 +30,14 @@ internal sealed class CheckVerb : Verb
         _setup.AddTo(this);
         Options.Add(_dialect);
         Options.Add(_threads);
+        Options.Add(_json);
         AllowBatches();
     }
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
         ("check part.gcode --printer ender3", "what a printer cannot or must not do"),
+        ("check part.gcode --json", "the same as data, with object, layer and line"),
     ];
 
     public override int Run(ParseResult arguments, Session session)
@@ -56,6 +60,14 @@ internal sealed class CheckVerb : Verb
         }
         session.WriteText("-", text =>
         {
+            if (arguments.GetValue(_json))
+            {
+                using var json = new JsonTextWriter(text) { Formatting = Formatting.Indented, CloseOutput = false };
+                FindingSummary.Write(json, all);
+                json.Flush();
+                text.WriteLine();
+                return;
+            }
             foreach (var finding in all) text.WriteLine(finding.ToString());
         });
         session.Found(all);

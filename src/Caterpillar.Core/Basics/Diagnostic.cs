@@ -1,3 +1,4 @@
+using System;
 using System.Text;
 
 namespace Caterpillar.Basics;
@@ -16,13 +17,14 @@ public enum Severity
 }
 
 /// <summary>
-/// Where a <see cref="Diagnostic"/> comes from. Any part may be missing; lines and columns count from 1, steps and moves from 0. The origin is the place in
-/// the design that it was made from: the line of a script, an entry of a file of curves.
+/// Where a <see cref="Diagnostic"/> comes from. Any part may be missing; lines and columns count from 1, steps, moves and layers from 0. The origin is the
+/// place in the design that it was made from: the line of a script, an entry of a file of curves, an object and its layer.
 /// </summary>
 public sealed record SourceLocation(
-    string? File = null, int? Line = null, int? Column = null, string? Key = null, int? Step = null, int? Move = null, SourceLocation? Origin = null)
+    string? File = null, int? Line = null, int? Column = null, string? Key = null, int? Step = null, int? Move = null, SourceLocation? Origin = null,
+    int? Layer = null)
 {
-    /// <summary>For example <c>part.gcode:12:4</c>, <c>ender3.json: layer_height_mm</c> or <c>move 731</c>.</summary>
+    /// <summary>For example <c>part.gcode:12:4</c>, <c>ender3.json: layer_height_mm</c>, <c>vase.stl, layer 12</c> or <c>move 731</c>.</summary>
     public override string ToString()
     {
         var text = new StringBuilder();
@@ -32,6 +34,7 @@ public sealed record SourceLocation(
         if (Line is { } line) text.Append(text.Length > begin ? ":" : "line ").Append(NumberFormatter.Format(line));
         if (Column is { } column) text.Append(':').Append(NumberFormatter.Format(column));
         if (Key is not null) text.Append(text.Length > begin ? ": " : "").Append(LongWords.Shorten(Key));
+        if (Layer is { } layer) text.Append(text.Length > begin ? ", " : "").Append("layer ").Append(NumberFormatter.Format(layer));
         if (Step is { } step) text.Append(text.Length > begin ? ", " : "").Append("step ").Append(NumberFormatter.Format(step));
         if (Move is { } move) text.Append(text.Length > begin ? ", " : "").Append("move ").Append(NumberFormatter.Format(move));
         return text.ToString();
@@ -49,6 +52,13 @@ public sealed record Diagnostic(Severity Severity, string Code, string Message, 
     /// <summary>A sentence for the user, with units. What it quotes is shortened where it is longer than a line.</summary>
     public string Message { get; init; } = LongWords.Shorten(Message);
 
+    /// <summary>The worst of several, where that is known and not the first.</summary>
+    public Diagnostic? Worst { get; init; }
+
+    /// <summary>The same with other places, also of the worst.</summary>
+    internal Diagnostic WithSource(Func<SourceLocation?, SourceLocation?> change)
+        => this with { Source = change(Source), Worst = Worst?.WithSource(change) };
+
     /// <summary>For example <c>part.stl: warning mesh.open_edges: 12 open edges. (3 times)</c>.</summary>
     public override string ToString()
     {
@@ -57,7 +67,9 @@ public sealed record Diagnostic(Severity Severity, string Code, string Message, 
         if (!string.IsNullOrEmpty(source)) text.Append(source).Append(": ");
         text.Append(Severity switch { Severity.Error => "error ", Severity.Warning => "warning ", _ => "remark " });
         text.Append(Code).Append(": ").Append(Message);
-        if (Count > 1) text.Append(" (").Append(NumberFormatter.Format(Count)).Append(" times)");
+        if (Count > 1) text.Append(" (").Append(NumberFormatter.Format(Count)).Append(" times").Append(WorstText()).Append(')');
         return text.ToString();
     }
+
+    private string WorstText() => Worst is null ? "" : $", the worst: {(Worst.Source is { } place ? place + ": " : "")}{Worst.Message}";
 }

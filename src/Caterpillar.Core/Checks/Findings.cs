@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -7,13 +8,15 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// What checks find along a toolpath: for each kind the first place and a count, as serious as the printer says. Messages are made for the first finding
-/// only.
+/// What checks find along a toolpath: for each kind the first place, the worst and a count, as serious as the printer says. Messages are made for those only.
 /// </summary>
 internal sealed class Findings
 {
+    // What is worse by less is not told: else a slow rise would have a message for each move.
+    private const double Worse = 1.02;
     private readonly Dictionary<string, Severity?> _severities = new(StringComparer.Ordinal);
     private readonly DiagnosticList _list = new();
+    private readonly Dictionary<string, (double Size, Diagnostic? Finding)> _worst = new(StringComparer.Ordinal);
     private readonly Func<int, SourceLocation?> _place;
     private readonly Func<MoveEvent, SourceLocation?> _placeOfEvent;
 
@@ -36,17 +39,25 @@ internal sealed class Findings
     /// <summary>Hears of each finding at a move.</summary>
     public Action<string, int>? Heard { get; init; }
 
-    public void Add(string code, int move, Func<string> message)
+    /// <summary>Adds a finding at a move; the larger its size, the worse it is among those of its code.</summary>
+    public void Add(string code, int move, Func<string> message, double size = 0)
     {
         Heard?.Invoke(code, move);
-        Add(code, () => _place(move), message);
+        Add(code, () => _place(move), message, size);
     }
 
-    public void Add(string code, Func<SourceLocation?> place, Func<string> message)
+    public void Add(string code, Func<SourceLocation?> place, Func<string> message, double size = 0)
     {
         if (_severities[code] is not { } severity) return;
-        if (_list.Contains(code, severity)) _list.Add(severity, code, "");
-        else _list.Add(severity, code, message(), place());
+        if (!_list.Contains(code, severity))
+        {
+            _list.Add(severity, code, message(), place());
+            if (size > 0) _worst[code] = (size, null);
+            return;
+        }
+        _list.Add(severity, code, "");
+        if (size > 0 && _worst.TryGetValue(code, out var worst) && size > worst.Size * Worse)
+            _worst[code] = (size, new Diagnostic(severity, code, message(), place()));
     }
 
     /// <summary>The place of a move.</summary>
@@ -55,7 +66,15 @@ internal sealed class Findings
     /// <summary>The place of an event.</summary>
     public SourceLocation? PlaceOfEvent(MoveEvent what) => _placeOfEvent(what);
 
-    public IReadOnlyList<Diagnostic> ToList() => _list.ToList();
+    public IReadOnlyList<Diagnostic> ToList()
+    {
+        var list = _list.ToList().ToArray();
+        for (var i = 0; i < list.Length; i++)
+        {
+            if (_worst.TryGetValue(list[i].Code, out var worst) && worst.Finding is not null) list[i] = list[i] with { Worst = worst.Finding };
+        }
+        return list;
+    }
 
     private static SourceLocation? PlaceIn(Toolpath toolpath, MoveEvent what)
     {
@@ -70,9 +89,9 @@ internal sealed class Findings
     {
         // Before the first move and after the last there is none to name.
         if (move < 0 || move >= toolpath.Count) return null;
-        var source = toolpath[move].Source;
+        var (source, layer) = (toolpath[move].Source, toolpath[move].Layer);
         return toolpath.Source == MoveSource.Lines
-            ? new SourceLocation(Line: source > 0 ? source : null, Move: move)
+            ? new SourceLocation(Line: source > 0 ? source : null, Move: move, Origin: toolpath.PlaceOfLayer(layer))
             : new SourceLocation(Step: source >= 0 ? source : null, Move: move, Origin: toolpath.PlaceOf(move));
     }
 }

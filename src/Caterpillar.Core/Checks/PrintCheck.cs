@@ -38,7 +38,7 @@ public static class PrintCheck
         var toolpath = WithVolumes(file.Toolpath, setup);
         var findings = Run(toolpath, setup, CheckScope.OfFile(file, setup), () => new Findings(setup.Printer, toolpath), progress, cancel);
         if (file.Report.File is not { Length: > 0 } name) return findings;
-        return findings.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }).ToArray();
+        return findings.Select(d => d.WithSource(s => (s ?? new SourceLocation()) with { File = name })).ToArray();
     }
 
     /// <summary>
@@ -59,7 +59,7 @@ public static class PrintCheck
         var (limits, prints) = (findings(), findings());
         IMoveCheck[] ofLimits =
         [
-            new PositionCheck(setup.Printer, limits), new RateCheck(setup, limits), new HeatCheck(setup, scope, limits),
+            new PositionCheck(setup.Printer, limits), new RateCheck(toolpath, setup, limits), new HeatCheck(setup, scope, limits),
             new StationaryCheck(setup.Printer, limits), new FileCheck(toolpath, setup.Printer, scope, limits), new GapCheck(limits),
         ];
         IMoveCheck[] ofPrints = [new DepositCheck(setup, prints)];

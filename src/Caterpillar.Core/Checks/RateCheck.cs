@@ -1,15 +1,26 @@
 using System;
 using Caterpillar.Basics;
 using Caterpillar.Machines;
+using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Speeds and accelerations beyond the axes, more material than hot end and material allow, tools that do not exist.</summary>
-internal sealed class RateCheck(PrintSetup setup, Findings findings) : IMoveCheck
+/// <summary>
+/// Speeds and accelerations beyond the axes and the extruder, limits that the file raises above those of the printer, more material than hot end and material
+/// allow, tools that do not exist.
+/// </summary>
+internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings findings) : IMoveCheck
 {
     private const double Rounding = 1.001;
     private readonly Printer _printer = setup.Printer;
+    private readonly AxisShares _shares = new(setup.Printer);
+
+    // Of the printer, and as the file has set them by now.
+    private readonly MachineLimits _own = new(setup.Printer);
+    private readonly MachineLimits _limits = new(setup.Printer);
+    private readonly double[] _filamentPerE = MotionPlanner.FilamentPerE(toolpath, setup);
+    private bool _raised;
 
     // What rounding in a file may change: coordinates in mm, E, speeds in mm/s.
     private readonly double _roundedXyz = Math.Pow(10, -setup.Printer.DecimalsXyz);
@@ -18,30 +29,34 @@ internal sealed class RateCheck(PrintSetup setup, Findings findings) : IMoveChec
 
     public void Event(MoveEvent what)
     {
-        var (value, most) = what.Event switch
+        _limits.Apply(what.Event);
+        switch (what.Event)
         {
-            AccelerationEvent set => (set.Value, OfHead(_printer.MaxAcceleration)),
-            LimitEvent { Limit: MotionLimit.PrintAcceleration or MotionLimit.TravelAcceleration } set => (set.Value, OfHead(_printer.MaxAcceleration)),
-            LimitEvent { Limit: MotionLimit.RetractionAcceleration } set => (set.Value, _printer.MaxAcceleration.E),
-            LimitEvent { Limit: MotionLimit.AccelerationX } set => (set.Value, _printer.MaxAcceleration.X),
-            LimitEvent { Limit: MotionLimit.AccelerationY } set => (set.Value, _printer.MaxAcceleration.Y),
-            LimitEvent { Limit: MotionLimit.AccelerationZ } set => (set.Value, _printer.MaxAcceleration.Z),
-            LimitEvent { Limit: MotionLimit.AccelerationE } set => (set.Value, _printer.MaxAcceleration.E),
-            _ => (0, 0),
-        };
-        if (!(value > most)) return;
-        findings.Add(CheckCodes.Acceleration, what.Move,
-            () => $"An acceleration is set to {Figures.Short(value)} mm/s²; {_printer.Title} stands {Figures.Short(most)} mm/s².");
+            case AccelerationEvent set:
+                if (set.Value > OfHead(_printer.MaxAcceleration)) ReportAcceleration(what, set.Value, OfHead(_printer.MaxAcceleration));
+                break;
+            case LimitEvent { Limit: <= MotionLimit.AccelerationE } set:
+                if (set.Value > MostAcceleration(set.Limit)) ReportAcceleration(what, set.Value, MostAcceleration(set.Limit));
+                break;
+            case LimitEvent set:
+                if (!Counts(set.Limit) || !(set.Value > _own[set.Limit])) break;
+                _raised |= set.Limit is MotionLimit.Speed or <= MotionLimit.SpeedE;
+                ReportRaised(what, set);
+                break;
+        }
     }
 
     public void Move(in CheckedMove move)
     {
         if (move.Tool >= _printer.ToolCount) ReportTool(move);
-        if (!move.StartKnown || !(move.Length > 0) || !(move.Speed > 0)) return;
-        var most = MaxSpeed(move, _printer.MaxSpeed);
+        if (!move.StartKnown || !(move.Speed > 0)) return;
+        var filament = move.E * _filamentPerE[Math.Min(Math.Max(move.Tool, 0), _filamentPerE.Length - 1)];
+        var most = _shares.MaxSpeed(move, filament, _limits);
         // Travels are slowed down without harm; a strand printed more slowly is not the one that was asked for.
-        if (move.Speed > most * (1 + 1e-9) + _roundedF) ReportSpeed(move, most);
-        if (move.Kind != MoveKind.Print) return;
+        if (move.Speed > most * (1 + 1e-9) + _roundedF) ReportSpeed(move, most, move.Length > 0 ? "there at" : "at", " and will slow down");
+        else if (_raised && _shares.MaxSpeed(move, filament, _own) is var own && move.Speed > own * (1 + 1e-9) + _roundedF)
+            ReportSpeed(move, own, "for", ", a limit that the file has raised");
+        if (move.Kind != MoveKind.Print || !(move.Length > 0)) return;
         var flow = move.Deposited / move.Length * Math.Min(move.Speed, most);
         if (!(flow > setup.MaxFlow * Rounding)) return;
         // In short moves the last decimals count for more.
@@ -49,26 +64,50 @@ internal sealed class RateCheck(PrintSetup setup, Findings findings) : IMoveChec
         if (least > setup.MaxFlow * Rounding) ReportFlow(flow, move.Index);
     }
 
-    public void End(Toolpath toolpath)
+    public void End(Toolpath whole)
     {
     }
 
     private static double OfHead(AxisValues axes) => Math.Max(axes.X, axes.Y);
 
-    // What the axes allow in a direction; an arc is taken by its chord in Z and by the slower of X and Y.
-    private double MaxSpeed(in CheckedMove move, AxisValues axes)
+    private double MostAcceleration(MotionLimit limit) => limit switch
     {
-        var path = move.End - move.Start;
-        if (path == Geometry.Vec3.Zero) return Math.Min(axes.X, axes.Y);
-        return Math.Min(MaxSpeed(path.X, move.Length, axes.X), Math.Min(MaxSpeed(path.Y, move.Length, axes.Y), MaxSpeed(path.Z, move.Length, axes.Z)));
-    }
+        MotionLimit.AccelerationX => _printer.MaxAcceleration.X,
+        MotionLimit.AccelerationY => _printer.MaxAcceleration.Y,
+        MotionLimit.AccelerationZ => _printer.MaxAcceleration.Z,
+        MotionLimit.PrintAcceleration or MotionLimit.TravelAcceleration => OfHead(_printer.MaxAcceleration),
+        _ => _printer.MaxAcceleration.E,
+    };
 
-    // Where an axis moves by a few of the last decimals, its share is not known better.
-    private double MaxSpeed(double along, double length, double axis)
+    // Of the limits for corners only those of the firmware's own rule.
+    private bool Counts(MotionLimit limit) => limit switch
     {
-        var path = Math.Abs(along) < 20 * _roundedXyz ? Math.Abs(along) - _roundedXyz : Math.Abs(along);
-        return path > 0 ? axis * length / path : double.MaxValue;
-    }
+        >= MotionLimit.JerkX and <= MotionLimit.JerkE => _printer.CornerRule == CornerRule.Jerk,
+        MotionLimit.JunctionDeviation => _printer.CornerRule == CornerRule.JunctionDeviation,
+        MotionLimit.SquareCornerVelocity or MotionLimit.Speed => _printer.CornerRule == CornerRule.SquareCornerVelocity,
+        MotionLimit.MinimumCruiseRatio => false,
+        _ => true,
+    };
+
+    private void ReportAcceleration(MoveEvent what, double value, double most)
+        => findings.Add(CheckCodes.Acceleration, what.Move,
+            () => $"An acceleration is set to {Figures.Short(value)} mm/s²; {_printer.Title} stands {Figures.Short(most)} mm/s².");
+
+    private void ReportRaised(MoveEvent what, LimitEvent set)
+        => findings.Add(CheckCodes.Raised, () => findings.PlaceOfEvent(what), () =>
+        {
+            var unit = set.Limit == MotionLimit.JunctionDeviation ? "mm" : "mm/s";
+            return $"{Name(set.Limit)} is raised to {Figures.Short(set.Value)} {unit}; {_printer.Title} has {Figures.Short(_own[set.Limit])} {unit}.";
+        });
+
+    private static string Name(MotionLimit limit) => limit switch
+    {
+        <= MotionLimit.SpeedE => $"The greatest speed of {"XYZE"[limit - MotionLimit.SpeedX]}",
+        <= MotionLimit.JerkE => $"The jerk of {"XYZE"[limit - MotionLimit.JerkX]}",
+        MotionLimit.JunctionDeviation => "The junction deviation",
+        MotionLimit.SquareCornerVelocity => "The square corner velocity",
+        _ => "The greatest speed of the head",
+    };
 
     private void ReportTool(in CheckedMove move)
     {
@@ -77,15 +116,15 @@ internal sealed class RateCheck(PrintSetup setup, Findings findings) : IMoveChec
             () => $"A move is for tool {NumberFormatter.Format(tool)}; {_printer.Title} has {NumberFormatter.Format(_printer.ToolCount)}, counted from 0.");
     }
 
-    private void ReportSpeed(in CheckedMove move, double most)
+    private void ReportSpeed(in CheckedMove move, double most, string preposition, string consequence)
     {
-        var speed = move.Speed;
+        var (speed, inPlace) = (move.Speed, !(move.Length > 0));
         findings.Add(move.Kind == MoveKind.Print ? CheckCodes.Speed : CheckCodes.TravelSpeed, move.Index,
-            () => $"A move asks for {Figures.Short(speed)} mm/s; {_printer.Title} moves there at {Figures.Short(most)} mm/s and will "
-                + "slow down.");
+            () => $"{(inPlace ? "The extruder" : "A move")} asks for {Figures.Short(speed)} mm/s; {_printer.Title} "
+                + $"{(inPlace ? "turns it" : "moves")} {preposition} {Figures.Short(most)} mm/s{consequence}.", speed / most);
     }
 
     private void ReportFlow(double flow, int move)
         => findings.Add(CheckCodes.Flow, move,
-            () => $"A move asks for {Figures.Short(flow)} mm³/s of material; the limit is {Figures.Short(setup.MaxFlow)} mm³/s.");
+            () => $"A move asks for {Figures.Short(flow)} mm³/s of material; the limit is {Figures.Short(setup.MaxFlow)} mm³/s.", flow);
 }

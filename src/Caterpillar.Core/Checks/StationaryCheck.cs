@@ -37,5 +37,5 @@ internal sealed class StationaryCheck(Printer printer, Findings findings) : IMov
     private void Report(int move, double volume)
         => findings.Add(CheckCodes.Stationary, move,
             () => $"{Figures.Short(Math.Abs(volume))} mm³ are {(volume > 0 ? "pushed out" : "pulled back")} while the head stands still; "
-                + $"{printer.Title} allows {Figures.Short(printer.MaxStationaryVolume)} mm³.");
+                + $"{printer.Title} allows {Figures.Short(printer.MaxStationaryVolume)} mm³.", Math.Abs(volume));
 }

@@ -15,6 +15,7 @@ internal sealed class StrandCheck
     public const double MostOdd = 5;
     public const double MostDoubled = 20;
     private const double Touch = 0.1;
+    private const double Flat = 0.002;
     private const double SampleStep = 0.5;
     private const int MostSamples = 256;
 
@@ -79,7 +80,8 @@ internal sealed class StrandCheck
         _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
         var height = known ? move.Thickness : Math.Max(0, Math.Min(gap, nominal));
         if (move.Role == Role.Purge) return height;
-        Dimensions(move, area, height, known);
+        // Without layers a strand is as high as its gap, or round where it hangs.
+        Dimensions(move, area, height, known ? height : Math.Max(height, Math.Min(tight, 2 * Math.Sqrt(area / Math.PI))), known);
         if (tight > 0 && area / tight > WidestSqueezed * _printer.NozzleDiameter) Squeezed(move, area, tight);
         if (move.Role is not (Role.Ironing or Role.GapFill or Role.PrimeTower)) Doubles(move, area, height);
         return height;
@@ -94,7 +96,7 @@ internal sealed class StrandCheck
         if (!(width > WidestBlob * _printer.NozzleDiameter)) return;
         var volume = move.Deposited;
         _findings.Add(CheckCodes.Squeezed, move.Index, () => $"{Number(volume)} mm³ in place do not fit into {Number(gap)} mm below the nozzle: the blob would "
-            + $"be {Number(width)} mm wide.");
+            + $"be {Number(width)} mm wide.", width);
     }
 
     /// <summary>The head moves on without printing.</summary>
@@ -127,6 +129,14 @@ internal sealed class StrandCheck
         return p.Z - Math.Max(below, 0);
     }
 
+    // mm to what lies exactly below the middle of a strand: ramps of seams run out over each other, thinner and thinner.
+    private double OwnGap(in CheckedMove move)
+    {
+        var middle = Vec3.Lerp(move.Start, move.End, 0.5);
+        var below = Math.Max(_printed.Deposit.TopUnder(middle, middle.Z - Flat), 0);
+        return middle.Z > below ? middle.Z - below : double.MaxValue;
+    }
+
     private void Fly(int move, double step)
     {
         if (_air == 0) _airMove = move;
@@ -144,20 +154,25 @@ internal sealed class StrandCheck
     {
         var air = _air;
         _findings.Add(CheckCodes.Unsupported, _airMove, () => $"{NumberFormatter.Format(air, 1)} mm of a strand lie in the air"
-            + (bridge ? " between two supports." : " with a free end."));
+            + (bridge ? " between two supports." : " with a free end."), air);
     }
 
-    private void Dimensions(in CheckedMove move, double area, double height, bool known)
+    private void Dimensions(in CheckedMove move, double area, double height, double highest, bool known)
     {
         if (known && height > _printer.NozzleDiameter * 1.001) ReportHeight(move.Index, height);
-        var width = new Bead(area, height).Width(_shape);
-        if (width > Widest * _printer.NozzleDiameter * 1.001) Odd(ref _wide, ref _wideMove, move, width);
-        else if (width < Thinnest * _printer.NozzleDiameter && move.Role is not (Role.Ironing or Role.GapFill)) Odd(ref _thin, ref _thinMove, move, width);
+        var (width, least) = (new Bead(area, height).Width(_shape), new Bead(area, highest).Width(_shape));
+        if (least > Widest * _printer.NozzleDiameter * 1.001) Odd(ref _wide, ref _wideMove, move, least);
+        else if (width < Thinnest * _printer.NozzleDiameter && move.Role is not (Role.Ironing or Role.GapFill))
+        {
+            width = new Bead(area, Math.Min(height, OwnGap(move))).Width(_shape);
+            if (width < Thinnest * _printer.NozzleDiameter) Odd(ref _thin, ref _thinMove, move, width);
+        }
     }
 
     // Reports are apart from what they are about, which would allocate what they capture for each move.
     private void ReportHeight(int move, double height)
-        => _findings.Add(CheckCodes.Height, move, () => $"A layer is {Number(height)} mm high; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.");
+        => _findings.Add(CheckCodes.Height, move,
+            () => $"A layer is {Number(height)} mm high; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.", height);
 
     private void Odd(ref double length, ref int first, in CheckedMove move, double width)
     {
@@ -168,12 +183,13 @@ internal sealed class StrandCheck
     }
 
     private void ReportWidth(int move, double width)
-        => _findings.Add(CheckCodes.Width, move, () => $"Strands are {Number(width)} mm wide; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.");
+        => _findings.Add(CheckCodes.Width, move, () => $"Strands are {Number(width)} mm wide; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.",
+            width > _printer.NozzleDiameter ? width / (Widest * _printer.NozzleDiameter) : Thinnest * _printer.NozzleDiameter / width);
 
     private void Squeezed(in CheckedMove move, double area, double gap)
         => _findings.Add(CheckCodes.Squeezed, move.Index,
             () => $"A strand of {Number(area)} mm² does not fit into {Number(gap)} mm below the nozzle: it would be "
-            + $"{Number(area / gap)} mm wide.");
+            + $"{Number(area / gap)} mm wide.", area / gap);
 
     private void Doubles(in CheckedMove move, double area, double height)
     {

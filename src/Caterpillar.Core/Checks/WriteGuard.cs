@@ -45,7 +45,7 @@ internal sealed class WriteGuard
         // The comments stand before everything that the lines of the findings are counted in.
         var shift = _errors.Length == 0 ? 0 : Comments().Count;
         list.AddRange(_findings.Select(d => (d.Severity == Severity.Error ? d with { Severity = Severity.Warning } : d)
-            with { Source = d.Source?.Line is { } line && d.Source.File is null ? d.Source with { Line = line + shift } : d.Source }));
+            .WithSource(s => s?.Line is { } line && s.File is null ? s with { Line = line + shift } : s)));
         list.AddRange(others);
         return list.ToList();
     }

@@ -28,6 +28,7 @@ public static class CheckCodes
     public const string Speed = "limit.speed";
     public const string TravelSpeed = "limit.travel_speed";
     public const string Acceleration = "limit.acceleration";
+    public const string Raised = "limit.raised";
     public const string Tool = "limit.tool";
     public const string NozzleTemperature = "limit.nozzle_temperature";
     public const string BedTemperature = "limit.bed_temperature";
@@ -63,9 +64,10 @@ public static class CheckCodes
         new(Gap, Severity.Remark, "a straight line of strands with a gap of 0.1 to 1 mm"),
         new(FirstLayer, Severity.Warning, "a print that is higher than eight times the root of the area on which it stands"),
         new(Flow, Severity.Error, "more material than hot end and material allow"),
-        new(Speed, Severity.Warning, "strands faster than the axes"),
-        new(TravelSpeed, Severity.Remark, "travels faster than the axes"),
+        new(Speed, Severity.Warning, "strands faster than the axes or the extruder"),
+        new(TravelSpeed, Severity.Remark, "travels faster than the axes, retractions faster than the extruder"),
         new(Acceleration, Severity.Remark, "accelerations above those of the axes"),
+        new(Raised, Severity.Remark, "a command that raises a limit of speed or jerk above that of the printer"),
         new(Tool, Severity.Error, "a tool that the printer does not have"),
         new(NozzleTemperature, Severity.Error, "a nozzle hotter than it stands"),
         new(BedTemperature, Severity.Error, "a bed hotter than it stands"),

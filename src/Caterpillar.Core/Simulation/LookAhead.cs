@@ -100,37 +100,75 @@ internal sealed class QueueLookAhead(int queue) : LookAhead
 /// that short moves do not speed up and
 /// brake without pause (minimum_cruise_ratio).
 /// </summary>
+/// <remarks>
+/// Where both profiles are limited by what lies before a segment, and the peak begins afresh, nothing that follows changes what lies before: there a long run
+/// is divided, so that few segments are kept.
+/// </remarks>
 internal sealed class CruiseLookAhead : LookAhead
 {
+    private const int FirstTry = 1024;
+    private int _tryAt = FirstTry;
+
+    // Segments whose highest starts are known, what the next can be reached with, and the peak of the last that is final.
+    private int _entered;
+    private double _reach, _slowReach, _before;
+
     public override int Plan(Segment[] run, int count, bool ends)
     {
-        if (!ends) return 0;
-        double reach = 0, slowReach = 0;
-        for (var i = 0; i < count; i++)
+        Enter(run, count);
+        var done = ends ? count : FinalCount(run, count);
+        if (done > 0)
         {
-            ref var s = ref run[i];
-            s.Start2 = Math.Min(s.Entry2, reach);
-            s.Slow2 = Math.Min(s.Start2, slowReach);
-            reach = s.Start2 + s.Gain;
-            slowReach = s.Slow2 + s.SlowGain;
+            if (done < count) Brake(run, done, run[done].Start2, run[done].Slow2);
+            else Brake(run, done, 0, 0);
+            Cruise(run, done);
         }
-        Brake(run, count);
-        var before = 0.0;
-        for (var i = 0; i < count; i++)
-        {
-            ref var s = ref run[i];
-            if (double.IsNaN(s.Peak2)) s.Peak2 = Math.Min(before, s.Start2);
-            s.Start2 = Math.Min(s.Start2, s.Peak2);
-            s.End2 = Math.Min(s.End2, s.Peak2);
-            before = s.Peak2;
-        }
-        return count;
+        _entered -= done;
+        if (ends) _reach = _slowReach = _before = 0;
+        return done;
     }
 
-    // From the last to the first; the peak of segments in which the slower profile only falls stays open (NaN): it is that of the segment before.
-    private static void Brake(Segment[] run, int count)
+    private void Enter(Segment[] run, int count)
     {
-        double next = 0, slowNext = 0, highest = 0;
+        for (; _entered < count; _entered++)
+        {
+            ref var s = ref run[_entered];
+            s.Start2 = Math.Min(s.Entry2, _reach);
+            s.Slow2 = Math.Min(s.Start2, _slowReach);
+            _reach = s.Start2 + s.Gain;
+            _slowReach = s.Slow2 + s.SlowGain;
+        }
+    }
+
+    // Segments that nothing changes any more, also if the run could go on at any speed.
+    private int FinalCount(Segment[] run, int count)
+    {
+        if (count < _tryAt) return 0;
+        double next = 0, slowNext = 0;
+        for (var i = count - 1; i > 0; i--)
+        {
+            ref var s = ref run[i];
+            var reach = next + s.Gain;
+            var slowReach = slowNext + s.SlowGain;
+            if (s.Start2 <= reach && s.Slow2 < slowReach && HasTop(run[i - 1], s.Slow2))
+            {
+                _tryAt = FirstTry;
+                return i;
+            }
+            next = Math.Min(s.Start2, reach);
+            slowNext = Math.Min(s.Slow2, slowReach);
+        }
+        // So that all tries together take no longer than the run.
+        _tryAt = 2 * count;
+        return 0;
+    }
+
+    private static bool HasTop(in Segment s, double slowNext) => s.Slow2 < slowNext + s.SlowGain && s.Slow2 + s.SlowGain > slowNext;
+
+    // From the last to the first; the peak of segments in which the slower profile only falls stays open (NaN): it is that of the segment before.
+    private static void Brake(Segment[] run, int count, double next, double slowNext)
+    {
+        var highest = 0.0;
         var open = 0;
         for (var i = count - 1; i >= 0; i--)
         {
@@ -152,6 +190,18 @@ internal sealed class CruiseLookAhead : LookAhead
             s.End2 = next;
             next = start;
             slowNext = slow;
+        }
+    }
+
+    private void Cruise(Segment[] run, int count)
+    {
+        for (var i = 0; i < count; i++)
+        {
+            ref var s = ref run[i];
+            if (double.IsNaN(s.Peak2)) s.Peak2 = Math.Min(_before, s.Start2);
+            s.Start2 = Math.Min(s.Start2, s.Peak2);
+            s.End2 = Math.Min(s.End2, s.Peak2);
+            _before = s.Peak2;
         }
     }
 }

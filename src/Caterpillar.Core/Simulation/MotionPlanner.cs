@@ -51,8 +51,7 @@ internal sealed class MotionPlanner
         _retraction = new FirmwareRetraction(_printer);
         _heat = new HeatModel(_printer);
         _out = new MotionColumns(toolpath.Count);
-        _filamentPerE = new double[Math.Max(toolpath.Tools.Count, 1)];
-        for (var tool = 0; tool < _filamentPerE.Length; tool++) _filamentPerE[tool] = FilamentPerE(toolpath, setup, tool);
+        _filamentPerE = FilamentPerE(toolpath, setup);
     }
 
     public static PlannedMotion Plan(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress, CancellationToken cancel)
@@ -223,6 +222,14 @@ internal sealed class MotionPlanner
         }
         if (done > 0 && done < _count) Array.Copy(_run, done, _run, 0, _count - done);
         _count -= done;
+    }
+
+    /// <summary>mm of filament for a unit of E of each tool, of one at least.</summary>
+    public static double[] FilamentPerE(Toolpath toolpath, PrintSetup setup)
+    {
+        var factors = new double[Math.Max(toolpath.Tools.Count, 1)];
+        for (var tool = 0; tool < factors.Length; tool++) factors[tool] = FilamentPerE(toolpath, setup, tool);
+        return factors;
     }
 
     /// <summary>mm of filament for a unit of E of a tool: a tool whose E is a volume has a factor of 1 mm³.</summary>

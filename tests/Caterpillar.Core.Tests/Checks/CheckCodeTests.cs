@@ -120,6 +120,7 @@ public class CheckCodeTests
         CheckCodes.Speed => (At(10, 10, 0.2).Print(30, 10, 0.2), p => p with { MaxSpeed = new(40, 40, 40, 40) }),
         CheckCodes.TravelSpeed => (At(10, 10, 0.2).Go(30, 10, 0.2).Print(40, 10, 0.2), p => p with { MaxSpeed = new(40, 500, 500, 500) }),
         CheckCodes.Acceleration => (new SmallPrint().Event(new AccelerationEvent(90_000)).Print(30, 10, 0.2), null),
+        CheckCodes.Raised => (At(10, 10, 0.2).Print(20, 10, 0.2).Event(new RawEvent("M203 X900")).Print(30, 10, 0.2), null),
         CheckCodes.Tool => (new SmallPrint().Event(new ToolEvent(3)).Print(30, 10, 0.2, tool: 3), null),
         CheckCodes.NozzleTemperature => (new SmallPrint().Event(new NozzleTemperatureEvent(500)).Print(30, 10, 0.2), null),
         CheckCodes.BedTemperature => (new SmallPrint().Event(new BedTemperatureEvent(300)).Print(30, 10, 0.2), null),

@@ -19,6 +19,34 @@ public class CheckDetailTests
 {
     private static readonly PrintSetup Setup = SmallPrint.Setup();
 
+    [Test]
+    public void Of_several_findings_the_first_and_the_worst_are_named()
+    {
+        var print = new SmallPrint(50, 50, 4);
+        foreach (var length in new[] { 8, 6, 20, 20.3, 12 }) print.Go(50, print.At.Y + 5, 4).Print(50 + length, print.At.Y, 4);
+        var found = SmallPrint.Find(print.Build(), Setup, CheckCodes.Unsupported).Single();
+        Assert.That((found.Count, found.Message, found.Source!.Move), Is.EqualTo((5, "8 mm of a strand lie in the air with a free end.", 1)));
+        Assert.That((found.Worst!.Message, found.Worst.Source!.Move), Is.EqualTo(("20 mm of a strand lie in the air with a free end.", 5)), "20.3 is as bad");
+        Assert.That(found.ToString(), Is.EqualTo("step 1, move 1: warning strand.unsupported: 8 mm of a strand lie in the air with a free end. "
+            + "(5 times, the worst: step 5, move 5: 20 mm of a strand lie in the air with a free end.)"));
+        var first = new SmallPrint(50, 50, 4).Print(70, 50, 4).Go(50, 60, 4).Print(60, 60, 4).Go(20, 20, 4);
+        Assert.That(SmallPrint.Find(first.Build(), Setup, CheckCodes.Unsupported).Single().Worst, Is.Null, "it is the first");
+    }
+
+    [Test]
+    public void Places_name_object_and_layer_where_the_design_states_no_line()
+    {
+        var print = new SmallPrint(50, 50, 20).Go(50, 50, 4).InLayer(new Layer(7, 4, 0.2, "cup")).Print(60, 50, 4).Build();
+        var place = SmallPrint.Find(print, Setup, CheckCodes.Unsupported).Single().Source!;
+        Assert.That(place.Origin, Is.EqualTo(new SourceLocation("cup", Layer: 7)));
+        Assert.That(place.ToString(), Is.EqualTo("cup, layer 7 -> step 1, move 1"));
+        var written = SafeWriter.ToDocument(print, Setup).Diagnostics.Single(d => d.Code == CheckCodes.Unsupported).Source!;
+        Assert.That((written.Origin, written.Line is > 0), Is.EqualTo((place.Origin, true)));
+        var (file, _, _) = SmallPrint.Written(print, Setup);
+        var read = PrintCheck.Run(file, Setup).Single(d => d.Code == CheckCodes.Unsupported).Source!;
+        Assert.That(read.Origin?.Layer, Is.EqualTo(file.Toolpath.Layers.Count > 0 ? file.Toolpath.Layers[0].Index : null));
+    }
+
     [TestCase("G91", ExtrusionMode.Relative, "relative positions (G91)")]
     [TestCase("g91 ; up", ExtrusionMode.Relative, "relative positions (G91)")]
     [TestCase("G 91", ExtrusionMode.Relative, "relative positions (G91)")]

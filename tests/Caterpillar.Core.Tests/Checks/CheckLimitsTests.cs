@@ -118,6 +118,31 @@ public class CheckLimitsTests
         Expect(new SmallPrint(50, 50, 0.2).Print(54.9, 50, 0.2, area), CheckCodes.Width, 0, 0);
     }
 
+    // A ramp of 60 mm that rises by its height, a loop, and the same flow the other way round over it.
+    [TestCase(true, 0)]
+    [TestCase(false, 1)]
+    public void A_strand_that_runs_out_over_its_own_ramp_is_not_thin(bool ramp, int found)
+    {
+        var print = new SmallPrint(50, 50, 0.2).InLayer(new Layer(0, 0.2, 0.2)).Print(150, 50, 0.2).Go(150, 50, 20).Go(50, 50, 20).Go(50, 50, 0.201);
+        print.InLayer(new Layer(1, 0.4, 0.2));
+        for (var i = 1; i <= 120; i++) print.Print(50 + 0.5 * i, 50, ramp ? 0.2 + 0.2 * i / 120 : 0.4, 0.08 * (i - 0.5) / 120);
+        print.Print(150, 50, 0.4).Print(150, 60, 0.4).Print(45, 60, 0.4).Print(45, 50, 0.4).Print(50, 50, 0.4);
+        for (var i = 1; i <= 120; i++) print.Print(50 + 0.5 * i, 50, 0.4, 0.08 * (120.5 - i) / 120);
+        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Width).Length, Is.EqualTo(found));
+    }
+
+    // 0.6 mm² without a layer: 1 mm wide in a gap of 0.6, 1.7 in one of 0.35, and round in the air, 0.87.
+    [TestCase(0.6, 0)]
+    [TestCase(0.51, 0)]
+    [TestCase(0.45, 1)]
+    [TestCase(5, 0)]
+    public void Without_layers_a_strand_is_as_high_as_its_gap(double gap, int found)
+    {
+        var setup = new PrintSetup(SmallPrint.Generic, new Material(), new PrintSettings { BeadShape = BeadShape.Rectangle });
+        var print = new SmallPrint(50, 50, gap).Print(70, 50, gap, 0.6);
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Width).Sum(d => d.Count), Is.EqualTo(found));
+    }
+
     [TestCase(0.4, 0)]
     [TestCase(0.41, 1)]
     public void A_layer_is_no_higher_than_the_nozzle_is_wide(double height, int found)
@@ -234,7 +259,7 @@ public class CheckLimitsTests
         var codes = typeof(CheckCodes).GetFields().Select(f => (string)f.GetValue(null)!).ToArray();
         Assert.That(CheckCodes.All.Select(r => r.Code), Is.Unique.And.EquivalentTo(codes));
         Assert.That(CheckCodes.All.Select(r => r.Summary.Length), Is.All.GreaterThan(10));
-        Assert.That(codes.Length, Is.EqualTo(33));
+        Assert.That(codes.Length, Is.EqualTo(34));
         var manual = System.IO.File.ReadAllText(System.IO.Path.Combine(TestData.Repository, "docs", "checks.md"));
         foreach (var rule in CheckCodes.All)
             Assert.That(manual, Does.Contain($"| `{rule.Code}` | {rule.Severity.ToString().ToLowerInvariant()} | {rule.Summary} |"));

@@ -98,6 +98,28 @@ public class MotionTests
         Assert.That(t[0].End, Is.EqualTo(10 * Math.Sqrt(2)).Within(1e-7));
     }
 
+    // Straight on, 20 mm/s of the extruder more or less: at 100 mm/s it may jump by 5.
+    [TestCase(0.1, 0.3, 25)]
+    [TestCase(0.3, 0.1, 25)]
+    [TestCase(0.1, 0.14, 100)]
+    public void A_corner_by_jerk_is_limited_by_the_jump_of_the_extruder(double first, double second, double speed)
+    {
+        var t = Trapezoids(Plain with { MaxAcceleration = new(5000, 5000, 100, 1e6), MaxSpeed = new(500, 500, 10, 1000) },
+            FormattableString.Invariant($"M83\nG1 X50 E{50 * first} F6000\nG1 X100 E{50 * second}"));
+        Assert.That(t[0].End, Is.EqualTo(speed).Within(1e-9));
+        Assert.That(t[1].Start, Is.EqualTo(speed).Within(1e-9));
+    }
+
+    [TestCase("M201 E100", "G1 X100 E50 F3000", 200, 50, TestName = "the acceleration of E by its share of a strand")]
+    [TestCase("M203 E10", "G1 X100 E50 F3000", 1000, 20, TestName = "the greatest speed of E by its share of a strand")]
+    [TestCase("M205 E2", "G1 E-5 F1800", 1500, 30, TestName = "the jerk of E does not touch its speed")]
+    public void Limits_of_the_extruder_set_in_the_file_hold_for_strands(string command, string move, double acceleration, double speed)
+    {
+        var t = Trapezoids(Rigid, command + "\n" + move).Single();
+        Assert.That((t.Acceleration, t.Peak), Is.EqualTo((acceleration, speed)).Within(Exact));
+        if (command == "M205 E2") Assert.That((t.Start, t.End), Is.EqualTo((2.0, 2.0)).Within(Exact));
+    }
+
     [TestCase(90)]
     [TestCase(30)]
     [TestCase(150)]

@@ -107,7 +107,9 @@ public sealed class Toolpath
         }
     }
 
-    /// <summary>Where the design states a move of a planned toolpath: script and line, file of curves and entry; null if unknown.</summary>
+    /// <summary>
+    /// Where the design states a move of a planned toolpath: script and line, file of curves and entry, else the object and its layer; null if unknown.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no such move.</exception>
     public SourceLocation? PlaceOf(int move)
     {
@@ -115,12 +117,17 @@ public sealed class Toolpath
         var block = BlockOf(move);
         var columns = _blocks[block].Columns;
         var i = move - _firsts[block];
-        if (PlaceOfStep(columns.Source[i]) is not { } place) return null;
+        if (PlaceOfStep(columns.Source[i]) is not { } place) return Source == MoveSource.Steps ? PlaceOfLayer(columns.Layer[i]) : null;
         return columns.Line is { } lines && lines[i] > 0 ? place with { Line = lines[i] } : place;
     }
 
     /// <summary>Where the design states a step; null if unknown.</summary>
     internal SourceLocation? PlaceOfStep(int step) => Source == MoveSource.Steps && step >= 0 && step < Places.Count ? Places[step] : null;
+
+    /// <summary>The object and the number of a layer; null where there is none.</summary>
+    internal SourceLocation? PlaceOfLayer(int layer)
+        => layer < 0 || layer >= Layers.Count ? null
+            : new SourceLocation(Layers[layer].Object is { Length: > 0 } name ? name : null, Layer: Layers[layer].Index);
 
     /// <summary>mm³ of material that a move deposits; null if the factor of its tool is unknown.</summary>
     public double? VolumeOf(Move move) => VolumePerE(move.Tool) * move.Deposited;

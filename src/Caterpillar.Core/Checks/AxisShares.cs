@@ -1,0 +1,41 @@
+using System;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Simulation;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>The speed that the axes and the extruder allow a move, as the firmware shares it out: see <see cref="CornerRules"/>.</summary>
+internal sealed class AxisShares(Printer printer)
+{
+    // What rounding in a file may change: coordinates in mm, E in its unit.
+    private readonly double _roundedXyz = Math.Pow(10, -printer.DecimalsXyz);
+    private readonly double _roundedE = Math.Pow(10, -printer.DecimalsE);
+    private readonly bool _isHead = printer.CornerRule == CornerRule.SquareCornerVelocity;
+
+    /// <summary>mm/s; an arc is taken by its chord in Z and by the slower of X and Y.</summary>
+    /// <param name="move">The move; one in place is one of the extruder alone.</param>
+    /// <param name="filament">mm of filament that it pushes, or pulls where negative.</param>
+    /// <param name="limits">The limits in force.</param>
+    public double MaxSpeed(in CheckedMove move, double filament, MachineLimits limits)
+    {
+        if (!(move.Length > 0)) return filament == 0 ? double.MaxValue : limits[MotionLimit.SpeedE];
+        var path = move.End - move.Start;
+        var most = path == Vec3.Zero ? Math.Min(limits[MotionLimit.SpeedX], limits[MotionLimit.SpeedY])
+            : Axis(path.Z, move.Length, limits[MotionLimit.SpeedZ], _roundedXyz);
+        if (_isHead) most = Math.Min(most, limits[MotionLimit.Speed]);
+        else if (path != Vec3.Zero)
+            most = Math.Min(most, Math.Min(Axis(path.X, move.Length, limits[MotionLimit.SpeedX], _roundedXyz),
+                Axis(path.Y, move.Length, limits[MotionLimit.SpeedY], _roundedXyz)));
+        // Klipper limits the extruder only where it works alone or pulls back.
+        return filament > 0 && _isHead ? most : Math.Min(most, Axis(filament, move.Length, limits[MotionLimit.SpeedE], _roundedE));
+    }
+
+    // Where an axis moves by a few of the last decimals, its share is not known better.
+    private static double Axis(double along, double length, double most, double rounded)
+    {
+        var path = Math.Abs(along) < 20 * rounded ? Math.Abs(along) - rounded : Math.Abs(along);
+        return path > 0 ? most * length / path : double.MaxValue;
+    }
+}

@@ -1,0 +1,79 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Simulation;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Simulation;
+
+/// <summary>Long runs that are planned in parts, against the same runs planned at once.</summary>
+public class LookAheadTests
+{
+    [Test]
+    public void A_long_run_in_parts_has_the_speeds_of_the_run_at_once([Range(1, 12)] int seed)
+    {
+        var random = new Random(seed);
+        var run = Run(random, 6000, slow: seed % 4 == 0 ? 1 : 0.2 + 0.7 * random.NextDouble());
+        var once = (Segment[])run.Clone();
+        Assert.That(new CruiseLookAhead().Plan(once, once.Length, ends: true), Is.EqualTo(once.Length));
+        var (parts, most) = InParts(new CruiseLookAhead(), run, 100 + random.Next(400));
+        Assert.That(most, Is.LessThan(4000), "segments that wait");
+        for (var i = 0; i < run.Length; i++)
+        {
+            Assert.That((parts[i].Start2, parts[i].Peak2, parts[i].End2), Is.EqualTo((once[i].Start2, once[i].Peak2, once[i].End2)), $"{i}");
+            if (i > 0) Assert.That(parts[i].Start2, Is.EqualTo(parts[i - 1].End2).Within(1e-9));
+            Assert.That(parts[i].Peak2, Is.InRange(Math.Max(parts[i].Start2, parts[i].End2), parts[i].Speed2));
+            // What the acceleration allows: up to the peak and down from it.
+            Assert.That(2 * parts[i].Peak2 - parts[i].Start2 - parts[i].End2, Is.LessThanOrEqualTo(parts[i].Gain + 1e-9));
+        }
+    }
+
+    [Test]
+    public void Several_runs_after_each_other_know_nothing_of_each_other()
+    {
+        var planner = new CruiseLookAhead();
+        var first = Run(new Random(3), 5000, 0.5);
+        var alone = InParts(new CruiseLookAhead(), first, 256).Segments;
+        InParts(planner, Run(new Random(4), 3000, 0.5), 256);
+        var after = InParts(planner, first, 256).Segments;
+        Assert.That(after.Select(s => (s.Start2, s.Peak2, s.End2)), Is.EqualTo(alone.Select(s => (s.Start2, s.Peak2, s.End2))));
+    }
+
+    // As the planner does: segments are added, and what is final leaves.
+    private static (List<Segment> Segments, int Most) InParts(CruiseLookAhead planner, Segment[] run, int step)
+    {
+        var result = new List<Segment>();
+        var waiting = new Segment[run.Length];
+        var (count, most) = (0, 0);
+        for (var i = 0; i < run.Length; i++)
+        {
+            waiting[count++] = run[i];
+            most = Math.Max(most, count);
+            var ends = i == run.Length - 1;
+            if (!ends && i % step != 0) continue;
+            var done = planner.Plan(waiting, count, ends);
+            result.AddRange(waiting.Take(done));
+            Array.Copy(waiting, done, waiting, 0, count - done);
+            count -= done;
+        }
+        return (result, most);
+    }
+
+    // Long and short, fast and slow, with corners of all speeds; now and then a stretch of very short ones.
+    private static Segment[] Run(Random random, int count, double slow)
+    {
+        var run = new Segment[count];
+        var tiny = 0;
+        for (var i = 0; i < count; i++)
+        {
+            if (random.Next(300) == 0) tiny = random.Next(60);
+            var length = tiny-- > 0 ? 0.02 : Math.Exp(4 * random.NextDouble() - 2);
+            var acceleration = random.Next(4) == 0 ? 500 : 3000;
+            var speed = random.Next(3) == 0 ? 20 : 20 + 180 * random.NextDouble();
+            run[i] = new Segment { Length = length, Acceleration = acceleration, Speed2 = speed * speed, SlowGain = 2 * length * acceleration * slow };
+            var corner = random.Next(3) == 0 ? 5 + 5 * random.NextDouble() : 200;
+            if (i > 0) run[i].Entry2 = Math.Min(corner * corner, Math.Min(run[i].Speed2, run[i - 1].Speed2));
+        }
+        return run;
+    }
+}
