@@ -19,6 +19,7 @@ internal sealed class CollisionCheck
     private readonly Findings _findings;
     private readonly (Bounds Box, string Code)[] _boxes;
     private readonly Deposit? _clips;
+    private readonly double _lowest;
     private int _hit = -1;
     private (Vec3 From, Vec3 To)? _digs;
 
@@ -34,6 +35,7 @@ internal sealed class CollisionCheck
             _boxes[printer.HeadBoxes.Count + i] = (
                 new Bounds(new Vec3(-Everywhere, beam.Min.Y, beam.Min.Z), new Vec3(Everywhere, beam.Max.Y, beam.Max.Z)), CheckCodes.GantryHits);
         }
+        foreach (var (box, _) in _boxes) _lowest = Math.Min(_lowest, box.Min.Z);
         if (printer.Clips.Count > 0) _clips = Stand(printer.Clips);
     }
 
@@ -44,7 +46,7 @@ internal sealed class CollisionCheck
         // A strand may be printed into another by half its height.
         var tolerance = prints ? Math.Max(Flush, height / 2) : Flush;
         // One finding for a move, also for the chords of an arc.
-        if (move.Index == _hit) return;
+        if (move.Index == _hit || IsAbove(move, tolerance)) return;
         // What is fresh at its start is not any more farther on.
         var at = move.Start;
         _digs = null;
@@ -58,6 +60,10 @@ internal sealed class CollisionCheck
         // Where it goes through something farther on, that is to be told.
         if (!Hits(move, at, move.End, tolerance, prints) && _digs is { } digs) Digs(move, digs.From, digs.To, tolerance);
     }
+
+    // Above all that is printed, also by this time: most moves of a flat print.
+    private bool IsAbove(in CheckedMove move, double tolerance)
+        => _clips is null && !(_printed.Highest > Math.Min(move.Start.Z, move.End.Z) + tolerance + _lowest);
 
     private bool Hits(in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints)
     {

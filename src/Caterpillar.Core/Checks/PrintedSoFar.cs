@@ -16,7 +16,7 @@ internal sealed class PrintedSoFar
 
     // Only what is about as high as the tip is asked for exactly.
     private const double KeepDepth = 6;
-    private readonly Queue<(Vec3 From, Vec3 To, double Half, int Move, double Distance)> _fresh = new();
+    private readonly Queue<Fresh> _fresh = new();
     private readonly BeadShape _shape;
     private readonly double _widest;
     private double _distance;
@@ -32,6 +32,9 @@ internal sealed class PrintedSoFar
     }
 
     public Deposit Deposit { get; }
+
+    /// <summary>Highest point printed, mm, with what is fresh.</summary>
+    public double Highest { get; private set; } = double.NegativeInfinity;
 
     public HeadShape Head { get; }
 
@@ -53,8 +56,11 @@ internal sealed class PrintedSoFar
     {
         while (_fresh.Count > 0 && _fresh.Peek().Distance + Lag <= _distance + ahead + 1e-9)
         {
-            var (from, to, half, move, _) = _fresh.Dequeue();
-            Deposit.Add(from, to, half, move);
+            var strand = _fresh.Dequeue();
+            var to = strand.To;
+            // Pieces of a line that stop to be fresh together are one strand.
+            while (_fresh.Count > 0 && _fresh.Peek() is { GoesOn: true } next && next.Distance + Lag <= _distance + ahead + 1e-9) to = _fresh.Dequeue().To;
+            Deposit.Add(strand.From, to, strand.Half, strand.Move);
         }
     }
 
@@ -68,6 +74,7 @@ internal sealed class PrintedSoFar
         var bead = new Bead(move.Deposited / move.Length, height);
         // A bead of almost no height would be as wide as the bed.
         var half = Math.Min(bead.Width(_shape), _widest) / 2;
+        Highest = Math.Max(Highest, Math.Max(move.Start.Z, move.End.Z));
         // Its end in pieces, each of which stops to be fresh by itself.
         var at = move.Start;
         for (var piece = FreshPieces; piece > 0; piece--)
@@ -75,14 +82,17 @@ internal sealed class PrintedSoFar
             var rest = piece * FreshPiece;
             if (rest >= move.Length) continue;
             var next = Vec3.Lerp(move.Start, move.End, 1 - rest / move.Length);
-            _fresh.Enqueue((at, next, half, move.Index, _distance - rest));
+            _fresh.Enqueue(new Fresh(at, next, half, move.Index, _distance - rest, at != move.Start));
             at = next;
         }
-        _fresh.Enqueue((at, move.End, half, move.Index, _distance));
+        _fresh.Enqueue(new Fresh(at, move.End, half, move.Index, _distance, at != move.Start));
     }
 
     private static IEnumerable<(double Radius, double Height)> Outline(Printer printer)
     {
         foreach (var point in printer.HeadOutline) yield return (point.Radius, point.Height);
     }
+
+    // A piece of a strand, and the length of motion at its end.
+    private readonly record struct Fresh(Vec3 From, Vec3 To, double Half, int Move, double Distance, bool GoesOn);
 }
