@@ -90,7 +90,8 @@ public class CheckEdgeTests
         var print = new SmallPrint().Wall(60, 80, 50, 4).Go(66.123, 30.377, 200).Go(66.123, 30.377, 3.4137).Go(71.777, 71.313, 3.1719);
         var message = SmallPrint.Find(print.Build(), Setup, "collision.travel").Single().Message;
         Assert.That(message, Does.Match(@"at \(\d+\.\d\d?, \d+\.\d\d?, \d\.\d\d?\)\.$"));
-        var place = Regex.Matches(message, @"[\d.]+\d").Cast<Match>().Select(m => double.Parse(m.Value, System.Globalization.CultureInfo.InvariantCulture)).ToArray();
+        var place = Regex.Matches(message, @"[\d.]+\d").Cast<Match>()
+            .Select(m => NumberReader.TryParse(m.Value, out var number) ? number : double.NaN).ToArray();
         // Where the flat of the tip comes to the wall, 0.7 mm before its middle, and the path there.
         var at = place.Skip(place.Length - 3).ToArray();
         Assert.That(at[1], Is.InRange(45, 50));
