@@ -1,6 +1,6 @@
 bytes 49318
 lines 1502
-sha256 cfe4b7d7c541af93efb03fa9acb71d5fa3de9d0ad8ca01da45fcf65d14a52d61
+sha256 92dce256ae4b801049af01a1986abbc0db07f741fd8df6163f93ec3e67fb7ec6
 
 ; Made with Caterpillar
 ; Dialect marlin2

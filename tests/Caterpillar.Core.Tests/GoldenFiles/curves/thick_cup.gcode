@@ -1,6 +1,6 @@
 bytes 87577
 lines 2589
-sha256 f89335838fc90fbdf788570cfe4ac0fa974be5065865c6dee36513dd95d7f359
+sha256 1448d135b224ad1d726367086576ae5a0ad88f06fc5332eea318435bc88ee523
 
 ; Made with Caterpillar
 ; Dialect marlin2

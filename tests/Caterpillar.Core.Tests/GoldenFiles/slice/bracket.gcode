@@ -1,6 +1,6 @@
 bytes 525254
 lines 21000
-sha256 c45a8688fc210587b3b95513b601adaea983cdf000b96023029286589e5e1a10
+sha256 02ba194a30048704db92d59d3ac9adb5e8e0ce04cca079dc7541f014895aba7a
 
 ; Made with Caterpillar
 ; Dialect marlin2

@@ -1,6 +1,6 @@
 bytes 4000921
 lines 140788
-sha256 4f076af03758e614ac9d95f86ef18f3c3d13dbbaa7a978d297c8b06f78babe14
+sha256 4e1bed19ef0f83887ddf00836826c5bed1fb844b43eec31b095d71f04343013e
 
 ; Made with Caterpillar
 ; Dialect marlin2

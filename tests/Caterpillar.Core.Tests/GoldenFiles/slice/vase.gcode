@@ -1,6 +1,6 @@
 bytes 8060770
 lines 280342
-sha256 1fdae0365fff99bd0661ec070d8aebf3ce6796925b2c0b620f98bd713c5ebf36
+sha256 9560e747fec8e89e347e4b0631f3167bfb18a1aaba3f9f2e54ef34fca0b3a424
 
 ; Made with Caterpillar
 ; Dialect marlin2
