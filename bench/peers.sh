@@ -2,7 +2,7 @@
 # Whole programs side by side: Caterpillar against the slicers that are installed.
 #   bench/peers.sh MESH... [-- JOB...]
 # Jobs: infill (2 walls and 20 % lines), walls (2 walls alone), vase, full (skins, bridges, supports, seams aligned); all of them by default.
-# Caterpillar is published as machine code where a C compiler is found to link it; CATERPILLAR names another program. Needs GNU time; CuraEngine (CURA_ENGINE_SEARCH_PATH names its definitions and extruders) and prusa-slicer are used where found. RUNS sets how often (3).
+# Caterpillar is published as native code where a C compiler is found to link it; CATERPILLAR names another program. Needs GNU time; CuraEngine (CURA_ENGINE_SEARCH_PATH names its definitions and extruders) and prusa-slicer are used where found. RUNS sets how often (3).
 # The settings are the same: 0.2 mm layers, width 0.4 mm, retraction 0.8 mm, no skirt. A comparison counts where printed length and filament agree within 2 %.
 # The programs take turns, so that a busy machine is as slow for all of them.
 set -eu

@@ -13,7 +13,7 @@ version=$(sed -n 's:.*<Version>\(.*\)</Version>.*:\1:p' Directory.Build.props)
 dotnet pack src/Caterpillar.Core -c Release -o "$out" --nologo -v quiet
 dotnet pack src/Caterpillar.Cli -c Release -o "$out" --nologo -v quiet
 
-# For the machine's own kind of system the program is machine code, where it can be linked; the others bring the runtime with them.
+# For the machine's own kind of system the program is compiled to native code, where it can be linked; the others bring the runtime with them.
 host=$(dotnet --info | sed -n 's/^ *RID: *//p' | head -n 1)
 native() { [ "$1" = "$host" ] && { command -v cc >/dev/null || [[ $1 == win-* ]]; }; }
 
