@@ -353,14 +353,7 @@ internal sealed class CsvCurves
 
     private bool Resolve(CurveColumn column, ref double value)
     {
-        var reference = column switch
-        {
-            CurveColumn.Width => _source.Options.WidthReference,
-            CurveColumn.Height => _source.Options.HeightReference,
-            CurveColumn.Speed => _source.Options.SpeedReference,
-            CurveColumn.Multiplier => 1,
-            _ => 0,
-        };
+        var reference = CurveColumns.Whole(column, _source.Options);
         value = value / 100 * reference;
         return reference > 0;
     }

@@ -26,6 +26,16 @@ internal static class CurveColumns
     /// <summary>Number of settings of points, from <see cref="CurveColumn.Area"/>.</summary>
     public const int Settings = 4;
 
+    /// <summary>What 100 % of a column is; 0 where there is nothing that a percentage could refer to.</summary>
+    public static double Whole(CurveColumn column, CurveReadOptions options) => column switch
+    {
+        CurveColumn.Width => options.WidthReference,
+        CurveColumn.Height => options.HeightReference,
+        CurveColumn.Speed => options.SpeedReference,
+        CurveColumn.Multiplier => 1,
+        _ => 0,
+    };
+
     /// <summary>The column of a name, ignoring case, and with units like <c>width_mm</c>, <c>speed (mm/s)</c>; Ignored if it is unknown.</summary>
     public static CurveColumn Of(string name)
     {

@@ -316,14 +316,7 @@ internal sealed class JsonCurves
         if (token.Type == JTokenType.String && ((string)token!).Trim() is { Length: > 1 } text && text[text.Length - 1] == '%'
             && NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent))
         {
-            var reference = column switch
-            {
-                CurveColumn.Width => _source.Options.WidthReference,
-                CurveColumn.Height => _source.Options.HeightReference,
-                CurveColumn.Speed => _source.Options.SpeedReference,
-                CurveColumn.Multiplier => 1,
-                _ => 0,
-            };
+            var reference = CurveColumns.Whole(column, _source.Options);
             if (!(reference > 0))
             {
                 Fail("curves.percent", "A percentage is not possible here, or there is no value it refers to.", token);

@@ -243,11 +243,10 @@ internal sealed partial class SvgReader
     {
         var values = (double?[])outer.Values.Clone();
         string[] names = ["data-area", "data-width", "data-height", "data-speed", "data-multiplier"];
-        double[] references = [0, _source.Options.WidthReference, _source.Options.HeightReference, _source.Options.SpeedReference, 1];
         for (var i = 0; i < names.Length; i++)
         {
             if (_xml.GetAttribute(names[i]) is not { } text) continue;
-            if (Value(text, references[i]) is not (>= 0 and var value))
+            if (Value(text, CurveColumns.Whole(CurveColumn.Area + i, _source.Options)) is not (>= 0 and var value))
             {
                 return Fail<UserCurveSettings>(names[i], "Settings of a strand must be numbers of 0 or more, or percentages of something known.");
             }

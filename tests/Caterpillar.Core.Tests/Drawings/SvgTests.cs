@@ -241,4 +241,23 @@ public class SvgTests
     [TestCase("fill: red; visibility:hidden")]
     public void What_a_style_hides_is_not_drawn(string style)
         => Assert.That(One($"<path d=\"M0 0 L5 5\" style=\"{style}\"/><path d=\"M1 1 L2 1\"/>").Curve.Length, Is.EqualTo(1).Within(1e-9));
+
+    [Test]
+    public void Percentages_are_of_the_width_the_height_or_the_diagonal()
+    {
+        string In(string content) => $"<svg width=\"60mm\" height=\"80mm\" viewBox=\"0 0 60 80\">{content}</svg>";
+        double LengthOf(string content) => CurveReaderTests.Read(In(content), "a.svg").Value!.Single().Curve.Length;
+        // The diagonal by the standard: √((60² + 80²)/2) = 70.71.
+        Assert.That(LengthOf("<circle cx=\"50%\" cy=\"50%\" r=\"10%\"/>"), Is.EqualTo(2 * Math.PI * 0.1 * Math.Sqrt(5000)).Within(1e-9));
+        Assert.That(LengthOf("<line x1=\"0\" y1=\"50%\" x2=\"50%\" y2=\"50%\"/>"), Is.EqualTo(30).Within(1e-9));
+        Assert.That(LengthOf("<line x1=\"10\" y1=\"0%\" x2=\"10\" y2=\"50%\"/>"), Is.EqualTo(40).Within(1e-9));
+    }
+
+    [TestCase("rx=\"5\"")]
+    [TestCase("ry=\"5\"")]
+    [TestCase("rx=\"5\" ry=\"auto\"")]
+    [TestCase("rx=\"auto\" ry=\"5\"")]
+    [TestCase("rx=\"5\" ry=\"5\"")]
+    public void A_radius_that_a_rectangle_does_not_state_is_the_other_one(string radii)
+        => Assert.That(One($"<rect x=\"10\" y=\"10\" width=\"40\" height=\"20\" {radii}/>").Curve.Length, Is.EqualTo(2 * (30 + 10) + 10 * Math.PI).Within(1e-6));
 }

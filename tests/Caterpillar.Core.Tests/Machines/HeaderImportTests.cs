@@ -266,4 +266,13 @@ public class HeaderImportTests
         Assert.That(printer.Origin, Is.EqualTo(BedOrigin.Center));
         Assert.That((printer.BuildVolume.X, printer.BuildVolume.Y), Is.EqualTo((300.0, 280.0)));
     }
+
+    [TestCase("G28\nG1 X90 Y60 Z5", "marlin2")]
+    [TestCase("G28 W\nG80\nG1 X90 Y60 Z5", "prusa")]
+    public void The_firmware_is_that_of_a_similar_printer_or_what_the_words_show(string header, string dialect)
+    {
+        Assert.That(HeaderImport.Read(header, "").Value!.Printer.Dialect.Name, Is.EqualTo(dialect));
+        var klipper = new ProfileLibrary().Printer("klipper_256").OrThrow();
+        Assert.That(HeaderImport.Read(header, "", "a", klipper).Value!.Printer.Dialect.Name, Is.EqualTo("klipper"));
+    }
 }

@@ -141,4 +141,16 @@ public class SetupTests
         foreach (var key in ProfileKeys.Settings.Where(k => k.Kind == KeyKind.Integer && k.Range.Contains(" to ")))
             Assert.That(new PrintSetup().With($"{key.Name}={key.Range.Split(' ').Last()}").Diagnostics, Is.Empty, key.Name + ": " + key.Range);
     }
+
+    [Test]
+    public void A_name_with_a_folder_or_the_ending_of_a_file_is_a_file()
+    {
+        var plain = Path.Combine(_folder, "plain");
+        File.WriteAllText(plain, """{ "inherits": "ender3", "title": "Plain" }""");
+        var library = new ProfileLibrary(_folder);
+        Assert.That(Path.IsPathRooted(plain), Is.True);
+        Assert.That(library.Printer(plain).OrThrow().Title, Is.EqualTo("Plain"));
+        Assert.That(library.Printer("/no/such/printer").Diagnostics.Single().Code, Is.EqualTo(library.Printer("none.json").Diagnostics.Single().Code));
+        Assert.That(library.Printer("none").Diagnostics.Single().Code, Is.EqualTo("profile.not_found"));
+    }
 }

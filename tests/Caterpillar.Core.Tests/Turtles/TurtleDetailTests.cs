@@ -123,4 +123,13 @@ internal sealed class TurtleDetailTests
             new System.Collections.Generic.Dictionary<string, double> { ["x"] = 7 });
         Assert.That(scaled.Run().OrThrow().X, Is.EqualTo(7));
     }
+
+    [Test]
+    public void Facing_a_point_looks_there_from_where_the_turtle_stands()
+    {
+        var turtle = new Turtle().StartAt(10, 20, 5).Face(new Vec3(10, 50, 5));
+        Assert.That(turtle.Forward(7).Position.DistanceTo(new Vec3(10, 27, 5)), Is.LessThan(1e-9));
+        Assert.That(turtle.Face(new Vec3(40, 27, 45)).Forward(50).Position.DistanceTo(new Vec3(40, 27, 45)), Is.LessThan(1e-9));
+        Assert.That(() => turtle.Face(turtle.Position), Throws.ArgumentException);
+    }
 }
