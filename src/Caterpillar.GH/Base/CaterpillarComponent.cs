@@ -73,6 +73,8 @@ public abstract class CaterpillarComponent : GH_Component
 
     private IEnumerable<IDrawn> Drawn => Hidden || Locked ? [] : _drawn;
 
+    private string ProgressMessage => _background.Words + (_shownLast > 0 ? ", last result" : "");
+
     private bool IsSelected => Attributes?.Selected ?? false;
 
     public override void DrawViewportWires(IGH_PreviewArgs args)
@@ -163,15 +165,20 @@ public abstract class CaterpillarComponent : GH_Component
             AddRuntimeMessage(GH_RuntimeMessageLevel.Warning,
                 $"This component was saved by version {_newer} of Caterpillar; this is {PluginInfo.Current}. Some of what it stored may be lost.");
         }
-        if (_waitsFor is not null) AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, $"Uses the last result of {_waitsFor}, which is still at work.");
+        if (_waitsFor is not null) AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, $"Uses the last result of {_waitsFor}, which is not up to date.");
     }
 
     protected sealed override void AfterSolveInstance()
     {
         _cache.End(complete: _pending == 0);
         _background.End();
-        if (_pending == 0) _last.Trim(_leaves ? RunCount + 1 : 0);
-        else ShowProgress();
+        if (_pending == 0)
+        {
+            _last.Trim(_leaves ? RunCount + 1 : 0);
+            return;
+        }
+        Message = ProgressMessage;
+        if (_shownLast > 0) AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, "The last result is shown while the new one is worked on.");
     }
 
     protected sealed override void SolveInstance(IGH_DataAccess DA)
@@ -227,11 +234,12 @@ public abstract class CaterpillarComponent : GH_Component
     /// <summary>Shows something for the item that is being solved.</summary>
     internal void Show(IDrawn drawn) => _drawn.Add(drawn);
 
-    /// <summary>Shows how far long work has come, and that the results are not new.</summary>
+    /// <summary>Shows how far long work has come since the solution ended.</summary>
     internal void ShowProgress()
     {
-        Message = _background.Words + (_shownLast > 0 ? ", last result" : "");
-        if (_shownLast > 0) AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, "The last result is shown while the new one is worked on.");
+        var message = ProgressMessage;
+        if (message == Message) return;
+        Message = message;
         OnDisplayExpired(true);
     }
 

@@ -271,11 +271,11 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         where T : class
         => LongWork.Run(label, work);
 
-    /// <summary>True if all inputs are up to date; false, with a warning, while something before this component is still at work.</summary>
+    /// <summary>True if all inputs are up to date; false, with a warning, while something before this component is at work or was canceled.</summary>
     public bool MayAct()
     {
         if (component.Pending is not { } name) return true;
-        component.AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, $"Nothing was done: {name} is still at work. Press again when it is done.");
+        component.AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, $"Nothing was done: the result of {name} is not up to date. Press again when it is.");
         return false;
     }
 

@@ -68,11 +68,11 @@ public sealed class BackgroundTests
         GH_Document.EscapeKey = () => true;
         Assert.That(slow.Until(() => slow.Message == "canceled, last result" && slow.Canceled == 1), Is.True);
         GH_Document.EscapeKey = () => false;
-        Assert.That(Results(slow), Is.EqualTo("a"));
+        Assert.That((Results(slow), slow.Pending), Is.EqualTo(("a", "Slow")), "What comes after knows that this is old.");
         Assert.That(slow.RuntimeMessages(GH_RuntimeMessageLevel.Warning), Has.One.Contains("Canceled"));
         slow.Gate.Set();
         slow.ExpireSolution(true);
-        Assert.That((Results(slow), slow.Message, slow.Begun), Is.EqualTo(("b", "done", 3)), "A recompute begins again.");
+        Assert.That((Results(slow), slow.Message, slow.Begun, slow.Pending), Is.EqualTo(("b", "done", 3, (string?)null)), "A recompute begins again.");
     }
 
     [Test]
@@ -149,7 +149,7 @@ public sealed class BackgroundTests
         slow.Gate.Reset();
         feed("b");
         Assert.That(Results(next), Is.EqualTo("a"));
-        Assert.That(next.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Has.One.EqualTo("Uses the last result of Slow, which is still at work."));
+        Assert.That(next.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Has.One.EqualTo("Uses the last result of Slow, which is not up to date."));
         slow.Gate.Set();
         Assert.That(slow.Until(() => Results(next) == "b"), Is.True);
         Assert.That(next.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Is.Empty);
@@ -187,7 +187,7 @@ public sealed class BackgroundTests
         feed("M84\n");
         save.Feed("Save", true).Solve();
         Assert.That(File.Exists(file), Is.False);
-        Assert.That(save.Warnings, Has.One.Contains("Slow is still at work"));
+        Assert.That(save.Warnings, Has.One.Contains("the result of Slow is not up to date"));
         slow.Gate.Set();
         Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
         Assert.That(File.Exists(file), Is.False, "A press is not made up for.");
