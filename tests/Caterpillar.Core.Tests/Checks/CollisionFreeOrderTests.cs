@@ -107,6 +107,41 @@ public class CollisionFreeOrderTests
         Assert.That(found, Is.EqualTo(turned ? new[] { 3.0, 30 } : new[] { 30.0, 3 }));
     }
 
+    // Paths that rise from 1 to 9 mm; the head is 20 mm wide at each side.
+    [TestCase(130, 0)]
+    [TestCase(0, 130)]
+    [TestCase(-30, 0)]
+    [TestCase(0, -30)]
+    public void Paths_that_are_far_from_each_other_keep_their_order(double x, double y)
+    {
+        PrintPath Rising(double dx, double dy) => new([new Vec3(60 + dx, 60 + dy, 1), new Vec3(70 + dx, 60 + dy, 9)], new Bead(0.08, 0.2));
+        var paths = new[] { Rising(0, 0), Rising(x, y) };
+        Assert.That(CollisionFreeOrder.Find(paths, Setup).OrThrow().OfType<PathStep>().Select(s => s.Path), Is.EqualTo(paths));
+    }
+
+    // A box that reaches 60 mm to one side, 2 mm above the tip: what is high there comes later.
+    [TestCase(50, 0, true)]
+    [TestCase(70, 0, false)]
+    [TestCase(-50, 0, false)]
+    [TestCase(0, 50, false)]
+    public void A_long_box_of_the_head_decides_which_is_first(double x, double y, bool turned)
+    {
+        var setup = SmallPrint.Setup(p => p with
+        {
+            HeadOutline = new(new HeadPoint(0.5, 0)), HeadBoxes = new(new Bounds(new Vec3(-5, -5, 2), new Vec3(60, 5, 20))),
+        });
+        var paths = new[] { Line(80 + x, 80 + y, 82 + x, 80 + y, 10), Line(80, 80, 82, 80, 1) };
+        var found = CollisionFreeOrder.Find(paths, setup).OrThrow().OfType<PathStep>().Select(s => s.Path.Start.Z);
+        Assert.That(found, Is.EqualTo(turned ? new[] { 1.0, 10 } : new[] { 10.0, 1 }));
+        // The same along Y, by a gantry over the whole bed.
+        var gantry = SmallPrint.Setup(p => p with
+        {
+            HeadOutline = new(new HeadPoint(0.5, 0)), Gantry = new(new Bounds(new Vec3(0, -5, 2), new Vec3(0, 60, 20))),
+        });
+        var beam = new[] { Line(180, 80 + x, 182, 80 + x, 10), Line(20, 80, 22, 80, 1) };
+        if (y == 0) Assert.That(CollisionFreeOrder.Find(beam, gantry).OrThrow().OfType<PathStep>().First().Path.Start.Z, Is.EqualTo(turned ? 1 : 10));
+    }
+
     [Test]
     public void Paths_that_each_come_before_the_next_in_a_circle_are_named()
     {

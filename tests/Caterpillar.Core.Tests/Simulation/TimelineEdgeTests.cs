@@ -93,6 +93,29 @@ public class TimelineEdgeTests
     }
 
     [Test]
+    public void Each_role_tool_and_layer_is_in_the_statistics_also_with_a_single_strand()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        var roles = Enum.GetValues(typeof(Role)).Cast<Role>().ToArray();
+        for (var i = 0; i < roles.Length; i++)
+        {
+            var layer = builder.AddLayer(new Layer(i, 0.2, 0.2));
+            builder.Add(new Vec3(10 * (i + 1), 0, 0.2), 1 + i, 1 + i, 20, MoveKind.Print, roles[i], layer, i % 3, i);
+        }
+        var s = PrintStatistics.Of(Timeline.Of(builder.Build([new ToolpathTool(1), new ToolpathTool(2), new ToolpathTool(3)]),
+            new PrintSetup { Printer = Rigid, Material = new Material { Density = 2 } }));
+        Assert.That(s.Roles.Select(r => r.Role), Is.EqualTo(roles));
+        Assert.That(s.Layers.Select(l => l.Layer), Is.EqualTo(Enumerable.Range(0, roles.Length)));
+        Assert.That(s.Roles.Select(r => r.Volume), Is.EqualTo(roles.Select((_, i) => (double?)(1 + i) * (1 + i % 3))));
+        Assert.That(s.Layers.Select(l => l.Volume), Is.EqualTo(s.Roles.Select(r => r.Volume)));
+        Assert.That(s.Tools.Select(t => t.Tool), Is.EqualTo(new[] { 0, 1, 2 }));
+        Assert.That(s.Tools.Sum(t => t.Volume), Is.EqualTo(s.Volume).Within(1e-9));
+        // 2 g/cm³.
+        Assert.That(s.Tools.Select(t => t.Mass), Is.EqualTo(s.Tools.Select(t => t.Volume * 0.002)).Within(1e-9));
+        Assert.That(s.Layers.Skip(1).Zip(s.Layers, (b, a) => b.Start - a.Start - a.Time), Is.All.EqualTo(0).Within(1e-9));
+    }
+
+    [Test]
     public void A_wait_has_no_motion()
     {
         var wait = new Trapezoid(0, 0, 0, 0, 5);
