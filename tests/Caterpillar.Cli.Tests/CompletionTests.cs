@@ -29,7 +29,7 @@ public class CompletionTests : CliFixture
 
     [TestCase("caterpillar|sli", "slice")]
     [TestCase("caterpillar|slice|--printer|ender", "ender3")]
-    [TestCase("caterpillar|slice|part.stl|--infi", "--infill-curves")]
+    [TestCase("caterpillar|slice|part.stl|--infill-c", "--infill-curves")]
     [TestCase("caterpillar|slice|--lay", "--lay-flat")]
     [TestCase("caterpillar|slice|--set|layer_height_m", "layer_height_mm=")]
     [TestCase("caterpillar|-q|convert|--e|rel", "relative")]

@@ -63,6 +63,7 @@ internal sealed class CurvedOptionValues
     };
 
     private readonly BoundaryOptions _boundaries = new();
+    private readonly InfillAlong _along = new();
     private readonly Option<bool> _partial = new("--partial")
     {
         Description = "Print what lies within the surface and is not too steep, instead of refusing the model.",
@@ -72,6 +73,7 @@ internal sealed class CurvedOptionValues
     {
         foreach (var option in new Option[] { _surface, _field, _blend, _onto, _squeeze, _deform, _partial, _tilt }) verb.Options.Add(option);
         _boundaries.AddTo(verb);
+        _along.AddTo(verb);
     }
 
     public bool IsGiven(ParseResult arguments) => HasField(arguments) || arguments.GetValue(_onto) is not null;
@@ -100,6 +102,7 @@ internal sealed class CurvedOptionValues
         if (!ends && kind is "vertical" or "normal" && surfaces.Length == 0 && field is not null) throw Usage($"--field {kind} needs --surface.");
         if (!ends && kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0) throw Usage("A formula for --field goes without --surface.");
         if (kind is "vertical" or "normal" && surfaces.Length > 1) throw Usage("Several surfaces go with --field between.");
+        if (_along.IsGiven(arguments) && surfaces.Length == 0) throw Usage("--infill-along goes with --surface.");
         if (arguments.GetValue(_blend) is { } blend)
         {
             if (kind != "vertical" || surfaces.Length == 0) throw Usage("--blend goes with --surface and --field vertical.");
@@ -153,6 +156,12 @@ internal sealed class CurvedOptionValues
         session.Print([OntoOptions.Place(mesh, file)]);
         return mesh;
     }
+
+    /// <summary>Lines that take the place of the infill's pattern, along directions of the uppermost surface; null for the pattern.</summary>
+    /// <inheritdoc cref="Field" path="/param"/>
+    public IReadOnlyList<Polyline>? InfillLines(ParseResult arguments, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
+        => _along.IsGiven(arguments) && arguments.GetValue(_surface) is [.., var last]
+            ? _along.Lines(arguments, Surface(last, models, shift, session), models, shift, setup, session) : null;
 
     public double Squeeze(ParseResult arguments) => arguments.GetValue(_squeeze);
 

@@ -41,8 +41,13 @@ internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult argu
             models = models.Select(m => new SliceModel(new NamedMesh(m.Mesh.Name, m.Mesh.Mesh.Moved(new Vec3(0, 0, -shift.Z))), m.Settings)).ToArray();
             shift = shift.WithZ(0);
         }
-        var field = options.Field(arguments, models.Select(m => m.Mesh).ToArray(), shift, setup, session);
-        var curved = new CurvedOptions { Onto = onto is null ? null : PlanSurface.OnBed(onto), Partial = options.IsPartial(arguments) };
+        var meshes = models.Select(m => m.Mesh).ToArray();
+        var field = options.Field(arguments, meshes, shift, setup, session);
+        var curved = new CurvedOptions
+        {
+            Onto = onto is null ? null : PlanSurface.OnBed(onto), Partial = options.IsPartial(arguments), MaxTilt = options.Tilt(arguments)?.MaxTilt ?? 0,
+            InfillLines = options.InfillLines(arguments, meshes, shift, setup, session),
+        };
         var result = session.ValueOrFail(session.WithProgress("Slicing",
             progress => CurvedSlicer.SliceEach(models, field, setup, curved, threads, progress, session.Cancel)));
         _field = result.Field;

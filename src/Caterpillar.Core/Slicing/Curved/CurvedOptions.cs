@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Caterpillar.Geometry;
 
@@ -14,6 +15,16 @@ public sealed record CurvedOptions
     /// where it is neither closed nor skin; not where infill is 0 or 100 %. Null for the pattern of the settings.
     /// </summary>
     public IReadOnlyList<Polyline>? InfillLines { get; init; }
+
+    /// <summary>
+    /// How far the tool of a machine tilts along the normals of the layers, degrees: they may be so much steeper than an upright head allows.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not from 0 to 90.</exception>
+    public double MaxTilt
+    {
+        get;
+        init => field = value is >= 0 and <= 90 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A tool tilts by 0 to 90 degrees.");
+    }
 
     /// <summary>
     /// Where the part reaches beyond the plan, or layers are too steep for the head, the rest is printed; without it that is an error.

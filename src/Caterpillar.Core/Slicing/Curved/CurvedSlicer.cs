@@ -88,7 +88,8 @@ public static class CurvedSlicer
         IProgress<double>? progress, CancellationToken cancel)
     {
         var settings = setup.Settings;
-        var ceiling = SlopeLimit(setup, part, flat, field);
+        // A tool that tilts sees the slope from its own axis; overhanging layers cannot be printed by any.
+        var ceiling = Math.Min(89.9, SlopeLimit(setup, part, flat, field) + options.MaxTilt);
         var rules = new LiftRules(
             settings.CurvedTolerance, settings.CurvedGapStep / 100, MinGap(setup), ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial)
         {

@@ -56,6 +56,17 @@ public class CurvedDiagnosticTests
         Assert.That(CurvedSolids.Try(field, CurvedSolids.Massive with { CurvedMaxSlope = 27 }, null, Part).Value, Is.Not.Null);
     }
 
+    // Layers of 26.6 degrees, a head that allows 20.
+    [TestCase(5, false)]
+    [TestCase(7, true)]
+    public void A_tool_that_tilts_measures_slopes_from_its_own_axis(double tilt, bool allowed)
+    {
+        var options = new CurvedOptions { MaxTilt = tilt };
+        var result = CurvedSolids.Try(LayerField.Vertical(PlanSurface.Of((x, _) => 0.5 * x)), CurvedSolids.Massive with { CurvedMaxSlope = 20 }, options, Part);
+        Assert.That(result.Value is not null, Is.EqualTo(allowed));
+        Assert.That(() => new CurvedOptions { MaxTilt = 91 }, Throws.InstanceOf<System.ArgumentOutOfRangeException>());
+    }
+
     [Test]
     public void The_head_of_the_printer_limits_the_slope()
     {

@@ -1,0 +1,62 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Drawings;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Slicing;
+
+namespace Caterpillar.Cli.Commands;
+
+/// <summary>The option for infill whose lines follow directions of the surface.</summary>
+internal sealed class InfillAlong
+{
+    private readonly Option<string?> _along = new("--infill-along")
+    {
+        Description = "With --surface: lines of the infill follow the principal curvature of the surface where it bends most (curvature), the other one "
+            + "(across), or both; a direction by two formulas in x and y: \"-y; x\"; or curves of a file (CSV, JSON, SVG, lines of OBJ). infill_percent gives "
+            + "their distance.",
+        HelpName = "curvature|across|both|DX;DY|FILE",
+    };
+
+    public void AddTo(Verb verb) => verb.Options.Add(_along);
+
+    public bool IsGiven(ParseResult arguments) => arguments.GetValue(_along) is not null;
+
+    /// <summary>The lines over the models; null where the option was not given.</summary>
+    public IReadOnlyList<Polyline>? Lines(
+        ParseResult arguments, PlanSurface surface, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
+    {
+        if (arguments.GetValue(_along) is not { } text) return null;
+        var percent = setup.Settings.InfillPercent;
+        if (percent is <= 0 or >= 100) return null;
+        var spacing = setup.Settings.LineWidth * 100 / percent;
+        var plan = Bounds.Of(models.SelectMany(m => new[] { m.Mesh.Bounds.Min, m.Mesh.Bounds.Max }));
+        switch (text.Trim())
+        {
+            case "curvature": return SurfaceLines.AlongCurvature(surface, plan, spacing, false, session.Cancel);
+            case "across": return SurfaceLines.AlongCurvature(surface, plan, spacing, true, session.Cancel);
+            case "both":
+                return [.. SurfaceLines.AlongCurvature(surface, plan, 2 * spacing, false, session.Cancel),
+                    .. SurfaceLines.AlongCurvature(surface, plan, 2 * spacing, true, session.Cancel)];
+        }
+        if (text.Split(';') is [var x, var y])
+        {
+            var source = new SourceLocation(Key: "--infill-along");
+            var byX = session.ValueOrFail(PlanSurface.Formula(x, source), ExitCode.Usage);
+            var byY = session.ValueOrFail(PlanSurface.Formula(y, source), ExitCode.Usage);
+            Vec3 Direction(Vec3 p) => new(byX.Height(p.X - shift.X, p.Y - shift.Y), byY.Height(p.X - shift.X, p.Y - shift.Y));
+            return SurfaceLines.Along(surface, plan, Direction, spacing, session.Cancel);
+        }
+        if (!File.Exists(text))
+            throw new CliException(ExitCode.Usage, "--infill-along needs curvature, across, both, two formulas \"DX; DY\", or a file of curves.");
+        var reading = new CurveReadOptions { Memory = session.Memory };
+        var read = session.ValueOrFail(CurveReader.Read(session.ReadBytes(text), Session.NameOf(text), reading, null, session.Cancel));
+        var curves = read.Select(c => new Polyline(
+            CurveSubdivider.Subdivide(c.Curve, new SubdivisionOptions { ChordTolerance = 0.05 }, session.Cancel).Points.Select(p => p + shift),
+                c.Curve.IsClosed));
+        return SurfaceLines.AlongCurves(surface, plan, curves.Where(c => c.Count > 1).ToArray(), spacing, session.Cancel);
+    }
+}
