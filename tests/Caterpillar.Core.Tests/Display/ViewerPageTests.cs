@@ -80,6 +80,20 @@ public class ViewerPageTests
     }
 
     [Test]
+    public void Every_row_has_its_tool_layer_and_speed()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        var layer = builder.AddLayer(new Layer(4, 0.2, 0.2));
+        builder.Add(new Vec3(20, 0, 0), 2, 2, 20.5, MoveKind.Print, Role.OuterWall, layer, 1, 0);
+        builder.Add(new Vec3(20, 5, 0), 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, 1);
+        var page = Page(new ViewerContent("a") { Toolpath = builder.Build([new ToolpathTool(1), new ToolpathTool(1)]) });
+        var columns = Columns(page, Head(page));
+        Assert.That(columns["tool"], Is.EqualTo(new long[] { 1, 0 }));
+        Assert.That(columns["layer"], Is.EqualTo(new long[] { 0, -1 }));
+        Assert.That(columns["speed"], Is.EqualTo(new long[] { 2050, 10000 }));
+    }
+
+    [Test]
     public void A_page_needs_no_network_and_holds_no_open_placeholder()
     {
         var page = Page(new ViewerContent("<b>&{{x") { Toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Code)).Value!.Toolpath,

@@ -121,6 +121,17 @@ public class ImageReaderTests
         }
     }
 
+    [Test]
+    public void Pixels_of_a_palette_have_the_brightness_of_their_color()
+    {
+        // Black, white, red, gray; a transparent last one is white.
+        byte[] colors = [0, 0, 0, 255, 255, 255, 255, 0, 0, 51, 51, 51, 0, 0, 0];
+        var image = ImageReader.Read(Png(5, 1, [0, 0, 1, 2, 3, 4], 3, [.. Chunk("PLTE", colors), .. Chunk("tRNS", [255, 255, 255, 255, 0])]), "a.png")
+            .OrThrow();
+        Assert.That(Enumerable.Range(0, 5).Select(i => image[i, 0]), Is.EqualTo(new[] { 0, 1, 0.2126, 0.2, 1 }).Within(1e-9));
+        Assert.That(ImageReader.Read(Png(1, 1, [0, 5], 3, Chunk("PLTE", colors)), "a.png").Value, Is.Null, "a color beyond the palette");
+    }
+
     // By the standard: what is written is the difference from the left, from above, from the mean of both, or from the nearest of three.
     private static byte[] Filtered(byte[] row, byte[] above, int filter)
     {
@@ -136,7 +147,7 @@ public class ImageReaderTests
         return result;
     }
 
-    private static byte[] Png(int width, int height, byte[] rows)
+    private static byte[] Png(int width, int height, byte[] rows, byte kind = 0, byte[]? before = null)
     {
         using var packed = new System.IO.MemoryStream();
         packed.Write([0x78, 0x9C], 0, 2);
@@ -151,7 +162,7 @@ public class ImageReaderTests
         packed.Write(Number(b << 16 | a), 0, 4);
         return
         [
-            0x89, 0x50, 0x4E, 0x47, 13, 10, 26, 10, .. Chunk("IHDR", [.. Number((uint)width), .. Number((uint)height), 8, 0, 0, 0, 0]),
+            0x89, 0x50, 0x4E, 0x47, 13, 10, 26, 10, .. Chunk("IHDR", [.. Number((uint)width), .. Number((uint)height), 8, kind, 0, 0, 0]), .. before ?? [],
             .. Chunk("IDAT", packed.ToArray()), .. Chunk("IEND", []),
         ];
     }
