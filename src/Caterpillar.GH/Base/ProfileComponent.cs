@@ -1,8 +1,6 @@
-using System;
 using System.Diagnostics.CodeAnalysis;
 using Caterpillar.GH.Plugin;
 using Grasshopper.Kernel;
-using Rhino;
 
 namespace Caterpillar.GH.Base;
 
@@ -42,7 +40,7 @@ public abstract class ProfileComponent(string name, string nickname, string desc
         base.DocumentContextChanged(document, context);
     }
 
-    private void Watch() => _watcher ??= new ProfileWatcher(() => RhinoApp.InvokeOnUiThread(new Action(Expire)));
+    private void Watch() => _watcher ??= new ProfileWatcher(() => Background.Post(Expire));
 
     private void Unwatch()
     {

@@ -83,7 +83,7 @@ public sealed class SetupTests
         var printers = Path.Combine(_folder, "Caterpillar", "printers");
         Directory.CreateDirectory(printers);
         File.WriteAllText(Path.Combine(printers, "generic.json"), "{\"inherits\": \"generic\", \"title\": \"Changed\"}");
-        var canvas = new Canvas<PrinterComponent>().Solve();
+        var canvas = Watched();
         Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Changed"));
         File.WriteAllText(Path.Combine(printers, "generic.json"), "{\"inherits\": \"generic\", \"title\": \"Again\"}");
         var until = DateTime.UtcNow.AddSeconds(10);
@@ -105,13 +105,21 @@ public sealed class SetupTests
     public void A_folder_of_profiles_that_is_made_later_is_watched_too()
     {
         Directory.CreateDirectory(_folder);
-        var canvas = new Canvas<PrinterComponent>().Solve();
+        var canvas = Watched();
         var printers = Path.Combine(_folder, "Caterpillar", "printers");
         Directory.CreateDirectory(printers);
         File.WriteAllText(Path.Combine(printers, "generic.json"), "{\"inherits\": \"generic\", \"title\": \"Later\"}");
         WaitFor(canvas);
         Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Later"));
         canvas.Document.RemoveObject(canvas.Component, false);
+    }
+
+    // What Rhino would run on its UI thread is run at once.
+    private static Canvas<PrinterComponent> Watched()
+    {
+        var canvas = new Canvas<PrinterComponent>();
+        canvas.Component.Background.Post = action => action();
+        return canvas.Solve();
     }
 
     private static void WaitFor(Canvas<PrinterComponent> canvas)
