@@ -91,8 +91,26 @@ public class CurvedSlicerTests
         for (var i = 0; i < 21; i++)
         {
             foreach (var p in CurvedSolids.Points(layers[i])) Assert.That(p.Z, Is.EqualTo(Roof(p.X, p.Y) * (i + 1) / 21).Within(1e-6));
+            Assert.That(CurvedSolids.Volume(layers[i]), Is.EqualTo(VolumeOfLayer(i)).Within(2).Percent, $"layer {i}");
         }
         Assert.That(layers.Sum(CurvedSolids.Volume), Is.EqualTo(part.Volume).Within(2).Percent);
+
+        // Over each place, what lies between two layers and below the side, which rises from the rim at 12 mm to the one at 8 mm.
+        static double VolumeOfLayer(int layer)
+        {
+            const double Step = 0.05;
+            var sum = 0.0;
+            for (var x = -12 + Step / 2; x < 12; x += Step)
+            {
+                for (var y = -12 + Step / 2; y < 12; y += Step)
+                {
+                    var radius = Math.Sqrt(x * x + y * y);
+                    var side = radius < 8 ? Roof(x, y) : Math.Max(0, (12 - radius) / 4 * Roof(8 * x / radius, 8 * y / radius));
+                    sum += Math.Max(0, Math.Min(side, Roof(x, y) * (layer + 1) / 21) - Roof(x, y) * layer / 21);
+                }
+            }
+            return sum * Step * Step;
+        }
     }
 
     // Each with gaps of about 1 : 4.
