@@ -69,7 +69,7 @@ public class CheckRuleTests
             var back = swap ? new SmallPrint(y, 90, 0.2).Print(y, 40, 0.2) : new SmallPrint(90, y, 0.2).Print(40, y, 0.2);
             Assert.That(SmallPrint.Find(back.Build(), setup, CheckCodes.PrintArea).Length, Is.EqualTo(found), $"{swap}, back");
         }
-        // It ends before the area, or begins behind it.
+        // It ends before the area, or begins after it.
         Assert.That(SmallPrint.Find(new SmallPrint(40, 60, 0.2).Print(49.9, 60, 0.2).Build(), setup, CheckCodes.PrintArea), Is.Empty);
         Assert.That(SmallPrint.Find(new SmallPrint(70.1, 60, 0.2).Print(90, 60, 0.2).Build(), setup, CheckCodes.PrintArea), Is.Empty);
         Assert.That(SmallPrint.Find(new SmallPrint(40, 72, 0.2).Print(72, 40, 0.2).Build(), setup, CheckCodes.PrintArea), Has.Exactly(1).Items, "a corner");
