@@ -50,8 +50,8 @@ internal sealed class StrandCheck
         _usualHeight = Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight);
     }
 
-    /// <summary>A strand along a straight move; its height in mm.</summary>
-    public double Strand(in CheckedMove move)
+    /// <summary>A strand along a straight move; its nominal height and the height that it fills, mm.</summary>
+    public (double Nominal, double Filled) Strand(in CheckedMove move)
     {
         if (_continues && move.Start != _end) Break();
         (_continues, _end) = (true, move.End);
@@ -79,12 +79,13 @@ internal sealed class StrandCheck
         }
         _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
         var height = known ? move.Thickness : Math.Max(0, Math.Min(gap, nominal));
-        if (move.Role == Role.Purge) return height;
-        // Without layers a strand is as high as its gap, or round where it hangs.
-        Dimensions(move, area, height, known ? height : Math.Max(height, Math.Min(tight, 2 * Math.Sqrt(area / Math.PI))), known);
+        // A strand is as high as its gap, or round where it hangs; layers of drawings may be much thinner than that.
+        var filled = Math.Max(height, Math.Min(tight, 2 * Math.Sqrt(area / Math.PI)));
+        if (move.Role == Role.Purge) return (height, height);
+        Dimensions(move, area, height, filled, known);
         if (tight > 0 && area / tight > WidestSqueezed * _printer.NozzleDiameter) Squeezed(move, area, tight);
         if (move.Role is not (Role.Ironing or Role.GapFill or Role.PrimeTower)) Doubles(move, area, height);
-        return height;
+        return (height, known ? height : filled);
     }
 
     /// <summary>Material in place.</summary>
