@@ -9,7 +9,7 @@ internal static class PowerShellCompletions
     public static void Write(TextWriter text, CompletionTable table)
     {
         text.WriteLine("# PowerShell completions of caterpillar: caterpillar completions powershell | Out-String | Invoke-Expression, in $PROFILE");
-        text.WriteLine("Register-ArgumentCompleter -Native -CommandName caterpillar, Caterpillar.Cli -ScriptBlock {");
+        text.WriteLine("Register-ArgumentCompleter -Native -CommandName 'caterpillar', 'Caterpillar.Cli' -ScriptBlock {");
         text.WriteLine("  param($word, $ast, $cursor)");
         text.WriteLine("  $verbs = [ordered]@{");
         foreach (var verb in table.Verbs)
