@@ -119,6 +119,38 @@ public class CheckRuleTests
         Assert.That(SmallPrint.Find(print.Wall(50, 70, 50, 25).Build(), Setup, CheckCodes.FirstLayer).Length, Is.EqualTo(found));
     }
 
+    [Test]
+    public void A_strand_that_is_squeezed_onto_the_bed_stands_on_twice_its_width_at_most()
+    {
+        // 20 mm of 0.08 mm², 0.05 mm above the bed, as if half a layer high: 16 mm².
+        var print = new SmallPrint(50, 50, 0.05).Print(70, 50, 0.05);
+        for (var k = 1; k <= 200; k++) print.Go(print.At.X, 50, 0.05 + 0.2 * k).Print(k % 2 == 1 ? 50 : 70, 50, 0.05 + 0.2 * k);
+        var setup = Setup with { Settings = new PrintSettings { LayerHeight = 0.2, FirstLayerHeight = 0.2 } };
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.FirstLayer).Single().Message,
+            Is.EqualTo("A print of 40.05 mm height stands on 16 mm²: give it a brim."));
+    }
+
+    [Test]
+    public void Of_layers_that_are_too_high_the_highest_is_the_worst()
+    {
+        var print = new SmallPrint(50, 50, 20);
+        foreach (var height in new[] { 0.45, 0.6, 0.5 })
+            print.Go(50, 50, 20).InLayer(new Layer(0, height, height)).Go(50, 50, height).Print(70, 50, height, 0.9 * height * height).Go(70, 50, 20);
+        var found = SmallPrint.Find(print.Build(), Setup, CheckCodes.Height).Single();
+        Assert.That((found.Message, found.Worst!.Message), Is.EqualTo(
+            ("A layer is 0.45 mm high; the nozzle is 0.4 mm wide.", "A layer is 0.6 mm high; the nozzle is 0.4 mm wide.")));
+    }
+
+    [Test]
+    public void The_share_of_moves_that_pull_back_is_told()
+    {
+        var text = new StringBuilder("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2\n");
+        for (var i = 1; i <= 30; i++) text.Append("G1 X").Append(10 + 3 * i).Append(i <= 18 ? " E0.1\n" : " E-0.1\n");
+        var found = PrintCheck.Run(SmallPrint.Decode(Encoding.ASCII.GetBytes(text + "M104 S0\n"), Setup), Setup);
+        Assert.That(found.Single(d => d.Code == CheckCodes.ExtrusionMode).Message,
+            Is.EqualTo("40 % of the moves with E pull it back: E looks relative and is read as absolute."));
+    }
+
     // 30 mm³ in place, 0.3 mm above the bed, are a disc of 11 mm.
     [TestCase(0.3, true, 1)]
     [TestCase(0.3, false, 0)]

@@ -115,6 +115,18 @@ public class TimelineEdgeTests
         Assert.That(s.Layers.Skip(1).Zip(s.Layers, (b, a) => b.Start - a.Start - a.Time), Is.All.EqualTo(0).Within(1e-9));
     }
 
+    [TestCase(1, 0, 0)]
+    [TestCase(0, 1, 0)]
+    [TestCase(0, 0, 1)]
+    public void A_long_line_in_any_direction_has_its_length(double x, double y, double z)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        for (var i = 1; i <= 1000; i++) builder.Add(0.1 * i * new Vec3(x, y, z), 0, 0, 20, MoveKind.Travel, Role.Unspecified, -1, 0, i);
+        var timeline = Timeline.Of(builder.Build([new ToolpathTool(1)]), new PrintSetup { Printer = Rigid });
+        Assert.That(timeline.Length, Is.EqualTo(100).Within(1e-9));
+        for (var i = 0; i < 1000; i += 7) Assert.That(timeline.AtLength((i + 0.5) / 1000).Move, Is.EqualTo(i));
+    }
+
     [Test]
     public void A_wait_has_no_motion()
     {
