@@ -45,16 +45,14 @@ public class CheckEdgeTests
         Assert.That(SmallPrint.Find(print.Go(20, 20, 5).Build(), Setup, CheckCodes.Doubled).Length, Is.EqualTo(found));
     }
 
-    [Test]
-    public void A_layer_twelve_nozzles_thinner_than_its_strands_says_nothing_about_them()
+    [TestCase(0.6, "3")]
+    [TestCase(0.47, "2.35")]
+    public void A_strand_is_as_wide_as_its_gap_says_whatever_its_layer(double area, string width)
     {
+        // In a layer of 0.1 mm, 0.2 above the bed.
         var setup = new PrintSetup(SmallPrint.Generic, new Material(), new PrintSettings { BeadShape = BeadShape.Rectangle });
-        foreach (var (area, width) in new[] { (0.6, "3"), (0.47, "4.7") })
-        {
-            // 12 nozzles of 0.4 in a layer of 0.1 are 0.48 mm²; the strand has 0.2 mm below it.
-            var print = new SmallPrint(50, 50, 0.2).InLayer(new Layer(0, 0.2, 0.1)).Print(70, 50, 0.2, area).Build();
-            Assert.That(SmallPrint.Find(print, setup, CheckCodes.Width).Single().Message, Does.StartWith($"Strands are {width} mm wide"));
-        }
+        var print = new SmallPrint(50, 50, 0.2).InLayer(new Layer(0, 0.2, 0.1)).Print(70, 50, 0.2, area).Build();
+        Assert.That(SmallPrint.Find(print, setup, CheckCodes.Width).Single().Message, Does.StartWith($"Strands are {width} mm wide"));
     }
 
     [Test]
