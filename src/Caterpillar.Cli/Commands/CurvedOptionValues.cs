@@ -19,9 +19,8 @@ internal sealed class CurvedOptionValues
 
     private readonly Option<string[]> _surface = new("--surface")
     {
-        Description = "Slice along a surface: a mesh file, a formula for its height in x and y (10 + 2 * sin(9 * x)), or a picture (PNG, PGM) as a height "
-            + "map over "
-            + "the model with its heights: FILE:LOW,HIGH. Repeated with --field between, from below.",
+        Description = "Slice along a surface: a mesh file, a formula for its height in x and y (10 + 2 * sin(9 * x)), or a picture (PNG, PGM) as a height map "
+            + "over the model with its heights: FILE:LOW,HIGH. Repeated with --field between, from below.",
         HelpName = "PLAN",
     };
 

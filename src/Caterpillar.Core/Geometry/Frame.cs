@@ -42,7 +42,10 @@ public readonly struct Frame : IEquatable<Frame>
         var ux = x.Unit();
         var uz = Vec3.Cross(ux, y.Unit()).Unit();
         if (!(ux.LengthSquared > 0.5)
-            || !(uz.LengthSquared > 0.5)) throw new ArgumentException("The axes of a frame must be two different directions.", nameof(y));
+            || !(uz.LengthSquared > 0.5))
+        {
+            throw new ArgumentException("The axes of a frame must be two different directions.", nameof(y));
+        }
         return new Frame(origin, ux, Vec3.Cross(uz, ux), uz);
     }
 

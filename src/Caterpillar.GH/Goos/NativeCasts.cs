@@ -18,7 +18,10 @@ internal static class NativeCasts
             return wanted == typeof(GH_Line) ? new GH_Line(line) : line;
         }
         if (wanted == typeof(Rg.Arc) || wanted == typeof(GH_Arc) || wanted == typeof(Rg.Circle)
-            || wanted == typeof(GH_Circle)) return Round(path, wanted, units);
+            || wanted == typeof(GH_Circle))
+        {
+            return Round(path, wanted, units);
+        }
         if (wanted == typeof(Rg.Polyline)) return RhinoGeometry.ToCurve(path, units) is { } chords && chords.TryGetPolyline(out var polyline) ? polyline : null;
         if (typeof(Rg.PolylineCurve) == wanted) return RhinoGeometry.ToCurve(path, units);
         return AsCurve(wanted, () => CurveJoiner.ToCurve(path, units));

@@ -79,7 +79,10 @@ internal sealed class BoundaryField : LayerField
     {
         var (own, given) = (_boundaries.Original, mesh);
         if (!ReferenceEquals(own, given) && !(own.RawVertices.AsEnumerable().SequenceEqual(given.RawVertices)
-            && own.RawTriangles.AsEnumerable().SequenceEqual(given.RawTriangles))) return null;
+            && own.RawTriangles.AsEnumerable().SequenceEqual(given.RawTriangles)))
+        {
+            return null;
+        }
         var fine = _boundaries.Mesh;
         return TriMesh.Own(fine.RawVertices.Select((p, i) => p.WithZ(_values[i])).ToArray(), fine.RawTriangles);
     }

@@ -31,8 +31,10 @@ internal static class SupportFiller
             var inside = walls.Inside;
             var dense = near.IsEmpty ? near : inside.Intersect(near, engine);
             if (!dense.IsEmpty) Lines(dense, settings.SupportInterfacePercent, 90, Role.SupportInterface, 2);
-            if (settings.Support == SupportKind.Grid) Lines(dense.IsEmpty ? inside
-                : inside.Subtract(dense, engine), settings.SupportPercent, 0, Role.Support, 1);
+            if (settings.Support == SupportKind.Grid)
+            {
+                Lines(dense.IsEmpty ? inside : inside.Subtract(dense, engine), settings.SupportPercent, 0, Role.Support, 1);
+            }
 
             void Lines(Region area, double percent, double angle, Role role, int rank)
             {

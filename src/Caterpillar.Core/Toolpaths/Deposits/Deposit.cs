@@ -81,8 +81,10 @@ public sealed partial class Deposit
     internal void Add(Vec3 from, Vec3 to, double halfWidth, int tag)
     {
         if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "The ends of a strand must be finite.");
-        if (!(halfWidth >= 0) || double.IsInfinity(halfWidth)) throw new ArgumentOutOfRangeException(nameof(halfWidth),
-            "The width of a strand must be finite and not negative.");
+        if (!(halfWidth >= 0) || double.IsInfinity(halfWidth))
+        {
+            throw new ArgumentOutOfRangeException(nameof(halfWidth), "The width of a strand must be finite and not negative.");
+        }
         var strand = new Strand { Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth, Tag = tag };
         Highest = Math.Max(Highest, strand.Top);
         var edge = MaxBins * DepositBin.Side * _cell;
@@ -92,7 +94,10 @@ public sealed partial class Deposit
             // Only the part inside is drawn into cells.
             double low = 0, high = 1;
             if (!ClipAxis(strand.Ax, strand.Bx, edge - halfWidth - _cell, ref low, ref high)
-                || !ClipAxis(strand.Ay, strand.By, edge - halfWidth - _cell, ref low, ref high)) return;
+                || !ClipAxis(strand.Ay, strand.By, edge - halfWidth - _cell, ref low, ref high))
+            {
+                return;
+            }
             var (a, b) = (Vec3.Lerp(from, to, low), Vec3.Lerp(from, to, high));
             strand = strand with { Ax = a.X, Ay = a.Y, Az = a.Z, Bx = b.X, By = b.Y, Bz = b.Z };
         }

@@ -131,7 +131,10 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
     private void Unmapped(Move move, Vec3 end)
     {
         if (end == move.End && _position != move.Start && move.Kind != MoveKind.Print && move.Start.X == end.X
-            && move.Start.Y == end.Y) end = _position.WithZ(end.Z);
+            && move.Start.Y == end.Y)
+        {
+            end = _position.WithZ(end.Z);
+        }
         if (_position == move.Start && end == move.End)
         {
             Add(move, end, move.E, move.Deposited, move.Speed, move.Arc);

@@ -58,7 +58,10 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
         {
             var cut = text.IndexOf("=", StringComparison.Ordinal);
             if (cut < 1 || !NumberReader.TryParse(text.Substring(cut + 1).Trim(),
-                out var value)) throw new InputProblem($"Variables: '{text}' is not name=value.");
+                out var value))
+            {
+                throw new InputProblem($"Variables: '{text}' is not name=value.");
+            }
             var name = text.Substring(0, cut).Trim();
             if (!script.Parameters.Contains(name)) run.Report(GH_RuntimeMessageLevel.Warning, $"The script has no parameter '{name}' (param {name} = …).");
             else variables[name] = value;

@@ -50,8 +50,10 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
             run.Set(0, null);
             return;
         }
-        if (frame != Frame.World) deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation)
-            .Then(Deformation.Cartesian(p => frame.ToWorld(p)));
+        if (frame != Frame.World)
+        {
+            deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation).Then(Deformation.Cartesian(p => frame.ToWorld(p)));
+        }
         var result = run.Work("Deform", [goo.Value, frame, .. MoveFilterPorts.Key(filter), .. request.Key],
             (_, _) => goo.Value.Deform(filter, deformation, request.Tolerance));
         run.SetList(1, run.Report(result.Diagnostics));

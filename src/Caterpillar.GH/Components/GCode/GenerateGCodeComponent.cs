@@ -54,8 +54,11 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         if (string.IsNullOrWhiteSpace(reason)) reason = null;
         var rewriteAll = run.Get<bool>(5) || goo.DecodedGCode is null;
         var (start, end) = (run.Maybe<string>(6), run.Maybe<string>(7));
-        if (rewriteAll && (start ?? end) is not null) run.Report(GH_RuntimeMessageLevel.Warning,
-            "Start Code and End Code apply to decoded files whose lines are kept; this one is rewritten, with the code of its printer.");
+        if (rewriteAll && (start ?? end) is not null)
+        {
+            run.Report(GH_RuntimeMessageLevel.Warning,
+                "Start Code and End Code apply to decoded files whose lines are kept; this one is rewritten, with the code of its printer.");
+        }
         var code = new EditOptions { Start = Lines(start), End = Lines(end) };
         var result = run.Work("Writing", [goo.Value, setup, reason, rewriteAll, start, end], (progress, cancel) => rewriteAll
             ? SafeWriter.ToDocument(goo.Value, setup, reason, progress, cancel)

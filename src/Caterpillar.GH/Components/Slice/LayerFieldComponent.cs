@@ -27,9 +27,8 @@ public sealed class LayerFieldComponent() : CaterpillarComponent(
                 + "surfaces or curves on the solids, where layers end; without them ends are found.",
             GH_ParamAccess.list, optional: true);
         ports.Text("Expressions", "E",
-            "Formulas: the height of a surface in x and y; for Formula the field in x, y, z, r and theta, such as z - 2 * sin(9 * x); for Deformed the bent "
-                + "x, y "
-                + "and z. Lengths in mm, angles in degrees.",
+            "Formulas: the height of a surface in x and y; for Formula the field in x, y, z, r and theta, such as z - 2 * sin(9 * x); for Deformed the bent x, "
+                + "y and z. Lengths in mm, angles in degrees.",
             access: GH_ParamAccess.list, optional: true);
         ports.File("Image", "I", "Image as a height map over the solids (PNG, PGM): black is Low, white is High.",
             "Images (*.png;*.pgm)|*.png;*.pgm|All files|*.*", optional: true);
@@ -39,8 +38,7 @@ public sealed class LayerFieldComponent() : CaterpillarComponent(
         ports.OptionalNumber("Blend To", "To", "For Vertical: layers follow the surface from this height on, in mm; without it all of them do.");
         ports.OptionalAngle("Angle", "A",
             "For Cone: how much layers descend outward, in degrees; they rise where it is negative. For Overhangs: the same; by default the least angle that "
-                + "makes "
-                + "all overhangs at least 45 degrees steep.");
+                + "makes all overhangs at least 45 degrees steep.");
         ports.Add(new Param_Point(), "Origin", "O",
             "Origin of the formulas, in document units, the world's by default; axis of the cone, by default through the middle of the solids.",
                 optional: true);

@@ -27,8 +27,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         TolerancePort(ports);
         ports.Geometry("Modifiers", "M",
             "Solids that are not printed, in document units: what lies inside them is printed with Modifier Settings, or supported or not, as model_use of "
-                + "those "
-                + "states.", GH_ParamAccess.list, optional: true);
+                + "those states.", GH_ParamAccess.list, optional: true);
         ports.Add(new SettingsParam(), "Modifier Settings", "MS", "Print settings of each modifier in turn; the last ones are those of all that follow.",
             GH_ParamAccess.list, optional: true);
         ports.Add(new Param_Curve { Optional = true }, "Infill Curves", "C",
@@ -55,8 +54,10 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
     {
         var geometry = run.List<IGH_GeometricGoo>(3);
         var settings = run.List<SettingsGoo>(4);
-        if (geometry.Count == 0 && settings.Count > 0) run.Report(GH_RuntimeMessageLevel.Warning,
-            "Modifier Settings apply to Modifiers, of which there are none.");
+        if (geometry.Count == 0 && settings.Count > 0)
+        {
+            run.Report(GH_RuntimeMessageLevel.Warning, "Modifier Settings apply to Modifiers, of which there are none.");
+        }
         if (geometry.Count == 0) return [];
         if (settings.Count == 0) throw new InputProblem("Modifier Settings are missing.") { IsMissing = true };
         return geometry.Select((g, i) =>
