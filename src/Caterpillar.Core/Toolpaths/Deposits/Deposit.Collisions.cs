@@ -97,9 +97,11 @@ public sealed partial class Deposit
             for (var column = firstColumn; column <= lastColumn; column++)
             {
                 if (_bins[(row - _bottom) * _columns + column - _left] is not { } bin || !(bin.Top > z)) continue;
-                var reach = query.Head.Reach(bin.Top - z) + side * 0.7072;
-                if (FlatSegment.SquareDistance(new Vec3((column + 0.5) * side, (row + 0.5) * side), a, b) > reach * reach) continue;
-                if (MeetsBin(bin, column, row, z, ref query, ref tag)) return true;
+                // What lies in the bin is at least so far away, and only what is higher there than the head can be touched.
+                var away = Math.Sqrt(FlatSegment.SquareDistance(new Vec3((column + 0.5) * side, (row + 0.5) * side), a, b)) - side * 0.7072;
+                var above = z + query.Head.HeightAt(away);
+                if (!(bin.Top > above)) continue;
+                if (MeetsBin(bin, column, row, above, ref query, ref tag)) return true;
             }
         }
         return false;
@@ -129,7 +131,7 @@ public sealed partial class Deposit
         return false;
     }
 
-    private bool Meets(in Strand strand, Vec3 a, Vec3 b, ref HeadQuery query)
+    private bool Meets(in Strand strand, in Vec3 a, in Vec3 b, ref HeadQuery query)
     {
         var z = Math.Min(a.Z, b.Z) + query.Tolerance;
         if (!strand.Meets(a, b, z, query.Head, query.HitsOnly)) return false;

@@ -13,6 +13,9 @@ public sealed class HeadShape
     private readonly double[] _radii;
     private readonly double[] _heights;
 
+    // Radius gained for each mm of height above a point of the outline; 0 above the last.
+    private readonly double[] _slopes;
+
     /// <param name="outline">Radius and height, from the tip outward; both ascend, and the first height is 0.</param>
     /// <exception cref="ArgumentException">They do not.</exception>
     public HeadShape(IEnumerable<(double Radius, double Height)> outline)
@@ -28,6 +31,11 @@ public sealed class HeadShape
             if (_heights[i] == 0) FlatRadius = _radii[i];
         }
         FlatRadius = Math.Max(FlatRadius, _radii[0]);
+        _slopes = new double[points.Length];
+        for (var i = 1; i < points.Length; i++)
+        {
+            if (_heights[i] > _heights[i - 1]) _slopes[i - 1] = (_radii[i] - _radii[i - 1]) / (_heights[i] - _heights[i - 1]);
+        }
     }
 
     /// <summary>Radius of the flat of the tip.</summary>
@@ -42,11 +50,22 @@ public sealed class HeadShape
     public double Reach(double excess)
     {
         if (!(excess > 0)) return -1;
-        var i = _radii.Length - 1;
-        while (i > 0 && _heights[i] >= excess) i--;
-        if (i == _radii.Length - 1) return _radii[i];
-        var rise = _heights[i + 1] - _heights[i];
-        return _radii[i] + (_radii[i + 1] - _radii[i]) * (excess - _heights[i]) / rise;
+        var (radii, heights) = (_radii, _heights);
+        var i = radii.Length - 1;
+        while (i > 0 && heights[i] >= excess) i--;
+        return radii[i] + _slopes[i] * (excess - heights[i]);
+    }
+
+    /// <summary>Height of the underside at a distance from the axis, or 1e-9 below it; infinite beyond the head.</summary>
+    internal double HeightAt(double distance)
+    {
+        if (!(distance > _radii[0])) return 0;
+        for (var i = 1; i < _radii.Length; i++)
+        {
+            if (distance > _radii[i]) continue;
+            return _heights[i - 1] + (_heights[i] - _heights[i - 1]) * (distance - _radii[i - 1]) / (_radii[i] - _radii[i - 1]) - 1e-9;
+        }
+        return double.PositiveInfinity;
     }
 
     /// <summary>

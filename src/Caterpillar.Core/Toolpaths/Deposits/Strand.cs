@@ -31,7 +31,7 @@ internal struct Strand
     /// <summary>
     /// True if its part within some distance of a segment seen from above is as high as a head in height <paramref name="z"/> allows there.
     /// </summary>
-    public readonly bool Meets(Vec3 a, Vec3 b, double z, HeadShape head, bool lenient)
+    public readonly bool Meets(in Vec3 a, in Vec3 b, double z, HeadShape head, bool lenient)
     {
         var excess = Top - z;
         // What is highest may be farther off: the part within its reach decides, and so on. The reach only shrinks.
@@ -48,7 +48,7 @@ internal struct Strand
     }
 
     // Their rectangles are farther apart: cheaper than to clip.
-    private readonly bool IsBeyond(Vec3 a, Vec3 b, double reach)
+    private readonly bool IsBeyond(in Vec3 a, in Vec3 b, double reach)
         => Math.Abs(Ax + Bx - a.X - b.X) > Math.Abs(Bx - Ax) + Math.Abs(b.X - a.X) + 2 * reach
         || Math.Abs(Ay + By - a.Y - b.Y) > Math.Abs(By - Ay) + Math.Abs(b.Y - a.Y) + 2 * reach;
 
