@@ -11,7 +11,6 @@ dotnet publish src/Caterpillar.Cli -c Release -o "$out" -v quiet --nologo >&2
 meshes=$(realpath "$2")
 dotnet run -c Release --project bench -- targets "$out/Caterpillar.Cli" "$(realpath "$1")" "$meshes"
 command -v CuraEngine >/dev/null || command -v prusa-slicer >/dev/null || exit 0
-export CATERPILLAR="$out/Caterpillar.Cli"
 echo
 [ ! -e "$meshes/igea.ply" ] || bench/peers.sh "$meshes/igea.ply"
 dotnet run -c Release --project bench -- mesh 500000 "$out/sphere.stl" >&2
