@@ -7,13 +7,7 @@ cd "$(dirname "$0")/.."
 [ $# -gt 0 ] || set -- 10000 30000 100000 300000 1000000 3000000 10000000
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
-caterpillar=${CATERPILLAR:-}
-if [ -z "$caterpillar" ]; then
-  native=false
-  command -v cc >/dev/null && native=true
-  dotnet publish src/Caterpillar.Cli -c Release -o "$out/caterpillar" -p:Native=$native -v quiet --nologo >/dev/null
-  caterpillar="$out/caterpillar/Caterpillar.Cli"
-fi
+caterpillar=${CATERPILLAR:-$(bench/publish.sh "$out/caterpillar")}
 dotnet build bench -c Release -v quiet --nologo >/dev/null
 sphere() { dotnet run -c Release --no-build --project bench -- mesh "$1" "$out/sphere.stl" >/dev/null; }
 

@@ -27,13 +27,7 @@ done
 jobs=("$@")
 [ ${#jobs[@]} -gt 0 ] || jobs=(infill walls vase full)
 
-caterpillar=${CATERPILLAR:-}
-if [ -z "$caterpillar" ]; then
-  native=false
-  command -v cc >/dev/null && native=true
-  dotnet publish src/Caterpillar.Cli -c Release -o "$out/caterpillar" -p:Native=$native -v quiet --nologo >/dev/null
-  caterpillar="$out/caterpillar/Caterpillar.Cli"
-fi
+caterpillar=${CATERPILLAR:-$(bench/publish.sh "$out/caterpillar")}
 export CURA_ENGINE_SEARCH_PATH=${CURA_ENGINE_SEARCH_PATH:-/usr/share/cura/resources/definitions:/usr/share/cura/resources/extruders}
 definition=$(IFS=:; for folder in $CURA_ENGINE_SEARCH_PATH; do [ -e "$folder/fdmprinter.def.json" ] && echo "$folder/fdmprinter.def.json" && break; done) || true
 

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.Drawings;
 using Caterpillar.Geometry;
 using Caterpillar.Slicing;
 
@@ -52,10 +51,6 @@ internal sealed class BoundaryOptions
             // An OBJ file may hold lines only.
             if (!file.EndsWith(".obj", StringComparison.OrdinalIgnoreCase)) session.ValueOrFail(read);
         }
-        var reading = new CurveReadOptions { Memory = session.Memory };
-        var curves = session.ValueOrFail(CurveReader.Read(session.ReadBytes(file), Session.NameOf(file), reading, null, session.Cancel));
-        return BoundaryShape.Of(curves.Select(c => new Polyline(
-            CurveSubdivider.Subdivide(c.Curve, new SubdivisionOptions { ChordTolerance = 0.05 }, session.Cancel).Points.Select(p => p + shift),
-                c.Curve.IsClosed)).ToArray());
+        return BoundaryShape.Of(Curves.ReadPolylines(file, shift, session));
     }
 }

@@ -3,7 +3,6 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.Drawings;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;
@@ -52,11 +51,7 @@ internal sealed class InfillAlong
         }
         if (!File.Exists(text))
             throw new CliException(ExitCode.Usage, "--infill-along needs curvature, across, both, two formulas \"DX; DY\", or a file of curves.");
-        var reading = new CurveReadOptions { Memory = session.Memory };
-        var read = session.ValueOrFail(CurveReader.Read(session.ReadBytes(text), Session.NameOf(text), reading, null, session.Cancel));
-        var curves = read.Select(c => new Polyline(
-            CurveSubdivider.Subdivide(c.Curve, new SubdivisionOptions { ChordTolerance = 0.05 }, session.Cancel).Points.Select(p => p + shift),
-                c.Curve.IsClosed));
+        var curves = Curves.ReadPolylines(text, shift, session);
         return SurfaceLines.AlongCurves(surface, plan, curves.Where(c => c.Count > 1).ToArray(), spacing, session.Cancel);
     }
 }

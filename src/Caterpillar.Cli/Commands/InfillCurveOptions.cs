@@ -30,9 +30,7 @@ internal sealed class InfillCurveOptions
     public IReadOnlyList<Polyline>? Read(ParseResult arguments, PrintSetup setup, Session session)
     {
         if (arguments.GetValue(_file) is not { } file) return null;
-        var bytes = session.ReadBytes(file);
-        var reading = new CurveReadOptions { Memory = session.Memory };
-        var curves = session.ValueOrFail(CurveReader.Read(bytes, Session.NameOf(file), reading, null, session.Cancel));
+        var curves = Curves.Read(file, session);
         var options = CurveOptions.From(setup.Settings) with { Subdivision = SubdivisionOptions.ByTolerance(Tolerance), Memory = session.Memory };
         var paths = session.ValueOrFail(CurvePaths.ToPaths(curves, options, null, session.Cancel));
         return paths.Select(p => new Polyline(p.Points.Select(v => v.WithZ(0)), p.IsClosed)).ToArray();

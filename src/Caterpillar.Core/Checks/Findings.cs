@@ -85,7 +85,8 @@ internal sealed class Findings
             : new SourceLocation(Step: source, Move: move, Origin: toolpath.PlaceOfStep(what.Source));
     }
 
-    private static SourceLocation? PlaceIn(Toolpath toolpath, int move)
+    /// <summary>Where a move comes from: its line or step, object and layer; null where there is no such move.</summary>
+    public static SourceLocation? PlaceIn(Toolpath toolpath, int move)
     {
         // Before the first move and after the last there is none to name.
         if (move < 0 || move >= toolpath.Count) return null;

@@ -65,9 +65,7 @@ internal static class PrintableNumbers
     private static Diagnostic Error(string what, double value, Toolpath toolpath, int move)
     {
         var number = double.IsNaN(value) || double.IsInfinity(value) ? "not finite" : LongWords.Shorten(NumberFormatter.Format(value, 3)) + ", beyond 10⁷";
-        var step = move < toolpath.Count && toolpath[move].Source is >= 0 and var source ? source : (int?)null;
-        var origin = move < toolpath.Count ? toolpath.PlaceOf(move) : null;
-        return new Diagnostic(
-            Severity.Error, SafeWriter.Unprintable, $"{what} cannot be written: it is {number}.", new SourceLocation(Step: step, Move: move, Origin: origin));
+        var place = Findings.PlaceIn(toolpath, move) ?? new SourceLocation(Move: move);
+        return new Diagnostic(Severity.Error, SafeWriter.Unprintable, $"{what} cannot be written: it is {number}.", place);
     }
 }

@@ -33,10 +33,10 @@ internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings fi
         switch (what.Event)
         {
             case AccelerationEvent set:
-                if (set.Value > OfHead(_printer.MaxAcceleration)) ReportAcceleration(what, set.Value, OfHead(_printer.MaxAcceleration));
+                CheckAcceleration(what, set.Value, MostAcceleration(MotionLimit.PrintAcceleration));
                 break;
             case LimitEvent { Limit: <= MotionLimit.AccelerationE } set:
-                if (set.Value > MostAcceleration(set.Limit)) ReportAcceleration(what, set.Value, MostAcceleration(set.Limit));
+                CheckAcceleration(what, set.Value, MostAcceleration(set.Limit));
                 break;
             case LimitEvent set:
                 if (!Counts(set.Limit) || !(set.Value > _own[set.Limit])) break;
@@ -68,14 +68,12 @@ internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings fi
     {
     }
 
-    private static double OfHead(AxisValues axes) => Math.Max(axes.X, axes.Y);
-
     private double MostAcceleration(MotionLimit limit) => limit switch
     {
         MotionLimit.AccelerationX => _printer.MaxAcceleration.X,
         MotionLimit.AccelerationY => _printer.MaxAcceleration.Y,
         MotionLimit.AccelerationZ => _printer.MaxAcceleration.Z,
-        MotionLimit.PrintAcceleration or MotionLimit.TravelAcceleration => OfHead(_printer.MaxAcceleration),
+        MotionLimit.PrintAcceleration or MotionLimit.TravelAcceleration => Math.Max(_printer.MaxAcceleration.X, _printer.MaxAcceleration.Y),
         _ => _printer.MaxAcceleration.E,
     };
 
@@ -89,9 +87,12 @@ internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings fi
         _ => true,
     };
 
-    private void ReportAcceleration(MoveEvent what, double value, double most)
-        => findings.Add(CheckCodes.Acceleration, what.Move,
+    private void CheckAcceleration(MoveEvent what, double value, double most)
+    {
+        if (!(value > most)) return;
+        findings.Add(CheckCodes.Acceleration, what.Move,
             () => $"An acceleration is set to {Figures.Short(value)} mm/s²; {_printer.Title} stands {Figures.Short(most)} mm/s².");
+    }
 
     private void ReportRaised(MoveEvent what, LimitEvent set)
         => findings.Add(CheckCodes.Raised, () => findings.PlaceOfEvent(what), () =>

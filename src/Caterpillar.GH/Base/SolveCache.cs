@@ -39,8 +39,7 @@ internal sealed class SolveCache
         where T : class
     {
         var key = new SolveKey(typeof(T), parts);
-        var last = _current.TryGetValue(key, out var known) || _last.TryGetValue(key, out known) || _complete.TryGetValue(key, out known) ? (T)known : null;
-        var value = renew(last);
+        var value = renew(Kept<T>(key));
         _current[key] = value;
         return value;
     }
@@ -50,9 +49,12 @@ internal sealed class SolveCache
         where T : class
     {
         var key = new SolveKey(typeof(T), parts);
-        if (_current.TryGetValue(key, out var same)) return (T)same;
-        var value = _last.TryGetValue(key, out var kept) || _complete.TryGetValue(key, out kept) ? (T)kept : make(key);
-        _current.Add(key, value);
+        var value = Kept<T>(key) ?? make(key);
+        _current[key] = value;
         return value;
     }
+
+    private T? Kept<T>(SolveKey key)
+        where T : class
+        => _current.TryGetValue(key, out var known) || _last.TryGetValue(key, out known) || _complete.TryGetValue(key, out known) ? (T)known : null;
 }

@@ -13,6 +13,7 @@ internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyLi
 {
     // Uneven, so that waves do not hide between them.
     private static readonly double[] Shares = [0.5, 0.27, 0.81];
+    private static readonly (double U, double V)[] Inner = [(1.0 / 3, 1.0 / 3), (0.2, 0.2), (0.6, 0.2), (0.2, 0.6)];
     private const int MostSamples = 4096;
     private readonly IReadOnlyList<double> _creases = field.Creases;
 
@@ -53,7 +54,7 @@ internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyLi
         // Narrow ones have no inside that could differ from their edges.
         var area = Vec3.Cross(part[b] - part[a], part[c] - part[a]);
         if (area.LengthSquared < 16 * tolerance * tolerance * ab) return true;
-        foreach (var (u, v) in new[] { (1.0 / 3, 1.0 / 3), (0.2, 0.2), (0.6, 0.2), (0.2, 0.6) })
+        foreach (var (u, v) in Inner)
         {
             if (IsOff(a, b, c, u, v)) return false;
         }

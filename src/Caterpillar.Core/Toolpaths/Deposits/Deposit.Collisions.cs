@@ -97,7 +97,7 @@ public sealed partial class Deposit
             for (var column = firstColumn; column <= lastColumn; column++)
             {
                 if (_bins[(row - _bottom) * _columns + column - _left] is not { } bin || !(bin.Top > z)) continue;
-                // What lies in the bin is at least so far away, and only what is higher there than the head can be touched.
+                // All of the bin is at least so far away: only what is higher than the underside of the head there can be touched.
                 var away = Math.Sqrt(FlatSegment.SquareDistance(new Vec3((column + 0.5) * side, (row + 0.5) * side), a, b)) - side * 0.7072;
                 var above = z + query.Head.HeightAt(away);
                 if (!(bin.Top > above)) continue;

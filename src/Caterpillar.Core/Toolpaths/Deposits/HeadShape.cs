@@ -13,7 +13,7 @@ public sealed class HeadShape
     private readonly double[] _radii;
     private readonly double[] _heights;
 
-    // Radius gained for each mm of height above a point of the outline; 0 above the last.
+    // Radius gained for each mm of height above a point of the outline; the last has none.
     private readonly double[] _slopes;
 
     /// <param name="outline">Radius and height, from the tip outward; both ascend, and the first height is 0.</param>
@@ -53,10 +53,10 @@ public sealed class HeadShape
         var (radii, heights) = (_radii, _heights);
         var i = radii.Length - 1;
         while (i > 0 && heights[i] >= excess) i--;
-        return radii[i] + _slopes[i] * (excess - heights[i]);
+        return i == radii.Length - 1 ? radii[i] : radii[i] + _slopes[i] * (excess - heights[i]);
     }
 
-    /// <summary>Height of the underside at a distance from the axis, or 1e-9 below it; infinite beyond the head.</summary>
+    /// <summary>Height of the underside at a distance from the axis, mm, less 1e-9 for rounding; infinite beyond the head.</summary>
     internal double HeightAt(double distance)
     {
         if (!(distance > _radii[0])) return 0;

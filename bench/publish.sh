@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# Publishes the program into a folder, as native code where a C compiler is found to link it, and prints its path.
+#   bench/publish.sh FOLDER
+set -eu
+cd "$(dirname "$0")/.."
+native=false
+command -v cc >/dev/null && native=true
+dotnet publish src/Caterpillar.Cli -c Release -o "$1" -p:Native=$native -v quiet --nologo >/dev/null
+echo "$1/Caterpillar.Cli"
