@@ -65,6 +65,30 @@ public class PauseTests
     public void A_layer_that_is_not_there_is_an_error()
         => Assert.That(Decode(Print).PauseAtLayer(9, Lifted).Diagnostics.Single().Code, Is.EqualTo("toolpath.no_layer"));
 
+    [TestCase("G90\nG0 X10 Y10 Z0.2\nG1 X30\n")]
+    [TestCase("")]
+    public void Without_layers_there_is_none_to_pause_at(string text)
+    {
+        foreach (var layer in new[] { 0, 1 })
+        {
+            Assert.That(Decode(text).PauseAtLayer(layer, Lifted).Diagnostics.Single().Code, Is.EqualTo("toolpath.no_layer"));
+            Assert.That(Decode(text).PauseAtLayer(layer, Pause.Plain).Diagnostics.Single().Code, Is.EqualTo("toolpath.no_layer"));
+        }
+    }
+
+    // A cutter: nothing in the file extrudes.
+    [TestCase(0, "G0 X10 Y20 Z0.2 F6000\n")]
+    [TestCase(1, "G0 Z0.4 F600\n")]
+    [TestCase(2, "G0 Z0.6\n")]
+    public void A_file_without_E_pauses_where_the_layer_begins(int layer, string first)
+    {
+        const string Cut = "G90\n;LAYER:0\nG0 X10 Y20 Z0.2 F6000\nG1 X30 F1200\n;LAYER:1\nG0 Z0.4 F600\nG1 X10 F1200\n;LAYER:2\nG0 Z0.6\nG1 X30\n";
+        Assert.That(Written(Cut, layer, Pause.Plain), Is.EqualTo(Cut.Replace(first, "M0\n" + first)));
+        var lines = Written(Cut, layer, Lifted).Split('\n');
+        Assert.That(System.Array.IndexOf(lines, "M0"), Is.InRange(System.Array.IndexOf(lines, $";LAYER:{layer}"),
+            layer < 2 ? System.Array.IndexOf(lines, $";LAYER:{layer + 1}") : lines.Length));
+    }
+
     private static Toolpath Decode(string text)
         => GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!.Toolpath;
 

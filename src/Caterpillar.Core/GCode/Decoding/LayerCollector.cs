@@ -28,7 +28,10 @@ internal sealed class LayerCollector
 
     public string Object { get; private set; } = "";
 
-    /// <summary>A comment begins a layer; its own number or null for the next one. Two marks without a strand between them are one.</summary>
+    /// <summary>
+    /// A comment begins a layer; its own number or null for the next one. Two marks without a strand between them are one, but for those with different
+    /// numbers in a file without any strand.
+    /// </summary>
     public void Mark(int? number, double z, double thickness)
     {
         if (!Marked)
@@ -39,14 +42,11 @@ internal sealed class LayerCollector
             Current = -1;
         }
         var again = Current >= 0 && !_used;
+        if (!again || (number ?? _number) != _number) _ofMark.Clear();
         _number = number ?? (again ? _number : _number + 1);
         _markZ = double.IsNaN(z) && again ? _markZ : z;
         _markThickness = thickness > 0 ? thickness : again ? _markThickness : 0;
-        if (!again)
-        {
-            _ofMark.Clear();
-            _marks++;
-        }
+        if (!again) _marks++;
         _used = false;
         Select();
     }
@@ -103,28 +103,23 @@ internal sealed class LayerCollector
     }
 
     /// <summary>
-    /// Leaves out layers of objects that only have travels, which belong to an object that is printed in the same layer. To be called once, after the last
-    /// move.
+    /// Leaves out layers that only have travels: they belong to an object that is printed in the same layer, or to the next mark, where the file has strands
+    /// at all. To be called once, after the last move.
     /// </summary>
     /// <returns>The layer that takes the place of each, or null where all stay.</returns>
     public int[]? MergeEmpty()
     {
-        var places = new int[_drafts.Count];
+        if (!_drafts.Exists(d => d.IsPrinted)) return null;
+        var places = InPlaceOf();
         var kept = new List<Draft>(_drafts.Count);
+        var numbers = new int[places.Length];
         for (var i = 0; i < places.Length; i++)
         {
-            places[i] = -1;
-            if (_drafts[i].IsPrinted || Printed(i) < 0)
-            {
-                places[i] = kept.Count;
-                kept.Add(_drafts[i]);
-            }
+            numbers[i] = kept.Count;
+            if (places[i] == i) kept.Add(_drafts[i]);
         }
         if (kept.Count == _drafts.Count) return null;
-        for (var i = 0; i < places.Length; i++)
-        {
-            if (places[i] < 0) places[i] = places[Printed(i)];
-        }
+        for (var i = 0; i < places.Length; i++) places[i] = numbers[places[i]];
         _drafts.Clear();
         _drafts.AddRange(kept);
         return places;
@@ -150,18 +145,30 @@ internal sealed class LayerCollector
         return layers;
     }
 
-    // The layer after this one, or else before it, that has strands and began with the same mark; or −1.
-    private int Printed(int draft)
+    // For each layer itself if it has strands, else the next after it, or else before it, that has and began with the same mark, or else the last of its
+    // object there.
+    private int[] InPlaceOf()
     {
-        for (var i = draft + 1; i < _drafts.Count && _drafts[i].Mark == _drafts[draft].Mark; i++)
+        var places = new int[_drafts.Count];
+        var last = new Dictionary<string, int>(StringComparer.Ordinal);
+        var printed = -1;
+        for (var i = places.Length - 1; i >= 0; i--)
         {
-            if (_drafts[i].IsPrinted) return i;
+            if (i + 1 < places.Length && _drafts[i + 1].Mark != _drafts[i].Mark)
+            {
+                printed = -1;
+                last.Clear();
+            }
+            if (_drafts[i].IsPrinted) printed = i;
+            if (!last.TryGetValue(_drafts[i].Object, out var own)) last.Add(_drafts[i].Object, own = i);
+            places[i] = printed >= 0 ? printed : own;
         }
-        for (var i = draft - 1; i >= 0 && _drafts[i].Mark == _drafts[draft].Mark; i--)
+        for (var i = 1; i < places.Length; i++)
         {
-            if (_drafts[i].IsPrinted) return i;
+            var before = places[i - 1];
+            if (_drafts[before].IsPrinted && _drafts[before].Mark == _drafts[i].Mark && !_drafts[places[i]].IsPrinted) places[i] = before;
         }
-        return -1;
+        return places;
     }
 
     // Without marks the number of a layer is its rank from below.

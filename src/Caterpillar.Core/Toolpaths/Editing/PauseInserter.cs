@@ -19,9 +19,11 @@ public static class PauseInserter
         if (pause is null) throw new ArgumentNullException(nameof(pause));
         PrinterEvent what = pause.Command.Length > 0 ? new RawEvent(pause.Command) : new PauseEvent();
         if (!(pause.Lift > 0)) return toolpath.InsertAtLayer(layer, what);
-        var first = toolpath.Moves().FirstOrDefault(m => toolpath.NumberOfLayer(m) == layer);
-        if (toolpath.NumberOfLayer(first) != layer || toolpath.Count == 0) return toolpath.InsertAtLayer(layer, what);
-        return new Result<Toolpath>(Insert(toolpath, first, pause, what), []);
+        foreach (var move in toolpath.Moves())
+        {
+            if (toolpath.NumberOfLayer(move) == layer) return new Result<Toolpath>(Insert(toolpath, move, pause, what), []);
+        }
+        return toolpath.InsertAtLayer(layer, what);
     }
 
     private static Toolpath Insert(Toolpath toolpath, Move before, Pause pause, PrinterEvent what)
