@@ -39,7 +39,8 @@ public class MoveRemovalTests
     [TestCase(1, "(9, 0, 1)")]
     public void A_cut_is_crossed_up_before_across_and_across_before_down(double z, string corners)
     {
-        var after = Decode($";LAYER:0\nG0 Z1 F600\nG1 X0.1 E1 F600\nG1 X0 E1\n;LAYER:1\nG0 Z5\nG1 X9 Z{z.ToString(System.Globalization.CultureInfo.InvariantCulture)}"
+        var after = Decode($";LAYER:0\nG0 Z1 F600\nG1 X0.1 E1 F600\nG1 X0 E1\n;LAYER:1\nG0 Z5\nG1 X9 "
+            + $"Z{z.ToString(System.Globalization.CultureInfo.InvariantCulture)}"
             + " E1\n;LAYER:2\nG1 X20 E1\n").Remove(Middle);
         var added = after.Moves().Where(m => m.Source < 0).Select(m => Text(m.End));
         Assert.That(string.Join(" ", added), Is.EqualTo(corners));
@@ -63,7 +64,8 @@ public class MoveRemovalTests
     public void A_retraction_that_is_cut_out_is_made_before_the_travel_and_restored_after_it()
     {
         // Layer 1 ends retracted by 2; its restoring stands in layer 2.
-        var before = Decode(";LAYER:0\nG0 Z1 F6000\nG1 X10 E1 F1200\n;LAYER:1\nG1 X20 E1\nG1 E-2 F2100\n;LAYER:2\nG0 X50 F6000\nG1 E2 F2100\nG1 X60 E1 F1200\n");
+        var before = Decode(";LAYER:0\nG0 Z1 F6000\nG1 X10 E1 F1200\n;LAYER:1\nG1 X20 E1\nG1 E-2 F2100\n;LAYER:2\n"
+            + "G0 X50 F6000\nG1 E2 F2100\nG1 X60 E1 F1200\n");
         var after = before.Remove(Middle).Moves().ToArray();
         Assert.That(after.Select(m => (m.Kind, m.End.X, m.E)), Is.EqualTo(new[]
         {
@@ -76,7 +78,8 @@ public class MoveRemovalTests
     [Test]
     public void A_restoring_that_is_cut_out_is_made_before_the_next_strand()
     {
-        var before = Decode(";LAYER:0\nG0 Z1 F6000\nG1 X10 E1 F1200\nG1 E-2 F1200\n;LAYER:1\nG0 X20\nG1 E2\nG1 X30 E1\n;LAYER:2\nG0 X50 F6000\nG1 X60 E1 F1200\n");
+        var before = Decode(";LAYER:0\nG0 Z1 F6000\nG1 X10 E1 F1200\nG1 E-2 F1200\n;LAYER:1\nG0 X20\nG1 E2\nG1 X30 E1\n;LAYER:2\nG0 X50 F6000\nG1 X60 E1 "
+            + "F1200\n");
         var after = before.Remove(Middle).Moves().ToArray();
         Assert.That(after.Select(m => (m.Kind, m.End.X, m.E)), Is.EqualTo(new[]
         {

@@ -64,7 +64,7 @@ internal static class MappedMoves
                 var move = first + i;
                 var homes = columns.Kind[i] == MoveKind.Travel && toolpath.HomeOf(toolpath[move]) is not null;
                 if (homes || (stays && inPlace[move])) mapped[move] = false;
-                stays = move != 0 && !mapped[move] && (columns.Kind[i] == MoveKind.Print || homes || inPlace[move]);
+                stays = !mapped[move] && (columns.Kind[i] == MoveKind.Print || homes || inPlace[move]);
             }
         }
     }
