@@ -58,7 +58,10 @@ public abstract class CliFixture
     protected static string[] Files() => new DirectoryInfo(".").GetFileSystemInfos().Select(f => f.Name).OrderBy(n => n, StringComparer.Ordinal).ToArray();
 
     /// <summary>An ASCII STL of a box with one corner at the origin, mm.</summary>
-    protected static string Box(double x, double y, double z)
+    protected static string Box(double x, double y, double z) => BoxAt(x, y, z, 0);
+
+    /// <summary>The same with the x and y of its corner.</summary>
+    protected static string BoxAt(double x, double y, double z, double corner)
     {
         double[][] p = [[0, 0, 0], [x, 0, 0], [x, y, 0], [0, y, 0], [0, 0, z], [x, 0, z], [x, y, z], [0, y, z]];
         int[][] faces = [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4], [1, 2, 6], [1, 6, 5], [2, 3, 7], [2, 7, 6], [3, 0, 4], [3, 4, 7]];
@@ -66,7 +69,7 @@ public abstract class CliFixture
         foreach (var face in faces)
         {
             text.Append("facet normal 0 0 0\nouter loop\n");
-            foreach (var i in face) text.Append(FormattableString.Invariant($"vertex {p[i][0]} {p[i][1]} {p[i][2]}\n"));
+            foreach (var i in face) text.Append(FormattableString.Invariant($"vertex {p[i][0] + corner} {p[i][1] + corner} {p[i][2]}\n"));
             text.Append("endloop\nendfacet\n");
         }
         return text.Append("endsolid box\n").ToString();

@@ -122,13 +122,20 @@ public class CurvedSliceTests : CliFixture
     [Test]
     public void Curves_and_turtles_are_put_onto_an_object()
     {
-        File.WriteAllText("scan.stl", Box(220, 220, 8));
-        File.WriteAllText("lines.csv", "x,y,z\n10,10,0.2\n50,10,0.2\n50,15,0.2\n");
-        File.WriteAllText("square.turtle", "pen_up\nforward 5\npen_down\nforward 10\nleft 90\nforward 10\n");
+        File.WriteAllText("scan.stl", BoxAt(180, 180, 8, 30));
+        File.WriteAllText("lines.csv", "x,y,z\n50,40,0.2\n90,40,0.2\n90,45,0.2\n");
+        File.WriteAllText("square.turtle", "start 50 50 0.2\npen_up\nforward 5\npen_down\nforward 10\nleft 90\nforward 10\n");
         var run = Run("curves", "lines.csv", "--onto", "scan.stl", "--squeeze", "0.05");
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(run.Messages, Does.Contain("curved.object_place"));
         Assert.That(File.ReadAllText("lines.gcode"), Does.Contain("Z8.15"));
+        Assert.That(run.Messages, Does.Not.Contain("strand.unsupported"), "the object is there");
+        Assert.That(Run("check", "lines.gcode").Text, Does.Contain("strand.unsupported"));
+        Assert.That(Run("check", "lines.gcode", "--onto", "scan.stl").Text, Does.Not.Contain("strand.unsupported"));
+        File.WriteAllText("higher.stl", BoxAt(180, 180, 9, 30));
+        var blocked = Run("check", "lines.gcode", "--onto", "higher.stl");
+        Assert.That(blocked.Code, Is.EqualTo(3));
+        Assert.That(blocked.Text, Does.Contain("collision.nozzle").And.Contain("the object that is printed on"));
         run = Run("turtle", "square.turtle", "--onto", "scan.stl", "--plan", "printer");
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(File.ReadAllText("square.gcode"), Does.Contain("Z8"));

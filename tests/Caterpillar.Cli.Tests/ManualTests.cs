@@ -28,7 +28,7 @@ public partial class ManualTests : CliFixture
     public void MakeSamples()
     {
         EnterFolder();
-        SampleFolder.Fill(Box, words => Assert.That(Run(words).Code, Is.Zero));
+        SampleFolder.Fill(BoxAt, words => Assert.That(Run(words).Code, Is.Zero));
         foreach (var file in Directory.EnumerateFiles(".", "*", SearchOption.AllDirectories)) _samples.Add(file, File.ReadAllBytes(file));
         LeaveFolder();
     }

@@ -126,10 +126,10 @@ internal static class CurvedExamples
     // What the writer refuses is no example.
     private static CurvedExample Checked(IReadOnlyList<Step> steps, PrintSetup setup, TriMesh? under)
     {
-        var over = setup with { Settings = setup.Settings with { TravelLift = TravelLift.Corridor } };
-        var toolpath = Planner.Plan(steps, over, new PlanOptions { Obstacle = under }).OrThrow();
+        var over = setup with { Settings = setup.Settings with { TravelLift = TravelLift.Corridor }, PrintedOn = under };
+        var toolpath = Planner.Plan(steps, over).OrThrow();
         SafeWriter.ToDocument(toolpath, over).OrThrow();
-        return new CurvedExample(toolpath, over, under is not null);
+        return new CurvedExample(toolpath, over);
     }
 
     private static TriMesh Welded(TriMesh mesh) => MeshReader.Read(StlWriter.ToBytes(mesh, "mesh"), "mesh.stl").OrThrow()[0].Mesh;
@@ -138,5 +138,4 @@ internal static class CurvedExamples
 /// <summary>A curved print that passed the checks.</summary>
 /// <param name="Toolpath">What the machine does.</param>
 /// <param name="Setup">What it was planned for.</param>
-/// <param name="OnObject">Whether it lies on an object, of which the checks know nothing.</param>
-internal sealed record CurvedExample(Toolpath Toolpath, PrintSetup Setup, bool OnObject);
+internal sealed record CurvedExample(Toolpath Toolpath, PrintSetup Setup);

@@ -17,14 +17,10 @@ internal sealed class CurvedReport
     // Speeds that the machine does not reach on slopes, the flat of the wide nozzle on slopes, lines of strands that miss each other a little.
     private static readonly string[] Usual = [CheckCodes.Speed, CheckCodes.DigsIn, CheckCodes.Gap];
 
-    // The checks know nothing of objects: what lies on them lies in the air.
     private static readonly Dictionary<string, string[]> Also = new(StringComparer.Ordinal)
     {
-        ["terrain"] = [CheckCodes.Unsupported],
-        ["ribs"] = [CheckCodes.Unsupported],
-
         // The spiral begins with no height.
-        ["vase"] = [CheckCodes.Unsupported, CheckCodes.Width],
+        ["vase"] = [CheckCodes.Width],
 
         // Some lines of the sparse infill begin where the branches part.
         ["branching"] = [CheckCodes.Unsupported],

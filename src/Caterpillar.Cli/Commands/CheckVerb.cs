@@ -19,6 +19,12 @@ internal sealed class CheckVerb : Verb
     };
 
     private readonly Option<string?> _dialect = CommonOptions.Dialect();
+    private readonly Option<string?> _onto = new("--onto")
+    {
+        Description = "An object that lies on the bed where its file says, and is printed on: strands may lie on it, and the head must not go through it.",
+        HelpName = "SCAN",
+    };
+
     private readonly SetupOptions _setup = new();
     private readonly Option<int> _threads = CommonOptions.Threads();
     private readonly Option<bool> _json = new("--json") { Description = "Print the findings as a JSON array." };
@@ -29,6 +35,7 @@ internal sealed class CheckVerb : Verb
         Arguments.Add(_files);
         _setup.AddTo(this);
         Options.Add(_dialect);
+        Options.Add(_onto);
         Options.Add(_threads);
         Options.Add(_json);
         AllowBatches();
@@ -43,6 +50,7 @@ internal sealed class CheckVerb : Verb
     public override int Run(ParseResult arguments, Session session)
     {
         var setup = _setup.Resolve(arguments, session);
+        if (arguments.GetValue(_onto) is { } onto) setup = setup with { PrintedOn = Meshes.ReadAsOne(onto, session) };
         var options = new DecodeOptions
         {
             Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),

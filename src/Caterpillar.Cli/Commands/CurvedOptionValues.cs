@@ -38,15 +38,11 @@ internal sealed class CurvedOptionValues
         HelpName = "[FROM,]TO",
     };
 
-    private readonly Option<string?> _onto = new("--onto")
-    {
-        Description = "Print onto an object, a scanned mesh for example: the bottom of the model is put onto its surface; with --surface or --field the model "
-            + "stays where it is, and nothing is printed below the object's surface.",
-        HelpName = "SCAN",
-    };
+    private readonly OntoOptions _onto = new(
+        "Print onto an object, a scanned mesh for example: the bottom of the model is put onto its surface; with --surface or --field the model stays where it "
+            + "is, and nothing is printed below the object's surface.",
+        "Print what lies within the surface and is not too steep, instead of refusing the model.");
 
-    private readonly Option<double> _squeeze = new("--squeeze") { Description = "With --onto: how much the first layer is pressed onto the object, mm.",
-        HelpName = "MM" };
     private readonly Option<string?> _deform = new("--deform")
     {
         Description = "Bend the model, slice it flat, and bend the paths back: cone=DEGREES (layers descend outward, or rise where negative), overhangs or "
@@ -63,21 +59,18 @@ internal sealed class CurvedOptionValues
 
     private readonly BoundaryOptions _boundaries = new();
     private readonly InfillAlong _along = new();
-    private readonly Option<bool> _partial = new("--partial")
-    {
-        Description = "Print what lies within the surface and is not too steep, instead of refusing the model.",
-    };
 
     public void AddTo(Verb verb)
     {
-        foreach (var option in new Option[] { _surface, _field, _blend, _onto, _squeeze, _deform, _partial, _tilt }) verb.Options.Add(option);
+        foreach (var option in new Option[] { _surface, _field, _blend, _deform, _tilt }) verb.Options.Add(option);
+        _onto.AddTo(verb);
         _boundaries.AddTo(verb);
         _along.AddTo(verb);
     }
 
-    public bool IsGiven(ParseResult arguments) => HasField(arguments) || arguments.GetValue(_onto) is not null;
+    public bool IsGiven(ParseResult arguments) => HasField(arguments) || _onto.IsGiven(arguments);
 
-    public bool IsPartial(ParseResult arguments) => arguments.GetValue(_partial);
+    public bool IsPartial(ParseResult arguments) => _onto.IsPartial(arguments);
 
     /// <summary>True where layers are curved, false where level layers are put onto an object.</summary>
     public bool HasField(ParseResult arguments)
@@ -107,8 +100,7 @@ internal sealed class CurvedOptionValues
             if (kind != "vertical" || surfaces.Length == 0) throw Usage("--blend goes with --surface and --field vertical.");
             _ = Blend(blend);
         }
-        if (arguments.GetValue(_squeeze) is var squeeze && !(squeeze is >= 0 and < 10)) throw Usage("--squeeze needs a distance of 0 to 10 mm.");
-        if (squeeze > 0 && (arguments.GetValue(_onto) is null || HasField(arguments))) throw Usage("--squeeze goes with --onto alone.");
+        _onto.Check(arguments, !HasField(arguments));
     }
 
     /// <summary>The field of the layers.</summary>
@@ -148,13 +140,7 @@ internal sealed class CurvedOptionValues
     /// <param name="arguments">The command line.</param>
     /// <param name="shift">How far the models were moved in x and y.</param>
     /// <param name="session">Reads files.</param>
-    public TriMesh? Onto(ParseResult arguments, Vec3 shift, Session session)
-    {
-        if (arguments.GetValue(_onto) is not { } file) return null;
-        var mesh = Meshes.ReadAsOne(file, session).Moved(shift.WithZ(0));
-        session.Print([OntoOptions.Place(mesh, file)]);
-        return mesh;
-    }
+    public TriMesh? Onto(ParseResult arguments, Vec3 shift, Session session) => _onto.Read(arguments, shift, session);
 
     /// <summary>Lines that take the place of the infill's pattern, along directions of the uppermost surface; null for the pattern.</summary>
     /// <inheritdoc cref="Field" path="/param"/>
@@ -162,7 +148,7 @@ internal sealed class CurvedOptionValues
         => _along.IsGiven(arguments) && arguments.GetValue(_surface) is [.., var last]
             ? _along.Lines(arguments, Surface(last, models, shift, session), models, shift, setup, session) : null;
 
-    public double Squeeze(ParseResult arguments) => arguments.GetValue(_squeeze);
+    public double Squeeze(ParseResult arguments) => _onto.Squeeze(arguments);
 
     /// <summary>How the tool is tilted; null where it stays upright.</summary>
     public ToolTilt? Tilt(ParseResult arguments)

@@ -5,7 +5,6 @@ using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
-using Caterpillar.Planning;
 using Caterpillar.Slicing;
 using Caterpillar.Toolpaths;
 
@@ -16,11 +15,11 @@ internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult argu
 {
     private LayerField? _field;
 
-    /// <summary>What the planner has to know of the object and the layers.</summary>
-    public PlanOptions Plan { get; private set; } = new();
-
-    /// <summary>The setup to plan with: over curved layers the head is lifted by what lies under its course, unless travels are not lifted at all.</summary>
-    public PrintSetup PlanSetup { get; } = OntoOptions.Over(setup);
+    /// <summary>
+    /// The setup to plan and write with: it knows of the object, and over curved layers the head is lifted by what lies under its course, unless travels are
+    /// not lifted at all.
+    /// </summary>
+    public PrintSetup Setup { get; private set; } = OntoOptions.Over(setup);
 
     /// <summary>The planned toolpath with the tool tilted along the normals of the layers, where that was asked for.</summary>
     public Toolpath Tilted(Toolpath toolpath) => options.Tilt(arguments) is not { } tilt || _field is not { } field ? toolpath
@@ -33,7 +32,7 @@ internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult argu
     {
         var shift = Shift(read, models);
         var onto = options.Onto(arguments, shift, session);
-        Plan = new PlanOptions { Obstacle = onto };
+        Setup = Setup with { PrintedOn = onto };
         if (!options.HasField(arguments)) return Onto(onto!, models);
         // Together with an object the model is already where it belongs.
         if (onto is not null)

@@ -40,7 +40,7 @@ internal sealed class CurvesVerb : Verb
 
     private readonly Option<bool> _json = new("--json") { Description = "Print what was planned and written as JSON." };
 
-    private readonly OntoOptions _onto = new();
+    private readonly OntoOptions _onto = new(OntoOptions.Drawn, OntoOptions.DrawnPartial);
 
     private readonly Option<string?> _maxSize = new("--max-size") { Description = "Largest file that the printer accepts, in MB; a larger one is not written.",
         HelpName = "MB" };
@@ -102,8 +102,8 @@ internal sealed class CurvesVerb : Verb
         var (steps, count) = Steps(file, reading, options, arguments.GetValue(_move), setup, session);
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;
         var planning = new PlanOptions { Policy = policy, Sort = new SortOptions(sort), Memory = session.Memory };
-        (steps, var planSetup, planning) = _onto.Apply(arguments, steps, setup, planning, session);
-        var plan = Planned(steps, planSetup, planning, session);
+        (steps, setup) = _onto.Apply(arguments, steps, setup, session);
+        var plan = Planned(steps, setup, planning, session);
         var toolpath = plan.Toolpath;
         foreach (var mapping in mappings) toolpath = mapping.Apply(toolpath, null, session.Cancel);
         var written = _write.WriteGCode(arguments, session, toolpath, setup, target, limit);

@@ -9,53 +9,76 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Cli.Commands;
 
-/// <summary>Options that put drawn toolpaths onto an object which lies on the bed.</summary>
-internal sealed class OntoOptions
+/// <summary>Options for an object that lies on the bed and is printed on.</summary>
+/// <param name="does">What happens with the object.</param>
+/// <param name="leavesOut">What is left out of a partial print.</param>
+internal sealed class OntoOptions(string does, string leavesOut)
 {
-    private readonly Option<string?> _onto = new("--onto")
+    /// <summary>What drawn toolpaths do on an object.</summary>
+    public const string Drawn = "Print onto an object, a scanned mesh for example, that lies on the bed where its file says: heights above the bed become "
+        + "heights above its surface.";
+
+    /// <summary>What is left out of drawn toolpaths.</summary>
+    public const string DrawnPartial = "With --onto: leave out what lies beyond the object or is too steep.";
+
+    private readonly Option<string?> _onto = new("--onto") { Description = does, HelpName = "SCAN" };
+
+    private readonly Option<double> _squeeze = new("--squeeze")
     {
-        Description = "Print onto an object, a scanned mesh for example, that lies on the bed where its file says: heights above the bed become heights above "
-            + "its surface.",
-        HelpName = "SCAN",
+        Description = "With --onto: how much the first strands are pressed onto the object, mm.", HelpName = "MM",
     };
 
-    private readonly Option<double> _squeeze = new("--squeeze") { Description = "With --onto: how much the first strands are pressed onto the object, mm.",
-        HelpName = "MM" };
-
-    private readonly Option<bool> _partial = new("--partial") { Description = "With --onto: leave out what lies beyond the object or is too steep." };
+    private readonly Option<bool> _partial = new("--partial") { Description = leavesOut };
 
     public void AddTo(Verb verb)
     {
         foreach (var option in new Option[] { _onto, _squeeze, _partial }) verb.Options.Add(option);
     }
 
+    public bool IsGiven(ParseResult arguments) => arguments.GetValue(_onto) is not null;
+
+    public bool IsPartial(ParseResult arguments) => arguments.GetValue(_partial);
+
+    public double Squeeze(ParseResult arguments) => arguments.GetValue(_squeeze);
+
     /// <summary>Wrong usage is found before files are read.</summary>
+    /// <param name="arguments">The command line.</param>
+    /// <param name="alone">Whether the object is all that paths follow.</param>
     /// <exception cref="CliException">Options do not go together.</exception>
-    public void Check(ParseResult arguments)
+    public void Check(ParseResult arguments, bool alone = true)
     {
-        if (arguments.GetValue(_squeeze) is not (>= 0 and < 10)) throw new CliException(ExitCode.Usage, "--squeeze needs a distance of 0 to 10 mm.");
-        if (arguments.GetValue(_onto) is null && (arguments.GetValue(_squeeze) > 0 || arguments.GetValue(_partial)))
-            throw new CliException(ExitCode.Usage, "--squeeze and --partial go with --onto.");
+        if (Squeeze(arguments) is not (>= 0 and < 10)) throw Usage("--squeeze needs a distance of 0 to 10 mm.");
+        if (alone && !IsGiven(arguments) && (Squeeze(arguments) > 0 || IsPartial(arguments))) throw Usage("--squeeze and --partial go with --onto.");
+        if (!alone && Squeeze(arguments) > 0) throw Usage("--squeeze goes with --onto alone.");
     }
 
-    /// <summary>The steps on the object, and how they are planned around it; without an object all as it was.</summary>
-    public (IReadOnlyList<Step> Steps, PrintSetup Setup, PlanOptions Plan) Apply(
-        ParseResult arguments, IReadOnlyList<Step> steps, PrintSetup setup, PlanOptions plan, Session session)
+    /// <summary>The object where it lies; null where none was given.</summary>
+    /// <param name="arguments">The command line.</param>
+    /// <param name="shift">How far it is moved, with the models.</param>
+    /// <param name="session">Reads its file, and says where the object is expected.</param>
+    public TriMesh? Read(ParseResult arguments, Vec3 shift, Session session)
     {
-        if (arguments.GetValue(_onto) is not { } file) return (steps, setup, plan);
-        var mesh = Meshes.ReadAsOne(file, session);
+        if (arguments.GetValue(_onto) is not { } file) return null;
+        var mesh = Meshes.ReadAsOne(file, session).Moved(shift.WithZ(0));
         session.Print([Place(mesh, file)]);
+        return mesh;
+    }
+
+    /// <summary>The steps on the object, and the setup that knows of it; without an object both as they were.</summary>
+    public (IReadOnlyList<Step> Steps, PrintSetup Setup) Apply(ParseResult arguments, IReadOnlyList<Step> steps, PrintSetup setup, Session session)
+    {
+        if (Read(arguments, Vec3.Zero, session) is not { } mesh) return (steps, setup);
         var projected = session.ValueOrFail(session.WithProgress("Projecting", progress => SurfaceProjection.Project(
-            steps, PlanSurface.Of(mesh), setup, arguments.GetValue(_squeeze), arguments.GetValue(_partial), progress, session.Cancel)));
-        return (projected, Over(setup), plan with { Obstacle = mesh });
+            steps, PlanSurface.Of(mesh), setup, Squeeze(arguments), IsPartial(arguments), progress, session.Cancel)));
+        return (projected, Over(setup) with { PrintedOn = mesh });
     }
 
     /// <summary>Over objects the head is lifted by what lies under its course, unless travels are not lifted at all.</summary>
     public static PrintSetup Over(PrintSetup setup) => setup.Settings.TravelLift != TravelLift.PrintedTop ? setup
         : setup with { Settings = setup.Settings with { TravelLift = TravelLift.Corridor } };
 
-    /// <summary>Where the object has to lie.</summary>
-    public static Diagnostic Place(TriMesh mesh, string file)
+    // Where the object has to lie.
+    private static Diagnostic Place(TriMesh mesh, string file)
     {
         var (low, high) = (mesh.Bounds.Min, mesh.Bounds.Max);
         return new Diagnostic(Severity.Remark, "curved.object_place",
@@ -64,4 +87,6 @@ internal sealed class OntoOptions
     }
 
     private static string Text(double value) => NumberFormatter.Format(value, 2);
+
+    private static CliException Usage(string message) => new(ExitCode.Usage, message);
 }

@@ -70,7 +70,7 @@ internal sealed class SliceVerb : Verb
         var setup = _setup.Resolve(arguments, session);
         var curved = _curved.IsGiven(arguments) ? new CurvedSlicing(_curved, arguments, setup, arguments.GetValue(_threads), session) : null;
         var (plan, layers) = Planned(files, arguments, setup, curved, session);
-        var written = _write.WriteGCode(arguments, session, curved?.Tilted(plan.Toolpath) ?? plan.Toolpath, setup, output);
+        var written = _write.WriteGCode(arguments, session, curved?.Tilted(plan.Toolpath) ?? plan.Toolpath, curved?.Setup ?? setup, output);
         if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson(files, output, [new("layers", layers)], plan, written)));
         return ExitCode.Done;
     }
@@ -79,8 +79,8 @@ internal sealed class SliceVerb : Verb
     private (Plan Plan, int Layers) Planned(string[] files, ParseResult arguments, PrintSetup setup, CurvedSlicing? curved, Session session)
     {
         var (steps, layers) = Sliced(files, arguments, setup, curved, session);
-        var options = (curved?.Plan ?? new PlanOptions()) with { Memory = session.Memory };
-        var plan = session.WithProgress("Planning", progress => Planner.PlanWithReport(steps, curved?.PlanSetup ?? setup, options, progress, session.Cancel));
+        var options = new PlanOptions { Memory = session.Memory };
+        var plan = session.WithProgress("Planning", progress => Planner.PlanWithReport(steps, curved?.Setup ?? setup, options, progress, session.Cancel));
         return (session.ValueOrFail(plan), layers);
     }
 

@@ -28,7 +28,7 @@ internal sealed class TurtleVerb : Verb
         Description = "A folder whose files the script may include or read as images, besides its own.", HelpName = "FOLDER",
     };
 
-    private readonly OntoOptions _onto = new();
+    private readonly OntoOptions _onto = new(OntoOptions.Drawn, OntoOptions.DrawnPartial);
 
     private readonly Option<bool> _commands = new("--commands") { Description = "List the commands of the language." };
 
@@ -91,10 +91,10 @@ internal sealed class TurtleVerb : Verb
         foreach (var line in run.Diagnostics.Where(d => d.Code == TurtleScript.PrintCode)) session.Messages.WriteLine(line.Message);
         var turtle = session.ValueOrFail(new Result<Turtle>(run.Value, [.. run.Diagnostics.Where(d => d.Code != TurtleScript.PrintCode)]));
         var policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn;
-        var (steps, planSetup, planning) = _onto.Apply(
-            arguments, turtle.ToSteps(), setup, new PlanOptions { Policy = policy, Memory = session.Memory }, session);
+        (var steps, setup) = _onto.Apply(arguments, turtle.ToSteps(), setup, session);
+        var planning = new PlanOptions { Policy = policy, Memory = session.Memory };
         var toolpath = session.WithProgress("Planning",
-            progress => session.ValueOrFail(Planner.Plan(steps, planSetup, planning, progress, session.Cancel)));
+            progress => session.ValueOrFail(Planner.Plan(steps, setup, planning, progress, session.Cancel)));
         if (toolpath.Count == 0) throw new CliException(ExitCode.BadInput, $"{Session.NameOf(file)}: the program draws nothing.");
         return _write.Write(arguments, session, toolpath, setup, target);
     }

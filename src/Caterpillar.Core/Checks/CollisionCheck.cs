@@ -7,7 +7,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// Nozzle, head and gantry against what is printed before and what stands on the bed, along any path.
+/// Nozzle, head and gantry against what is printed before, the object that is printed on and what stands on the bed, along any path.
 /// </summary>
 internal sealed class CollisionCheck
 {
@@ -63,7 +63,7 @@ internal sealed class CollisionCheck
 
     // Above all that is printed, also by this time: most moves of a flat print.
     private bool IsAbove(in CheckedMove move, double tolerance)
-        => _clips is null && !(_printed.Highest > Math.Min(move.Start.Z, move.End.Z) + tolerance + _lowest);
+        => _clips is null && !(Math.Max(_printed.Highest, _printed.Object?.Lines.Highest ?? 0) > Math.Min(move.Start.Z, move.End.Z) + tolerance + _lowest);
 
     private bool Hits(in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints)
     {
@@ -76,8 +76,15 @@ internal sealed class CollisionCheck
     {
         var hit = false;
         if (_clips is not null) hit |= Clips(move, a, b);
+        hit |= Meets(_printed.Deposit, move, a, b, tolerance, prints);
+        if (_printed.Object is { } thing) hit |= Meets(thing.Lines, move, a, b, tolerance, prints);
+        return hit;
+    }
+
+    private bool Meets(Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints)
+    {
+        var hit = false;
         var low = Math.Min(a.Z, b.Z) + tolerance;
-        var deposit = _printed.Deposit;
         if (deposit.Highest > low)
         {
             var contact = deposit.Meets(a, b, tolerance, _printed.Head, _digs is not null, out var strand);
@@ -85,14 +92,14 @@ internal sealed class CollisionCheck
             if (contact == HeadContact.Hits)
             {
                 hit = true;
-                Report(prints ? CheckCodes.NozzleHits : CheckCodes.TravelHits, move, a, b, tolerance, strand);
+                Report(prints ? CheckCodes.NozzleHits : CheckCodes.TravelHits, deposit, move, a, b, tolerance, strand);
             }
         }
         foreach (var (box, code) in _boxes)
         {
             if (!(deposit.Highest > low + box.Min.Z) || !deposit.MeetsBox(a, b, tolerance, box, out var tag)) continue;
             hit = true;
-            ReportBox(code, move, a, tag);
+            ReportBox(code, deposit, move, a, tag);
         }
         return hit;
     }
@@ -112,33 +119,36 @@ internal sealed class CollisionCheck
         return true;
     }
 
-    private void Report(string code, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, int strand)
+    private void Report(string code, Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, int strand)
         => _findings.Add(code, move.Index, () =>
         {
-            var at = FirstMeeting(a, b, tolerance);
-            return $"The nozzle goes through what was printed before{By(strand)}, at {at}.";
+            var at = FirstMeeting(deposit, a, b, tolerance);
+            return $"The nozzle goes through {What(deposit, strand)}, at {at}.";
         });
 
     private void Digs(in CheckedMove move, Vec3 a, Vec3 b, double tolerance)
         => _findings.Add(CheckCodes.DigsIn, move.Index,
             () => $"The flat of the nozzle digs into a slope beside it by more than {NumberFormatter.Format(tolerance, 2)} mm between {a} and {b}.");
 
-    private void ReportBox(string code, in CheckedMove move, Vec3 a, int tag)
+    private void ReportBox(string code, Deposit deposit, in CheckedMove move, Vec3 a, int tag)
     {
         var end = move.End;
         _findings.Add(code, move.Index,
-            () => $"{(code == CheckCodes.HeadHits ? "A box of the head" : "The gantry")} goes through what was printed before{By(tag)}, "
+            () => $"{(code == CheckCodes.HeadHits ? "A box of the head" : "The gantry")} goes through {What(deposit, tag)}, "
             + $"while the nozzle goes from {a} to {end}.");
     }
 
+    private string What(Deposit deposit, int strand)
+        => ReferenceEquals(deposit, _printed.Deposit) ? "what was printed before" + By(strand) : "the object that is printed on";
+
     private string By(int strand) => strand >= 0 && _findings.PlaceOf(strand) is { } place ? $" ({place with { Origin = null, Step = null }})" : "";
 
-    private Vec3 FirstMeeting(Vec3 a, Vec3 b, double tolerance)
+    private Vec3 FirstMeeting(Deposit deposit, Vec3 a, Vec3 b, double tolerance)
     {
-        while (a.DistanceTo(b) > _printed.Deposit.Cell)
+        while (a.DistanceTo(b) > deposit.Cell)
         {
             var middle = Vec3.Lerp(a, b, 0.5);
-            if (_printed.Deposit.Meets(a, middle, tolerance, _printed.Head, true, out _) == HeadContact.Hits) b = middle;
+            if (deposit.Meets(a, middle, tolerance, _printed.Head, true, out _) == HeadContact.Hits) b = middle;
             else a = middle;
         }
         return new Vec3(Math.Round(a.X, 2), Math.Round(a.Y, 2), Math.Round(a.Z, 2));

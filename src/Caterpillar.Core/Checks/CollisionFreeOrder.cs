@@ -36,7 +36,7 @@ public static class CollisionFreeOrder
         if (paths is null) throw new ArgumentNullException(nameof(paths));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         var problems = new List<Diagnostic>();
-        var top = paths.Count == 0 ? 0 : paths.Max(p => p.Bounds.Max.Z);
+        var top = Math.Max(setup.PrintedOn?.Bounds.Max.Z ?? 0, paths.Count == 0 ? 0 : paths.Max(p => p.Bounds.Max.Z));
         var trial = new OrderTrial(setup, top + Math.Max(setup.Printer.LiftClearance, 1));
         var turned = paths.Select((p, i) => Turned(p, i, trial, problems)).ToArray();
         var before = problems.Count > 0 ? null : Constraints(turned, trial, problems, progress, cancel);
@@ -115,6 +115,8 @@ internal sealed class OrderTrial(PrintSetup setup, double travelHeight)
     private readonly double _reach = Math.Max(setup.Printer.HeadOutline.Max(p => p.Radius), setup.Printer.HeadBoxes.Concat(setup.Printer.Gantry)
         .Select(b => Math.Max(Math.Max(-b.Min.X, b.Max.X), Math.Max(-b.Min.Y, b.Max.Y))).DefaultIfEmpty(0).Max());
 
+    private readonly ObjectTop? _object = PrintedSoFar.ObjectOf(setup);
+
     /// <summary>Paths with the travels up, over and down between them.</summary>
     public IReadOnlyList<Step> Steps(IEnumerable<PrintPath> paths)
     {
@@ -158,7 +160,7 @@ internal sealed class OrderTrial(PrintSetup setup, double travelHeight)
         {
             Heard = (code, move) => collides |= move >= first && code.StartsWith("collision.", StringComparison.Ordinal),
         };
-        CheckRun.Run(toolpath, [new DepositCheck(setup, findings)], null, CancellationToken.None);
+        CheckRun.Run(toolpath, [new DepositCheck(setup, findings, _object)], null, CancellationToken.None);
         return collides;
     }
 

@@ -14,8 +14,14 @@ internal sealed class DepositCheck : IMoveCheck
     private readonly CollisionCheck _collisions;
 
     public DepositCheck(PrintSetup setup, Findings findings)
+        : this(setup, findings, PrintedSoFar.ObjectOf(setup))
     {
-        _printed = new PrintedSoFar(setup);
+    }
+
+    /// <summary>The same where the object that is printed on is already at hand.</summary>
+    public DepositCheck(PrintSetup setup, Findings findings, ObjectTop? on)
+    {
+        _printed = new PrintedSoFar(setup, on);
         _strands = new StrandCheck(setup, _printed, findings);
         _collisions = new CollisionCheck(setup.Printer, _printed, findings);
     }

@@ -21,8 +21,11 @@ internal sealed class PrintedSoFar
     private readonly double _widest;
     private double _distance;
 
-    public PrintedSoFar(PrintSetup setup)
+    /// <param name="setup">The head and the shape of strands.</param>
+    /// <param name="on">What is printed on besides the bed.</param>
+    public PrintedSoFar(PrintSetup setup, ObjectTop? on)
     {
+        Object = on;
         var printer = setup.Printer;
         Head = new HeadShape(Outline(printer));
         _shape = setup.Settings.BeadShape;
@@ -32,6 +35,9 @@ internal sealed class PrintedSoFar
     }
 
     public Deposit Deposit { get; }
+
+    /// <summary>The object that is printed on, apart from what is printed; null for none.</summary>
+    public ObjectTop? Object { get; }
 
     /// <summary>Highest point printed, mm, with what is fresh.</summary>
     public double Highest { get; private set; } = double.NegativeInfinity;
@@ -49,6 +55,12 @@ internal sealed class PrintedSoFar
 
     /// <summary>Side of the cells for a printer, mm.</summary>
     public static double CellOf(Printer printer) => Math.Max(0.25, printer.NozzleDiameter / 4);
+
+    /// <summary>The object printed on by a setup; null for none.</summary>
+    public static ObjectTop? ObjectOf(PrintSetup setup) => setup.PrintedOn is { } mesh ? new ObjectTop(mesh, CellOf(setup.Printer)) : null;
+
+    /// <summary>Height of the object or of the bed below a point of a path, mm. Strands may be pressed into it a little.</summary>
+    public double FloorUnder(Vec3 p) => Object is null ? 0 : Math.Max(0, Math.Min(p.Z, Object.Under(p.X, p.Y, p.Z + CollisionCheck.Flush)));
 
     /// <summary>The motion goes on from here.</summary>
     /// <param name="ahead">mm beyond the end of the last move.</param>

@@ -75,7 +75,8 @@ internal sealed class StrandCheck
             var lies = gap <= reach || GapBelow(p, least) <= reach;
             if (lies || move.Role == Role.Purge) Land(move.Index);
             else Fly(move.Index, step);
-            if (gap == p.Z && gap <= reach && move.Role is not (Role.Skirt or Role.Purge)) _standing += step * area / Math.Max(gap, nominal / 2);
+            if (gap == p.Z - _printed.FloorUnder(p) && gap <= reach
+                && move.Role is not (Role.Skirt or Role.Purge)) _standing += step * area / Math.Max(gap, nominal / 2);
         }
         _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
         var height = known ? move.Thickness : Math.Max(0, Math.Min(gap, nominal));
@@ -127,14 +128,14 @@ internal sealed class StrandCheck
         var (top, under) = _printed.Deposit.CellAt(p.X, p.Y);
         var highest = p.Z - 0.5 * height;
         var below = top <= highest ? top : under <= highest ? under : 0;
-        return p.Z - Math.Max(below, 0);
+        return p.Z - Math.Max(below, _printed.FloorUnder(p));
     }
 
     // mm to what lies exactly below the middle of a strand: ramps of seams run out over each other, thinner and thinner.
     private double OwnGap(in CheckedMove move)
     {
         var middle = Vec3.Lerp(move.Start, move.End, 0.5);
-        var below = Math.Max(_printed.Deposit.TopUnder(middle, middle.Z - Flat), 0);
+        var below = Math.Max(_printed.Deposit.TopUnder(middle, middle.Z - Flat), _printed.FloorUnder(middle));
         return middle.Z > below ? middle.Z - below : double.MaxValue;
     }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Machines;
@@ -30,6 +31,12 @@ public sealed record PrintSetup
 
     /// <summary>How it is printed.</summary>
     public PrintSettings Settings { get; init; }
+
+    /// <summary>
+    /// An object that already lies on the bed and is printed on, at its place, mm: travels stay above it, strands may lie on it, and the checks find where the
+    /// head goes through it. Null for none.
+    /// </summary>
+    public TriMesh? PrintedOn { get; init; }
 
     /// <summary>Converts strands to amounts of E.</summary>
     public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowMultiplier);

@@ -30,6 +30,8 @@ public sealed record PlanOptions
     /// <summary>How much memory the moves may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
-    /// <summary>An object on the bed that is printed on: travels stay above it, and the first one rises before it goes there. Null for none.</summary>
+    /// <summary>
+    /// An object on the bed that is printed on: travels stay above it, and the first one rises before it goes there. Null for that of the setup.
+    /// </summary>
     public TriMesh? Obstacle { get; init; }
 }

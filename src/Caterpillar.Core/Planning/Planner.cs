@@ -38,6 +38,7 @@ public static class Planner
         if (steps is null) throw new ArgumentNullException(nameof(steps));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         options ??= new PlanOptions();
+        if (options.Obstacle is null && setup.PrintedOn is { } existing) options = options with { Obstacle = existing };
         if (!setup.Settings.SortPaths) options = options with { Sort = options.Sort with { Rule = SortRule.None } };
         try
         {

@@ -142,8 +142,11 @@ internal sealed class StepPlanner
             Return(travel.Points[travel.Points.Count - 1]);
             return;
         }
-        foreach (var point in travel.Points)
+        var first = !_emitter.IsPlaced && _travel.RisesFirst ? 1 : 0;
+        if (first > 0) _travel.To(travel.Points[0], direct: false, null);
+        for (var i = first; i < travel.Points.Count; i++)
         {
+            var point = travel.Points[i];
             _emitter.Travel(point, travel.Speed > 0 ? travel.Speed : _rules.TravelSpeed);
             _returnPath?.Visit(point);
         }

@@ -21,7 +21,8 @@ internal static class SetupPorts
         var target = printer ?? planned?.Printer ?? OfFile(goo) ?? new Printer();
         return new PrintSetup(target,
             material ?? planned?.Material ?? run.Accept(Profiles.Library.Material(target.DefaultMaterial), texts) ?? new Material(),
-            settings ?? planned?.Settings ?? run.Accept(Profiles.Library.Settings(target.DefaultSettings), texts) ?? new PrintSettings());
+            settings ?? planned?.Settings ?? run.Accept(Profiles.Library.Settings(target.DefaultSettings), texts) ?? new PrintSettings())
+        { PrintedOn = planned?.PrintedOn };
     }
 
     private static Printer? OfFile(ToolpathGoo goo)

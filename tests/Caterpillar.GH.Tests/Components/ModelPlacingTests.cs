@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using Caterpillar.GH.Components.Design;
 using Caterpillar.GH.Components.GCode;
+using Caterpillar.GH.Components.Simulate;
 using Caterpillar.GH.Components.Slice;
 using Caterpillar.GH.Tests.Host;
 using Caterpillar.Geometry;
@@ -121,6 +122,26 @@ public sealed class ModelPlacingTests
         var block = Shapes.Box(90, 90, 40, 12);
         Assert.That(Highest(Plan(null)), Is.LessThan(5));
         Assert.That(Highest(Plan(block)), Is.GreaterThan(12));
+    }
+
+    [Test]
+    public void The_checks_know_the_obstacles_of_the_plan()
+    {
+        var path = new PrintPath([new Vec3(100, 110, 12.2), new Vec3(120, 110, 12.2)], new Bead(0.08, 0.2, 40));
+        bool IsInTheAir(object? obstacle)
+        {
+            var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", path).Feed("Printer", "generic");
+            if (obstacle is not null) plan.Feed("Obstacles", obstacle);
+            plan.Solve();
+            var check = new Canvas<CheckComponent>().Feed("Toolpath", plan.Output("Toolpath").VolatileData.get_Branch(0)[0]).Solve();
+            var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", plan.Output("Toolpath").VolatileData.get_Branch(0)[0]).Solve();
+            Assert.That(write.All("G-code").Single(), Is.Not.Null);
+            var found = check.All("Diagnostics").Any(d => $"{d}".Contains("strand.unsupported"));
+            Assert.That(write.All("Diagnostics").Any(d => $"{d}".Contains("strand.unsupported")), Is.EqualTo(found));
+            return found;
+        }
+        Assert.That(IsInTheAir(null));
+        Assert.That(IsInTheAir(Shapes.Box(90, 90, 40, 12)), Is.False);
     }
 
     [Test]

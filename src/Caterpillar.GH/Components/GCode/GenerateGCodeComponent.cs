@@ -77,6 +77,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
             ?? throw new InputProblem("Printer is missing: the toolpath was not planned for one.") { IsMissing = true };
         var material = run.Maybe<Material>(2) ?? planned?.Material ?? run.Accept(Profiles.Library.Material(printer.DefaultMaterial), texts);
         var settings = run.Maybe<PrintSettings>(3) ?? planned?.Settings ?? run.Accept(Profiles.Library.Settings(printer.DefaultSettings), texts);
-        return material is null || settings is null ? null : new PrintSetup(printer, material, settings);
+        return material is null || settings is null ? null
+            : new PrintSetup(printer, material, settings) { PrintedOn = planned?.PrintedOn };
     }
 }

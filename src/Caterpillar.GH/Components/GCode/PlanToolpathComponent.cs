@@ -36,7 +36,8 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
             PlanPolicy.Printer);
         ports.Choice("Sort", "So", "How paths are sorted inside the groups of a slicer; other paths keep their order.", SortRule.Tour);
         ports.Geometry("Obstacles", "O",
-            "Objects on the bed that are printed on, in document units: travels stay above them, and the first one rises before it goes there.",
+            "Objects on the bed that are printed on, in document units: travels stay above them, the first one rises before it goes there, and the checks know "
+            + "of them.",
             GH_ParamAccess.list, optional: true);
     }
 
@@ -59,14 +60,19 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
             run.SetNulls();
             return;
         }
-        var setup = new PrintSetup(printer, material, settings);
-        var options = new PlanOptions { Policy = run.Choice<PlanPolicy>(4), Sort = new SortOptions(run.Choice<SortRule>(5)) };
         object[] obstacles = run.List<IGH_GeometricGoo>(6).Select(g => (object)ModelMesh.Of(run, g, ObstacleTolerance, run.Units).Triangles).ToArray();
-        var result = run.Work("Planning", [steps, setup, options, obstacles], (progress, cancel) => Planner.Plan(
-            steps.Steps, setup, options with { Obstacle = RhinoMesh.Joined(Array.ConvertAll(obstacles, o => (TriMesh)o)) }, progress, cancel));
+        // Those who check and write the toolpath know of them from its setup.
+        var setup = new PrintSetup(printer, material, settings) { PrintedOn = Joined(run, obstacles) };
+        var options = new PlanOptions { Policy = run.Choice<PlanPolicy>(4), Sort = new SortOptions(run.Choice<SortRule>(5)) };
+        var result = run.Work("Planning", [steps, setup, options],
+            (progress, cancel) => Planner.Plan(steps.Steps, setup, options, progress, cancel));
         var toolpath = run.Accept(result, texts);
         run.Set(0, toolpath is null ? null : new ToolpathGoo(toolpath, setup));
         run.SetList(1, texts);
         if (toolpath is not null) run.Summarize($"{NumberFormatter.Format(toolpath.Count)} moves");
     }
+
+    // The same mesh for the same obstacles: what follows is not computed again.
+    private static TriMesh? Joined(Run run, object[] obstacles) => obstacles.Length == 0 ? null
+        : run.Work("Joining", obstacles, (_, _) => RhinoMesh.Joined(Array.ConvertAll(obstacles, o => (TriMesh)o))!);
 }

@@ -14,13 +14,17 @@ internal sealed class MeanValueSpan
     private readonly double[] _z;
     private readonly int[] _next;
 
+    // Of each curve, and the number of all vertices.
+    private readonly int[] _firsts;
+
     /// <summary>A span of curves, of which the holes run the other way round than the outlines.</summary>
     public MeanValueSpan(IReadOnlyList<Vec3[]> curves)
     {
         var count = 0;
         foreach (var curve in curves) count += curve.Length;
         (_x, _y, _z, _next) = (new double[count], new double[count], new double[count], new int[count]);
-        var at = 0;
+        _firsts = new int[curves.Count + 1];
+        var (at, number) = (0, 0);
         foreach (var curve in curves)
         {
             var first = at;
@@ -30,6 +34,7 @@ internal sealed class MeanValueSpan
                 at++;
             }
             _next[at - 1] = first;
+            _firsts[++number] = at;
         }
     }
 
@@ -37,20 +42,28 @@ internal sealed class MeanValueSpan
     public double Height(double x, double y)
     {
         double sum = 0, weights = 0;
-        for (var i = 0; i < _x.Length; i++)
+        var (xs, ys, zs) = (_x, _y, _z);
+        for (var curve = 0; curve + 1 < _firsts.Length; curve++)
         {
-            var k = _next[i];
-            double ax = _x[i] - x, ay = _y[i] - y, bx = _x[k] - x, by = _y[k] - y;
-            double a = Math.Sqrt(ax * ax + ay * ay), b = Math.Sqrt(bx * bx + by * by);
-            if (a < 1e-9) return _z[i];
-            if (b < 1e-9) return _z[k];
-            // The tangent of half the angle under which the edge is seen.
-            double cross = ax * by - ay * bx, base1 = a * b + ax * bx + ay * by;
-            if (base1 <= 1e-12 * a * b) return (_z[i] * b + _z[k] * a) / (a + b);
-            var tangent = cross / base1;
-            double u = tangent / a, v = tangent / b;
-            sum += u * _z[i] + v * _z[k];
-            weights += u + v;
+            // The end of an edge is the start of the next one.
+            var last = _firsts[curve + 1] - 1;
+            double ax = xs[last] - x, ay = ys[last] - y, az = zs[last];
+            var a = Math.Sqrt(ax * ax + ay * ay);
+            var perA = 1 / a;
+            if (a < 1e-9) return az;
+            for (var k = _firsts[curve]; k <= last; k++)
+            {
+                double bx = xs[k] - x, by = ys[k] - y, bz = zs[k];
+                var b = Math.Sqrt(bx * bx + by * by);
+                if (b < 1e-9) return bz;
+                // The tangent of half the angle under which the edge is seen.
+                double cross = ax * by - ay * bx, dot = a * b + ax * bx + ay * by;
+                if (dot <= 1e-12 * a * b) return (az * b + bz * a) / (a + b);
+                var (tangent, perB) = (cross / dot, 1 / b);
+                sum += tangent * (perA * az + perB * bz);
+                weights += tangent * (perA + perB);
+                (ax, ay, az, a, perA) = (bx, by, bz, b, perB);
+            }
         }
         return sum / weights;
     }
