@@ -48,12 +48,9 @@ internal sealed class JsonCurves
         try
         {
             root = JToken.Load(reader, new JsonLoadSettings { LineInfoHandling = LineInfoHandling.Load });
+            // Anything but comments after the end is an error of the reader.
             while (reader.Read())
             {
-                if (reader.TokenType != JsonToken.Comment)
-                {
-                    throw new JsonReaderException("There is more after the end of the data.", "", reader.LineNumber, reader.LinePosition, null);
-                }
             }
         }
         catch (JsonReaderException e)

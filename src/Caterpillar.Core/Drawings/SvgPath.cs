@@ -209,7 +209,6 @@ internal sealed class SvgPath
     {
         if (_here != _start) LineTo(_start);
         End(true);
-        _here = _start;
     }
 
     private void End(bool closed)

@@ -50,6 +50,7 @@ public class CurveEdgeTests
     }
 
     [TestCase("0;0;1,5", 1.5)]
+    [TestCase("0;0;1,525", 1.525)]
     [TestCase("0;0;1.5", 1.5)]
     [TestCase("0;0;1,5,5", null)]
     [TestCase("0;0;1.5,5", null)]

@@ -26,6 +26,8 @@ public class SvgEdgeTests
     [TestCase("<rect width=\"5\" height=\"5\" rx=\"-1\"/>", "2:2: error curves.svg")]
     [TestCase("<rect width=\"-5\" height=\"5\"/>", "2:2: error curves.svg")]
     [TestCase("<ellipse rx=\"-5\" ry=\"5\"/>", "2:2: error curves.svg")]
+    [TestCase("<rect width=\"0.5\" height=\"0.5\"/>", null)]
+    [TestCase("<path d=\"M0 0h1\"/><text font-size=\"0\">H</text>", null)]
     // Entities and line ends count as they stand in the file.
     [TestCase("<path d=\"M0 0 &#76;5 x\"/>", "2:22: error curves.svg_path")]
     [TestCase("<path d='M0 0\r\nL5 x'/>", "3:4: error curves.svg_path")]
@@ -87,6 +89,31 @@ public class SvgEdgeTests
         // Y points down in the file.
         Assert.That(bulge > 0 ? 50 - box.Min.Y : box.Max.Y - 50, Is.EqualTo(Math.Abs(bulge)).Within(1e-6));
         Assert.That((arc.Start.DistanceTo(new Vec3(0, 50)), arc.End.DistanceTo(new Vec3(10, 50))), Is.EqualTo((0.0, 0.0)).Within(1e-9));
+    }
+
+    [Test]
+    public void Places_and_progress_are_those_of_the_whole_file()
+    {
+        const string Bad = "\n<svg xmlns=\"http://www.w3.org/2000/svg\">\n<path d=\"x\"/></svg>";
+        Assert.That(CurveReaderTests.Read(Bad, "a.svg").Diagnostics.Last().ToString(), Does.StartWith("a.svg:3:10: error curves.svg_path"));
+        var shares = new System.Collections.Generic.List<double>();
+        var text = "<svg xmlns=\"http://www.w3.org/2000/svg\">\n" + string.Concat(Enumerable.Repeat("<path d=\"M0 0h1\"/>\n", 50)) + "</svg>";
+        CurveReader.Read(System.Text.Encoding.ASCII.GetBytes(text), "a.svg", null, new Shares(shares));
+        Assert.That(shares, Is.Ordered.And.All.InRange(0.0, 1.0));
+        Assert.That(shares.Count(s => s > 0 && s < 1), Is.GreaterThan(40));
+    }
+
+    [Test]
+    public void Elements_without_curves_are_reported_once_with_the_name_of_the_first()
+    {
+        var read = Read("<path d=\"M0 0h1\"/><qwertyuiopasdfghjklzxcvbnmqwertyuiop/><other/><z:x xmlns:z=\"urn:z\"/>");
+        Assert.That(read.Diagnostics.Single().ToString(), Does.Contain("curves.ignored").And.Contain("\"qwertyuiopasdfghjklzxcvbnmqwer\""));
+        Assert.That(Read("<path d=\"M0 0h1\"/><z:x xmlns:z=\"urn:z\"/>").Diagnostics, Is.Empty, "what editors note for themselves");
+    }
+
+    private sealed class Shares(System.Collections.Generic.List<double> shares) : IProgress<double>
+    {
+        public void Report(double value) => shares.Add(value);
     }
 
     [TestCase("A B", "  A \n\t B  ")]
