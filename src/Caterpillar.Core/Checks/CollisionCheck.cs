@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -14,26 +15,24 @@ internal sealed class CollisionCheck
     /// <summary>What a travel may touch, mm: slicers travel across what they have just printed.</summary>
     public const double Flush = 0.05;
     private const double Everywhere = 1e6;
-    private const double ClipLine = 0.25;
+    private const double ClipLine = 0.5;
     private readonly PrintedSoFar _printed;
     private readonly Findings _findings;
-    private readonly (Bounds Box, string Code)[] _boxes;
+    private readonly List<(Bounds Box, string Code)> _boxes = [];
     private readonly Deposit? _clips;
     private readonly double _lowest;
-    private int _hit = -1;
+    private int? _hit;
     private (Vec3 From, Vec3 To)? _digs;
 
     public CollisionCheck(Printer printer, PrintedSoFar printed, Findings findings)
     {
         _printed = printed;
         _findings = findings;
-        _boxes = new (Bounds, string)[printer.HeadBoxes.Count + printer.Gantry.Count];
-        for (var i = 0; i < printer.HeadBoxes.Count; i++) _boxes[i] = (printer.HeadBoxes[i], CheckCodes.HeadHits);
-        for (var i = 0; i < printer.Gantry.Count; i++)
+        foreach (var box in printer.HeadBoxes) _boxes.Add((box, CheckCodes.HeadHits));
+        foreach (var beam in printer.Gantry)
         {
-            var beam = printer.Gantry[i];
-            _boxes[printer.HeadBoxes.Count + i] = (
-                new Bounds(new Vec3(-Everywhere, beam.Min.Y, beam.Min.Z), new Vec3(Everywhere, beam.Max.Y, beam.Max.Z)), CheckCodes.GantryHits);
+            var box = new Bounds(new Vec3(-Everywhere, beam.Min.Y, beam.Min.Z), new Vec3(Everywhere, beam.Max.Y, beam.Max.Z));
+            _boxes.Add((box, CheckCodes.GantryHits));
         }
         foreach (var (box, _) in _boxes) _lowest = Math.Min(_lowest, box.Min.Z);
         if (printer.Clips.Count > 0) _clips = Stand(printer.Clips);
@@ -154,19 +153,20 @@ internal sealed class CollisionCheck
         return new Vec3(Math.Round(a.X, 2), Math.Round(a.Y, 2), Math.Round(a.Z, 2));
     }
 
-    // Boxes as lines of strands of their height.
+    // Boxes as strands side by side, of their height.
     private Deposit Stand(ValueList<Bounds> clips)
     {
         var deposit = new Deposit(_printed.Deposit.Cell, 1e6);
         for (var i = 0; i < clips.Count; i++)
         {
             var (min, max) = (clips[i].Min, clips[i].Max);
-            var half = Math.Min(ClipLine, Math.Min(max.X - min.X, max.Y - min.Y) / 2);
-            var lines = half > 0 ? (int)Math.Ceiling((max.Y - min.Y) / (2 * half)) : 1;
-            for (var k = 0; k < lines; k++)
+            var strands = Math.Max((int)Math.Ceiling(clips[i].Size.Y / ClipLine), 1);
+            var half = clips[i].Size.Y / strands / 2;
+            var inset = Math.Min(half, clips[i].Size.X / 2);
+            for (var k = 0; k < strands; k++)
             {
-                var y = lines == 1 ? (min.Y + max.Y) / 2 : min.Y + half + (max.Y - min.Y - 2 * half) * k / (lines - 1);
-                deposit.Add(new Vec3(min.X + half, y, max.Z), new Vec3(max.X - half, y, max.Z), half, i);
+                var y = min.Y + (2 * k + 1) * half;
+                deposit.Add(new Vec3(min.X + inset, y, max.Z), new Vec3(max.X - inset, y, max.Z), half, i);
             }
         }
         return deposit;

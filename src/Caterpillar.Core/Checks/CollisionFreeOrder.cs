@@ -112,8 +112,12 @@ public static class CollisionFreeOrder
 /// <summary>Tries paths one after the other with the checks of collisions.</summary>
 internal sealed class OrderTrial(PrintSetup setup, double travelHeight)
 {
-    private readonly double _reach = Math.Max(setup.Printer.HeadOutline.Max(p => p.Radius), setup.Printer.HeadBoxes.Concat(setup.Printer.Gantry)
-        .Select(b => Math.Max(Math.Max(-b.Min.X, b.Max.X), Math.Max(-b.Min.Y, b.Max.Y))).DefaultIfEmpty(0).Max());
+    // Of half a strand and the cells of the deposit, mm.
+    private const double Margin = 2;
+
+    // What is farther away is not touched, mm.
+    private readonly double _reach = Margin + setup.Printer.HeadBoxes.Concat(setup.Printer.Gantry)
+        .SelectMany(b => new[] { -b.Min.X, b.Max.X, -b.Min.Y, b.Max.Y }).Concat(setup.Printer.HeadOutline.Select(p => p.Radius)).Max();
 
     private readonly ObjectTop? _object = PrintedSoFar.ObjectOf(setup);
 
@@ -132,33 +136,28 @@ internal sealed class OrderTrial(PrintSetup setup, double travelHeight)
         return steps;
     }
 
-    /// <summary>True if the head goes through the first of two paths while it prints the second.</summary>
+    /// <summary>True if the head goes through the first of two paths, each of which is free, while it prints the second.</summary>
     public bool Collides(PrintPath first, PrintPath second)
     {
         if (second.Bounds.Min.Z >= first.Bounds.Max.Z) return false;
-        var (a, b) = (first.Bounds, second.Bounds);
-        if (setup.Printer.Gantry.Count == 0 && (a.Min.X - b.Max.X > _reach + 2 || b.Min.X - a.Max.X > _reach + 2)) return false;
-        return a.Min.Y - b.Max.Y <= _reach + 2 && b.Min.Y - a.Max.Y <= _reach + 2 && Collides([first, second], 1);
+        var (near, b) = (first.Bounds.Grow(_reach), second.Bounds);
+        if (setup.Printer.Gantry.Count == 0 && (near.Min.X > b.Max.X || near.Max.X < b.Min.X)) return false;
+        return !(near.Min.Y > b.Max.Y) && !(near.Max.Y < b.Min.Y) && Collides([first, second]);
     }
 
     /// <summary>True if the head goes through a path while it prints it.</summary>
-    public bool Collides(PrintPath path) => Collides([path], 0);
+    public bool Collides(PrintPath path) => Collides([path]);
 
-    private bool Collides(PrintPath[] paths, int judged)
+    private bool Collides(PrintPath[] paths)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, null);
-        var first = 0;
-        for (var i = 0; i < paths.Length; i++)
-        {
-            if (i == judged) first = builder.Count;
-            Add(builder, paths[i]);
-        }
-        builder.Add(builder.Position.WithZ(travelHeight), 0, 0, 1, MoveKind.Travel, Role.Unspecified, -1, 0, -1);
+        foreach (var path in paths) Add(builder, path);
+        Travel(builder, builder.Position.WithZ(travelHeight));
         var toolpath = builder.Build([new ToolpathTool(1)]);
         var collides = false;
         var findings = new Findings(setup.Printer, toolpath)
         {
-            Heard = (code, move) => collides |= move >= first && code.StartsWith("collision.", StringComparison.Ordinal),
+            Heard = (code, _) => collides |= code.StartsWith("collision.", StringComparison.Ordinal),
         };
         CheckRun.Run(toolpath, [new DepositCheck(setup, findings, _object)], null, CancellationToken.None);
         return collides;
@@ -173,9 +172,12 @@ internal sealed class OrderTrial(PrintSetup setup, double travelHeight)
         for (var i = 0; i < path.SegmentCount; i++)
         {
             var volume = path.LengthOf(i) * path.BeadOf(i).Area;
-            builder.Add(path.EndOf(i), volume, volume, 1, MoveKind.Print, path.Role, -1, 0, -1, path.ArcOf(i));
+            Move(builder, path.EndOf(i), volume, MoveKind.Print, path.Role, path.ArcOf(i));
         }
     }
 
-    private static void Travel(ToolpathBuilder builder, Vec3 to) => builder.Add(to, 0, 0, 1, MoveKind.Travel, Role.Unspecified, -1, 0, -1);
+    private static void Travel(ToolpathBuilder builder, Vec3 to) => Move(builder, to, 0, MoveKind.Travel, Role.Unspecified, null);
+
+    private static void Move(ToolpathBuilder builder, Vec3 to, double volume, MoveKind kind, Role role, Arc? arc)
+        => builder.Add(to, volume, volume, 1, kind, role, -1, 0, -1, arc);
 }

@@ -18,10 +18,9 @@ internal sealed class FileCheck(Toolpath toolpath, Printer printer, CheckScope s
     private const double ThickArea = 16;
     private bool _homes;
     private bool _reported;
-    private bool _hasX, _hasY, _hasZ;
+    private bool _hasX = toolpath.Start is not null, _hasY = toolpath.Start is not null, _hasZ = toolpath.Start is not null;
     private long _moving, _wipes, _prints, _thick;
-    private int _firstWipe = -1;
-    private int _firstThick = -1;
+    private int _firstWipe, _firstThick;
 
     public void Event(MoveEvent what)
     {
@@ -34,10 +33,9 @@ internal sealed class FileCheck(Toolpath toolpath, Printer printer, CheckScope s
 
     public void Move(in CheckedMove move)
     {
-        var known = move.Index == 0 && toolpath.Start is null ? Vec3.Zero : move.Start;
-        _hasX |= move.End.X != known.X || toolpath.Start is not null;
-        _hasY |= move.End.Y != known.Y || toolpath.Start is not null;
-        _hasZ |= move.End.Z != known.Z || toolpath.Start is not null;
+        _hasX |= move.End.X != move.Start.X;
+        _hasY |= move.End.Y != move.Start.Y;
+        _hasZ |= move.End.Z != move.Start.Z;
         if (!(move.Length > 0)) return;
         if (move.Kind == MoveKind.Print && move.E > 0) Printed(move);
         if (move.E == 0) return;

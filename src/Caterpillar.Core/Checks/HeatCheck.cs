@@ -16,7 +16,7 @@ internal sealed class HeatCheck : IMoveCheck
     private readonly NozzleTemperatures _nozzles;
     private MoveEvent? _bed;
     private bool _heats;
-    private int _firstExtrusion = -1;
+    private int? _firstExtrusion;
 
     public HeatCheck(PrintSetup setup, CheckScope scope, Findings findings)
     {
@@ -49,7 +49,7 @@ internal sealed class HeatCheck : IMoveCheck
     public void Move(in CheckedMove move)
     {
         if (!(move.E > 0)) return;
-        if (_firstExtrusion < 0) _firstExtrusion = move.Index;
+        _firstExtrusion ??= move.Index;
         var celsius = _nozzles.At(move.Tool, out var set);
         if (celsius < _needed) ReportCold(move.Index, celsius, set);
     }
@@ -57,8 +57,8 @@ internal sealed class HeatCheck : IMoveCheck
     public void End(Toolpath toolpath)
     {
         if (!_scope.IsWholeFile) return;
-        if (_needed > 0 && _firstExtrusion >= 0 && !_heats && !_scope.HasMacros)
-            _findings.Add(CheckCodes.NoHeating, _firstExtrusion, () => "Nothing in the file heats the nozzle before this move extrudes.");
+        if (_needed > 0 && _firstExtrusion is { } first && !_heats && !_scope.HasMacros)
+            _findings.Add(CheckCodes.NoHeating, first, () => "Nothing in the file heats the nozzle before this move extrudes.");
         if (_nozzles.LeftOn is { } nozzle)
             _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(nozzle), () => Left("nozzle", ((NozzleTemperatureEvent)nozzle.Event).Celsius));
         if (_bed is { Event: BedTemperatureEvent { Celsius: > 0 } left } bed)

@@ -18,7 +18,6 @@ internal sealed class PlanComparison
     private const double ArcTolerance = 0.05;
     private readonly Toolpath _plan;
     private readonly Toolpath _read;
-    private readonly GCodeFormat _format;
     private readonly WrittenLines _lines;
     private readonly Findings _findings;
     private readonly double _allowed;
@@ -38,7 +37,6 @@ internal sealed class PlanComparison
     {
         _plan = plan;
         _read = read;
-        _format = format;
         _lines = lines;
         _findings = findings;
         // Half of the last decimal, and rounding.
@@ -68,7 +66,6 @@ internal sealed class PlanComparison
         var (first, last) = _lines.OfMove(move);
         Skip(first);
         var e = 0.0;
-        var count = 0;
         var retracts = false;
         var from = _head;
         var turns = plan.TryGetArc(i, out var turn);
@@ -89,12 +86,11 @@ internal sealed class PlanComparison
             if (turns) length += read.TryGetArc(_next, out var arc) ? arc.Length(_head, end) : _head.DistanceTo(end);
             _head = end;
             _known = true;
-            count++;
             _next++;
         }
         var wanted = new Vec3(plan.X[i], plan.Y[i], plan.Z[i]);
         if (_known && !IsNear(_head, wanted)) Moved(move, last, wanted);
-        if (turns && count > 0) Turned(plan, block, i, move, last, turn, from, wanted, length);
+        else if (turns) Turned(plan, block, i, move, last, turn, from, wanted, length);
         if (_hasE && !retracts) Extruded(plan, i, move, last, e);
     }
 
@@ -108,7 +104,6 @@ internal sealed class PlanComparison
             {
                 if (read.Source[_next] >= first) return;
                 _head = new Vec3(read.X[_next], read.Y[_next], read.Z[_next]);
-                _known = true;
             }
         }
     }

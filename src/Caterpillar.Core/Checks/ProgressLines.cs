@@ -25,7 +25,7 @@ internal static class ProgressLines
 
     private static List<MoveEvent> Events(Toolpath toolpath, Timeline timeline)
     {
-        var all = new List<MoveEvent>(toolpath.Events.Count + 256);
+        var all = new List<MoveEvent>();
         var next = 0;
         var shown = (Percent: -1, Minutes: -1);
         for (var move = 0; move <= toolpath.Count; move++)

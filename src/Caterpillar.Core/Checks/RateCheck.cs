@@ -53,8 +53,8 @@ internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings fi
         var filament = move.E * _filamentPerE[Math.Min(Math.Max(move.Tool, 0), _filamentPerE.Length - 1)];
         var most = _shares.MaxSpeed(move, filament, _limits);
         // Travels are slowed down without harm; a strand printed more slowly is not the one that was asked for.
-        if (move.Speed > most * (1 + 1e-9) + _roundedF) ReportSpeed(move, most, move.Length > 0 ? "there at" : "at", " and will slow down");
-        else if (_raised && _shares.MaxSpeed(move, filament, _own) is var own && move.Speed > own * (1 + 1e-9) + _roundedF)
+        if (move.Speed > most + _roundedF) ReportSpeed(move, most, move.Length > 0 ? "there at" : "at", " and will slow down");
+        else if (_raised && _shares.MaxSpeed(move, filament, _own) is var own && move.Speed > own + _roundedF)
             ReportSpeed(move, own, "for", ", a limit that the file has raised");
         if (move.Kind != MoveKind.Print || !(move.Length > 0)) return;
         var flow = move.Deposited / move.Length * Math.Min(move.Speed, most);

@@ -33,7 +33,7 @@ internal static class RawModes
         public Modes After(string line)
         {
             var state = this;
-            var end = line.IndexOf(';', 0);
+            var end = line.IndexOf(';');
             var code = (end < 0 ? line : line.Substring(0, end)).ToUpperInvariant();
             for (var i = 0; i + 1 < code.Length; i++)
             {

@@ -33,7 +33,6 @@ internal sealed class StrandCheck
     private readonly BeadShape _shape;
     private readonly double _usualHeight;
     private Vec3 _end;
-    private bool _continues;
     private bool _anchored;
     private double _air;
     private int _airMove;
@@ -53,8 +52,8 @@ internal sealed class StrandCheck
     /// <summary>A strand along a straight move; its nominal height and the height that it fills, mm.</summary>
     public (double Nominal, double Filled) Strand(in CheckedMove move)
     {
-        if (_continues && move.Start != _end) Break();
-        (_continues, _end) = (true, move.End);
+        if (move.Start != _end) Break();
+        _end = move.End;
         var area = move.Deposited / move.Length;
         // Layers much thicker or thinner than their strands say nothing about them: files without comments about layers, drawings.
         var known = move.Thickness > 0 && area >= 0.5 * move.Thickness * move.Thickness
@@ -107,7 +106,6 @@ internal sealed class StrandCheck
         if (_air > MostFree) ReportAir(false);
         _air = _doubled = 0;
         _anchored = false;
-        _continues = false;
     }
 
     public void End()

@@ -43,7 +43,7 @@ internal sealed class WriteGuard
     {
         var list = new DiagnosticList();
         // The comments stand before everything that the lines of the findings are counted in.
-        var shift = _errors.Length == 0 ? 0 : Comments().Count;
+        var shift = Comments().Count;
         list.AddRange(_findings.Select(d => (d.Severity == Severity.Error ? d with { Severity = Severity.Warning } : d)
             .WithSource(s => s?.Line is { } line && s.File is null ? s with { Line = line + shift } : s)));
         list.AddRange(others);

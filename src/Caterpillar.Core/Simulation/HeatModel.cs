@@ -25,8 +25,8 @@ internal sealed class HeaterCurve(double rate)
         _to.Add(celsius > 0 ? celsius : HeatModel.Ambient);
     }
 
-    /// <summary>Seconds from the last <see cref="Set"/> until it is as hot; nothing waits for cooling.</summary>
-    public double TimeTo(double celsius) => rate > 0 && _from.Count > 0 ? Math.Max(celsius - _from[_from.Count - 1], 0) / rate : 0;
+    /// <summary>Seconds from the last <see cref="Set"/> until it is as hot, at a rate that is not 0; nothing waits for cooling.</summary>
+    public double TimeTo(double celsius) => Math.Max(celsius - _from[_from.Count - 1], 0) / rate;
 
     /// <summary>°C at a time.</summary>
     public double At(double time)

@@ -62,7 +62,6 @@ internal sealed class MotionPlanner
             planner.Block(block, cancel);
             progress?.Report((block + 1.0) / toolpath.Blocks.Count);
         }
-        cancel.ThrowIfCancellationRequested();
         planner._afterLast = planner._out.Count + planner._count;
         planner.Events(toolpath.Count);
         planner.Stop();

@@ -55,6 +55,9 @@ internal sealed class PathIndex
     /// <summary>No source is smaller than one before it (those of moves without a source are skipped).</summary>
     public bool SourcesAscend { get; private set; } = true;
 
+    /// <summary>The moves up to the last that has a source.</summary>
+    public int SourcedMoves { get; private set; }
+
     /// <summary>First move of a layer of the toolpath; the number of moves where no move names it.</summary>
     public int StartOfLayer(int layer) => _layerStarts[layer];
 
@@ -91,7 +94,7 @@ internal sealed class PathIndex
     /// <summary>The move in which the path of the head reaches a length, mm, and the sums before it.</summary>
     public (int Move, PathSums Before) AtLength(double length)
     {
-        if (!(length < Total.Length) || _toolpath.Count == 0) return (_toolpath.Count, Total);
+        if (!(length < Total.Length)) return (_toolpath.Count, Total);
         int low = 0, high = _sums.Length - 1;
         while (low < high)
         {
@@ -116,7 +119,7 @@ internal sealed class PathIndex
     {
         var columns = _toolpath.Blocks[block].Columns;
         var first = _toolpath.FirstOf(block);
-        var sums = _sums[block] = new PathSums[Math.Max((columns.Count + Step - 1) / Step, 1)];
+        var sums = _sums[block] = new PathSums[columns.Count / Step + 1];
         var top = _heights.Count > 0 ? _heights[_heights.Count - 1] : double.NegativeInfinity;
         var layer = -1;
         var running = Total;
@@ -128,7 +131,7 @@ internal sealed class PathIndex
         Total = running;
         for (var i = 0; i < columns.Count; i++)
         {
-            if (columns.Layer[i] != layer && (layer = columns.Layer[i]) >= 0 && _layerStarts[layer] > first + i) _layerStarts[layer] = first + i;
+            if (columns.Layer[i] != layer && (layer = columns.Layer[i]) >= 0 && _layerStarts[layer] == _toolpath.Count) _layerStarts[layer] = first + i;
             if (columns.Kind[i] == MoveKind.Print && columns.Z[i] > top)
             {
                 top = columns.Z[i];
@@ -139,6 +142,7 @@ internal sealed class PathIndex
             if (own < 0) continue;
             if (own < source) SourcesAscend = false;
             source = own;
+            SourcedMoves = first + i + 1;
         }
         return source;
     }
@@ -154,7 +158,7 @@ internal sealed class PathIndex
         for (at = from; at < to; at++)
         {
             var end = new Vec3(c.X[at], c.Y[at], c.Z[at]);
-            var own = c.ArcMoves.Length > 0 && c.TryGetArc(at, out var arc) ? arc.Length(start, end) : start.DistanceTo(end);
+            var own = c.TryGetArc(at, out var arc) ? arc.Length(start, end) : start.DistanceTo(end);
             if (path + own > length) break;
             path += own;
             if (c.Deposited[at] != 0)

@@ -131,11 +131,10 @@ public sealed class Timeline
     /// <summary>The state at a part of the path of the head, 0 to 1.</summary>
     public MachineState AtLength(double fraction)
     {
-        var length = Math.Min(Math.Max(fraction, 0), 1) * Length;
+        var length = Math.Max(fraction, 0) * Length;
         var (move, before) = _path.AtLength(length);
         if (move >= Toolpath.Count) return At(Duration);
-        var whole = Toolpath[move].Length;
-        return WithDone(move, whole > 0 ? (length - before.Length) / whole : 0);
+        return WithDone(move, (length - before.Length) / Toolpath[move].Length);
     }
 
     // The first trapezoid that ends after a time; their number where none does.
@@ -174,7 +173,7 @@ public sealed class Timeline
             }
             return Toolpath.Count;
         }
-        int low = 0, high = Toolpath.Count;
+        int low = 0, high = _path.SourcedMoves;
         while (low < high)
         {
             var middle = (int)(((uint)low + (uint)high) / 2);
@@ -184,7 +183,7 @@ public sealed class Timeline
             if (next < high && Toolpath[next].Source < source) low = next + 1;
             else high = middle;
         }
-        return low;
+        return low < _path.SourcedMoves ? low : Toolpath.Count;
     }
 
     // The moment at which a part of a move is done.
@@ -194,7 +193,7 @@ public sealed class Timeline
         while (first < end && _motion.Acceleration[first] == 0) first++;
         if (first == end) return AtMove(move);
         // The pieces of an arc are equally long.
-        var at = Math.Min(Math.Max(done, 0), 1) * (end - first);
+        var at = done * (end - first);
         var piece = Math.Min((int)at, end - first - 1);
         var trapezoid = _motion[first + piece];
         var time = _motion.StartTime(first + piece) + trapezoid.TimeAt((at - piece) * trapezoid.Length);

@@ -26,7 +26,6 @@ public readonly record struct Trapezoid(double Start, double Peak, double End, d
     /// <summary>Speed after some seconds from the start.</summary>
     public double SpeedAt(double time)
     {
-        if (!(Acceleration > 0)) return 0;
         if (time <= 0) return Start;
         if (time >= Duration) return End;
         return Math.Min(Math.Min(Peak, Start + Acceleration * time), End + Acceleration * (Duration - time));
@@ -35,7 +34,6 @@ public readonly record struct Trapezoid(double Start, double Peak, double End, d
     /// <summary>Distance in mm after some seconds from the start.</summary>
     public double DistanceAt(double time)
     {
-        if (!(Acceleration > 0)) return 0;
         time = Math.Min(Math.Max(time, 0), Duration);
         var up = Math.Min(time, Accelerating);
         var down = Math.Max(time - (Duration - Decelerating), 0);

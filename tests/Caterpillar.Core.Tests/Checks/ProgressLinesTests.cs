@@ -41,6 +41,22 @@ public class ProgressLinesTests
         Assert.That(quiet.Any(l => l.StartsWith("M73", StringComparison.Ordinal) || l.StartsWith(";TIME", StringComparison.Ordinal)), Is.False);
     }
 
+    // Minutes are the nearest: 100 minutes and a few seconds.
+    [TestCase(6000, "M73 P0 R100")]
+    [TestCase(5969, "M73 P0 R100")]
+    [TestCase(5960, "M73 P0 R99")]
+    public void Minutes_have_sixty_seconds(double seconds, string first)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
+        builder.Add(new Vec3(20, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        builder.AddEvent(new DwellEvent(seconds));
+        builder.Add(new Vec3(30, 10, 0.2), 0.4, 0.4, 10, MoveKind.Print, Role.OuterWall, -1, 0, 1);
+        var (toolpath, all) = ProgressLines.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), default);
+        Assert.That(all, Is.InRange(seconds + 1.5, seconds + 3));
+        var (move, shown) = toolpath.Events.Where(e => e.Event is ProgressEvent).Select(e => (e.Move, (ProgressEvent)e.Event)).First();
+        Assert.That((move, $"M73 P{shown.Percent} R{shown.MinutesLeft}"), Is.EqualTo((0, first)));
+    }
+
     [Test]
     public void Progress_changes_no_move()
     {

@@ -1,0 +1,84 @@
+using System;
+using System.Linq;
+using System.Text;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Checks;
+
+/// <summary>A file that was changed by hand after it was written, held against its plan.</summary>
+public class PlanComparisonTests
+{
+    private static readonly PrintSetup Setup = SmallPrint.Setup(
+        p => p with { ToolOffsets = new(Vec3.Zero, Vec3.Zero), ExtrusionMode = ExtrusionMode.Relative });
+
+    // A unit of the last decimal of E may be missing for each tool; two of one tool may not.
+    [TestCase(1, 0, 0)]
+    [TestCase(2, 0, 1)]
+    [TestCase(1, 1, 0)]
+    [TestCase(0, 2, 1)]
+    public void E_of_each_tool_may_stray_by_one_unit_of_its_last_decimal(int first, int second, int found)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
+        for (var i = 0; i < 4; i++) builder.Add(new Vec3(20 + 10 * i, 10, 0.2), 0.5, 0.5, 20, MoveKind.Print, Role.Unspecified, -1, i % 2, i);
+        var plan = builder.Build([new ToolpathTool(SmallPrint.FilamentArea), new ToolpathTool(SmallPrint.FilamentArea)]);
+        var list = Compare(plan, text =>
+        {
+            var lines = text.Split('\n');
+            var strands = Enumerable.Range(0, lines.Length).Where(i => lines[i].Contains(" E0.5")).ToArray();
+            for (var k = 0; k < 4; k++)
+                if ((k % 2 == 0 ? first : second) > k / 2) lines[strands[k]] = lines[strands[k]].Replace("E0.5", "E0.50001");
+            return string.Join("\n", lines);
+        });
+        Assert.That(list.Select(d => d.Code), Is.EqualTo(Enumerable.Repeat(CheckCodes.FileExtrusion, found)));
+    }
+
+    // A quarter circle the other way round ends at the same place, three quarters later.
+    [TestCase(1)]
+    [TestCase(2)]
+    [TestCase(3)]
+    public void An_arc_that_turns_the_other_way_is_found(int before)
+    {
+        var print = new SmallPrint(100, 100, 0.2);
+        for (var i = 0; i < before; i++) print.Print(100 + 10 * (i + 1), 100, 0.2);
+        var at = print.At;
+        var plan = print.Arc(at.X + 10, at.Y + 10, 0.2, at + new Vec3(0, 10), 90, SmallPrint.Area).Build();
+        Assert.That(Compare(plan, text => text), Is.Empty);
+        var found = Compare(plan, text => text.Replace("G3 ", "G2 ")).Single();
+        Assert.That((found.Code, found.Source!.Move), Is.EqualTo((CheckCodes.FilePosition, (int?)before)));
+        Assert.That(found.Message, Is.EqualTo("An arc is 47.12 mm long by this line; the plan has 15.71 mm."));
+    }
+
+    [Test]
+    public void A_whole_circle_that_is_missing_is_found()
+    {
+        var plan = new SmallPrint(100, 100, 0.2).Print(110, 100, 0.2).Arc(110, 100, 0.2, new Vec3(110, 110, 0.2), 360, SmallPrint.Area).Build();
+        var found = Compare(plan, text => string.Join("\n", text.Split('\n').Where(l => !l.StartsWith("G3", StringComparison.Ordinal)
+            && !l.StartsWith("G2 ", StringComparison.Ordinal))));
+        Assert.That(found.Select(d => d.Code), Has.Member(CheckCodes.FilePosition));
+    }
+
+    // The head stands in the wrong place while it primes.
+    [Test]
+    public void A_raw_line_that_moves_the_head_before_material_in_place_is_found()
+    {
+        var plan = new SmallPrint(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("; mark")).Prime(1).Print(60, 10, 0.2).Build();
+        Assert.That(Compare(plan, text => text), Is.Empty);
+        var found = Compare(plan, text => text.Replace("; mark", "G1 X99 F6000"));
+        Assert.That(found.Where(d => d.Code == CheckCodes.FilePosition).Select(d => d.Source!.Move), Is.EqualTo(new int?[] { 1 }));
+    }
+
+    private static Diagnostic[] Compare(Toolpath plan, Func<string, string> change)
+    {
+        var (_, lines, text) = SmallPrint.Written(plan, Setup);
+        var read = SmallPrint.Decode(Encoding.ASCII.GetBytes(change(text)), Setup).Toolpath;
+        var findings = new Findings(Setup.Printer, read);
+        PlanComparison.Run(plan, read, SetupFormat.Of(Setup, plan).Value!, lines, findings);
+        return findings.ToList().ToArray();
+    }
+}

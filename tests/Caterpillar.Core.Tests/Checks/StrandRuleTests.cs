@@ -1,0 +1,116 @@
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Checks;
+
+/// <summary>What carries a strand, what fits into its gap, and how it is judged in a layer.</summary>
+public class StrandRuleTests
+{
+    private static readonly PrintSetup Setup = SmallPrint.Setup();
+
+    // A strand in the air and one along it a little higher: what is nearer than half a height lies beside it, and carries nothing.
+    [TestCase(0.09, 2)]
+    [TestCase(0.11, 1)]
+    public void A_strand_is_carried_by_what_is_half_its_height_below(double above, int hanging)
+    {
+        var print = new SmallPrint(50, 50, 4).Print(70, 50, 4).Go(70, 50, 20).Go(50, 50, 20).Go(50, 50, 4 + above).Print(70, 50, 4 + above).Go(80, 80, 20);
+        Assert.That(Count(print, CheckCodes.Unsupported), Is.EqualTo(hanging));
+    }
+
+    // 0.02 mm² by a nozzle of 0.4 mm are 0.05 mm high, whatever the layer: half of that decides.
+    [TestCase(0.02, 2)]
+    [TestCase(0.03, 1)]
+    public void A_thin_strand_is_carried_by_what_is_half_its_own_height_below(double above, int hanging)
+    {
+        var print = new SmallPrint(50, 50, 4).Print(70, 50, 4).Go(70, 50, 20).Go(50, 50, 20).Go(50, 50, 4 + above).Print(70, 50, 4 + above, 0.02)
+            .Go(80, 80, 20);
+        Assert.That(Count(print, CheckCodes.Unsupported), Is.EqualTo(hanging));
+    }
+
+    // Two strands higher up over the same line; the bed is 1.4 mm below.
+    [Test]
+    public void What_is_above_a_strand_does_not_carry_it()
+    {
+        var print = new SmallPrint(50, 50, 4).Print(70, 50, 4).Go(70, 50, 4.4).Print(50, 50, 4.4).Go(40, 50, 20).Go(40, 50, 1.4).Go(50, 50, 1.4)
+            .Print(70, 50, 1.4).Go(80, 50, 1.4);
+        Assert.That(Count(print, CheckCodes.Unsupported), Is.EqualTo(2), "the lower one of those above, and the one below them");
+    }
+
+    // Strands without a layer: twice the thicker of the layers, and a tenth.
+    [TestCase(0.1, 0.3, 0.69, 0)]
+    [TestCase(0.1, 0.3, 0.71, 1)]
+    [TestCase(0.3, 0.1, 0.69, 0)]
+    [TestCase(0.3, 0.1, 0.71, 1)]
+    public void Without_layers_the_thicker_of_the_settings_counts(double layer, double first, double z, int hanging)
+    {
+        var setup = Setup with { Settings = new PrintSettings { LayerHeight = layer, FirstLayerHeight = first } };
+        var print = new SmallPrint(50, 50, z).Print(70, 50, z).Go(80, 80, z);
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Unsupported).Sum(d => d.Count), Is.EqualTo(hanging));
+    }
+
+    // Of 0.5 mm: a strand has half the square of its layer at least, and is twelve nozzles wide at most; else its layer says nothing about it.
+    [TestCase(0.124, 0)]
+    [TestCase(0.126, 1)]
+    [TestCase(2.39, 1)]
+    [TestCase(2.41, 0)]
+    public void A_layer_that_does_not_fit_its_strands_is_not_believed(double area, int found)
+    {
+        var print = new SmallPrint(50, 50, 0.5).InLayer(new Layer(0, 0.5, 0.5)).Print(70, 50, 0.5, area);
+        Assert.That(Count(print, CheckCodes.Height), Is.EqualTo(found));
+    }
+
+    // Purging lands a strand: before it 5 mm may hang.
+    [TestCase(55, 0)]
+    [TestCase(55.5, 1)]
+    public void A_strand_that_begins_in_the_air_may_hang_for_5_mm_before_it_lands(double x, int found)
+    {
+        var print = new SmallPrint(50, 50, 4).Print(x, 50, 4).Print(60, 50, 4, role: Role.Purge);
+        Assert.That(Count(print, CheckCodes.Unsupported), Is.EqualTo(found));
+    }
+
+    [Test]
+    public void The_height_of_a_print_is_that_of_its_highest_strand()
+    {
+        var print = new SmallPrint().Wall(50, 70, 50, 25).Go(50, 50, 200).Go(50, 50, 25.2).Print(70, 50, 27.2);
+        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.FirstLayer).Single().Message, Does.StartWith("A print of 27.2 mm height"));
+    }
+
+    [TestCase(0.04, 0.03, true)]
+    [TestCase(0.03, 0.04, false)]
+    public void Of_squeezed_strands_the_widest_is_the_worst(double first, double second, bool worse)
+    {
+        var print = new SmallPrint(50, 50, first).Print(70, 50, first).Go(70, 60, 5).Go(70, 60, second).Print(50, 60, second);
+        var found = SmallPrint.Find(print.Build(), Setup, CheckCodes.Squeezed).Single();
+        Assert.That((found.Count, found.Worst is not null), Is.EqualTo((2, worse)));
+        if (worse) Assert.That(found.Worst!.Message, Does.EndWith("it would be 2.67 mm wide."));
+    }
+
+    // A quarter turn of 20 mm in many chords: as thick as a straight strand.
+    [TestCase(0.08, 0)]
+    [TestCase(0.5, 1)]
+    [TestCase(0.005, 1)]
+    public void The_strand_of_an_arc_is_as_thick_as_a_straight_one(double area, int found)
+    {
+        var arc = new SmallPrint(50, 50, 0.2).Arc(70, 70, 0.2, new Vec3(50, 70, 0.2), 90, area).Build();
+        var straight = new SmallPrint(50, 50, 0.2).Print(50 + arc[0].Length, 50, 0.2, area).Build();
+        var width = SmallPrint.Find(arc, Setup, CheckCodes.Width).Select(d => d.Message).ToArray();
+        Assert.That(width.Length, Is.EqualTo(found));
+        Assert.That(width, Is.EqualTo(SmallPrint.Find(straight, Setup, CheckCodes.Width).Select(d => d.Message)));
+        Assert.That(SmallPrint.Find(arc, Setup, CheckCodes.Squeezed).Length, Is.EqualTo(SmallPrint.Find(straight, Setup, CheckCodes.Squeezed).Length));
+    }
+
+    [Test]
+    public void A_strand_that_goes_on_after_a_travel_begins_in_the_air_again()
+    {
+        // 4 mm hang at each side of a travel there and back; 5 mm may.
+        var print = new SmallPrint(50, 50, 4).Print(54, 50, 4).Go(60, 60, 4).Go(54, 50, 4).Print(58, 50, 4).Go(80, 80, 4);
+        Assert.That(Count(print, CheckCodes.Unsupported), Is.Zero);
+    }
+
+    private static int Count(SmallPrint print, string code) => SmallPrint.Find(print.Build(), Setup, code).Sum(d => d.Count);
+}
