@@ -8,7 +8,10 @@ public sealed class SliceResult
 {
     internal SliceResult(IReadOnlyList<SlicedLayer> layers) => Layers = layers;
 
-    /// <summary>By height; layers of equal height in the order of their objects.</summary>
+    /// <summary>
+    /// By height; layers of equal height in the order of their objects. Curved layers whose pieces the head would have to go through are in pieces, each a
+    /// layer of its own, in the order in which they can be printed.
+    /// </summary>
     public IReadOnlyList<SlicedLayer> Layers { get; }
 
     /// <summary>The field whose level sets the layers are, fitted to the part; null for planar layers.</summary>

@@ -122,7 +122,8 @@ public static class CurvedSlicer
         var kept = layers.Where(l => l.Steps.Count > 0).ToArray();
         if (kept.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.nothing", "Nothing to print: no part of the models lies above the surface, within the plan.");
-        return new Result<SliceResult>(problems.HasErrors ? null : new SliceResult(kept) { Field = field }, problems.ToList());
+        if (problems.HasErrors) return new Result<SliceResult>(null, problems.ToList());
+        return new Result<SliceResult>(new SliceResult(PatchOrder.Arrange(kept, setup.Printer, problems)) { Field = field }, problems.ToList());
     }
 
     // Where lines in plan lie among flat layers.
@@ -146,11 +147,11 @@ public static class CurvedSlicer
 
     private static List<PathStep> Within(List<PathStep> steps, Region region)
         => steps.ConvertAll(s => s.Region is null
-            || ReferenceEquals(s.Region, region) ? s : new PathStep(s.Path, s.Group) { KeepStart = s.KeepStart, Region = region });
+            || ReferenceEquals(s.Region, region) ? s : s.With(s.Path, region));
 
     // Level travels inside the part would run through curved layers.
     private static List<PathStep> WithoutRegions(List<PathStep> steps)
-        => steps.ConvertAll(s => s.Region is null ? s : new PathStep(s.Path, s.Group) { KeepStart = s.KeepStart });
+        => steps.ConvertAll(s => s.Region is null ? s : s.With(s.Path, null));
 
     // The head sees no more of a layer than its rise: found from the samples of the part.
     private static double SlopeLimit(PrintSetup setup, PartColumns part, SliceResult flat, LayerField field)

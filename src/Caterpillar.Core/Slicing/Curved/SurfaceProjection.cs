@@ -50,7 +50,7 @@ public static class SurfaceProjection
             switch (steps[i])
             {
                 // Level combing does not know the surface.
-                case PathStep path: result.AddRange(lifter.Lift(path).Select(p => new PathStep(p.Path, p.Group) { KeepStart = p.KeepStart })); break;
+                case PathStep path: result.AddRange(lifter.Lift(path).Select(p => p.With(p.Path, null))); break;
                 case TravelStep travel: result.Add(new TravelStep(Over(travel.Points, field), travel.Speed, travel.Intent)); break;
                 case var other: result.Add(other); break;
             }
