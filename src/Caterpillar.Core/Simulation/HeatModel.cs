@@ -22,7 +22,7 @@ internal sealed class HeaterCurve(double rate)
         var now = At(time);
         _times.Add(time);
         _from.Add(now);
-        _to.Add(celsius > 0 ? celsius : HeatModel.Ambient);
+        _to.Add(Math.Max(celsius, HeatModel.Ambient));
     }
 
     /// <summary>Seconds from the last <see cref="Set"/> until it is as hot, at a rate that is not 0; nothing waits for cooling.</summary>

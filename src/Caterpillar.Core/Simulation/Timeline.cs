@@ -230,7 +230,7 @@ public sealed class Timeline
             Done = done,
             Waits = waits,
             Position = position,
-            Direction = over || waits || length == 0 ? Vec3.Zero : DirectionAt(move, done),
+            Direction = over || waits ? Vec3.Zero : DirectionAt(move, done),
             Speed = speed,
             Flow = flow,
             Kind = waits ? MoveKind.Dwell : move.Kind,

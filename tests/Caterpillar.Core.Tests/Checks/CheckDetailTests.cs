@@ -111,10 +111,12 @@ public class CheckDetailTests
     [TestCase(0.021, 47, 0)]
     [TestCase(0.021, 49, 1)]
     [TestCase(0.001, 400, 0)]
+    [TestCase(0.02, 49, 0)]
+    [TestCase(0.02, 51, 1)]
     public void An_axis_that_moves_by_few_decimals_limits_no_speed(double rise, double speed, int found)
     {
         var setup = SmallPrint.Setup(p => p with { MaxSpeed = new(500, 500, 0.1, 500) });
-        var print = new SmallPrint().Print(20, 10, 0.2 + rise, SmallPrint.Area, Role.Unspecified, speed);
+        var print = new SmallPrint(10, 10, 0).Print(20, 10, rise, SmallPrint.Area, Role.Unspecified, speed);
         Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Speed).Sum(d => d.Count), Is.EqualTo(found));
     }
 
@@ -134,6 +136,8 @@ public class CheckDetailTests
     [TestCase("M104 S0\nM140 S60\nM140 S0\n", null)]
     [TestCase("M104 T0 S0\nM104 T1 S150\n", "The nozzle is still heated to 150 °C at the end.")]
     [TestCase("M104 T0 S0\nM104 T1 S0\n", null)]
+    [TestCase("M104 T1 S210\nM104 S190\nM104 T1 S0\n", "The nozzle is still heated to 190 °C at the end.")]
+    [TestCase("M104 T1 S210\nT1\nM104 S0\nM104 T0 S0\n", null)]
     public void Heat_that_is_left_on_is_named(string end, string? message)
         => Assert.That(InFile("G28\nM109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\n" + end, CheckCodes.HeatLeftOn).Select(d => d.Message),
             Is.EqualTo(message is null ? [] : new[] { message }));

@@ -115,7 +115,7 @@ public class CheckLimitsTests
         var area = width > 0.2 && new PrintSettings().BeadShape == BeadShape.Stadium ? 0.2 * (width - 0.2) + Math.PI / 4 * 0.04
             : width > 0.2 || new PrintSettings().BeadShape == BeadShape.Rectangle ? width * 0.2 : Math.PI / 4 * width * width;
         Expect(new SmallPrint(50, 50, 0.2).Print(56, 50, 0.2, area), CheckCodes.Width, found, 0);
-        Expect(new SmallPrint(50, 50, 0.2).Print(54.9, 50, 0.2, area), CheckCodes.Width, 0, 0);
+        Expect(new SmallPrint(50, 50, 0.2).Print(55, 50, 0.2, area), CheckCodes.Width, 0, 0);
     }
 
     // A ramp of 60 mm that rises by its height, a loop, and the same flow the other way round over it.

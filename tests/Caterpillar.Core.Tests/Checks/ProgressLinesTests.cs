@@ -30,6 +30,7 @@ public class ProgressLinesTests
         Assert.That(progress[30], Does.StartWith("M73 P50"));
         Assert.That(lines[at + 1], Does.Contain("X31").Or.Contain("X30"));
         Assert.That(progress.Length, Is.EqualTo(61));
+        for (var i = 1; i < 60; i++) Assert.That(progress[i], Does.StartWith($"M73 P{100 * i / 60}"), $"{i}");
     }
 
     [Test]

@@ -62,12 +62,17 @@ internal sealed class ExampleTests
         var setup = new ProfileLibrary().Setup(printer ?? "generic", material, settings).OrThrow();
         var turtle = script.Run(new TurtleOptions { Extrusion = setup.Extrusion, Shape = setup.Settings.BeadShape }).OrThrow();
         var plan = Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).OrThrow();
-        var errors = PrintCheck.Run(plan, setup).Where(d => d.Severity == Severity.Error);
-        // A program that cannot be printed says so.
+        var findings = SafeWriter.ToDocument(plan, setup).Diagnostics
+            .Where(d => d.Severity != Severity.Remark && CheckCodes.Find(d.Code) is not null).ToArray();
+        var errors = findings.Where(d => d.Severity == Severity.Error);
+        // A program that cannot be printed says so, and one that the checks warn of says of what.
         if (script.Text.Contains("the checks find collisions"))
             Assert.That(errors.Select(d => d.Code), Is.Not.Empty.And.All.StartsWith("collision."));
         else
             Assert.That(errors, Is.Empty);
+        var comment = script.Text.Split('\n').SingleOrDefault(l => l.StartsWith("# The checks ", StringComparison.Ordinal)) ?? "";
+        var named = CheckCodes.All.Select(r => r.Code).Where(comment.Contains);
+        Assert.That(findings.Except(errors).Select(d => d.Code).Distinct(), Is.EquivalentTo(named), comment);
     }
 
     private static Dictionary<string, Recipe> Expected { get; } = new()
