@@ -21,6 +21,21 @@ public class PauseTests
             + "G1 E-2 F1800\nG0 Z5.2 F600\nG0 X10 F6000\nM0\nG0 X30\nG0 Z0.2 F600\nG1 E2.1 F1800\nG0 Z0.4 F600\nG1 X10 E1 F1200\n"));
 
     [Test]
+    public void What_is_primed_after_a_pause_is_deposited_and_the_rest_restored()
+    {
+        var moves = Decode(Print).PauseAtLayer(1, Lifted with { FilamentArea = 3 }).Value!.Moves().Where(m => m.Source < 0).ToArray();
+        Assert.That(moves.Select(m => (m.Kind, m.E, m.Deposited)), Is.EqualTo(new[]
+        {
+            (MoveKind.Retract, -2.0, 0.0), (MoveKind.Travel, 0, 0), (MoveKind.Travel, 0, 0), (MoveKind.Travel, 0, 0), (MoveKind.Travel, 0, 0),
+            (MoveKind.Restore, 2.1, 0.1),
+        }));
+        var pen = Decode("G90\n;LAYER:0\nG0 X1 Z1 F6000\nG1 X9\n;LAYER:1\nG1 X1 Z2\n").PauseAtLayer(1, Lifted).Value!;
+        Assert.That(pen.Moves().Select(m => m.E), Is.All.Zero, "without E nothing is retracted");
+        Assert.That((Pause.Plain.TravelSpeed, Pause.Plain.LiftSpeed, Pause.Plain.RetractionSpeed, Pause.Plain.Lift, Pause.Plain.FilamentArea),
+            Is.EqualTo((100.0, 10.0, 35.0, 0.0, 1.0)));
+    }
+
+    [Test]
     public void A_plain_pause_is_the_command_alone()
         => Assert.That(Written(Print, 1, Pause.Plain), Is.EqualTo(Print.Replace("G0 Z0.4", "M0\nG0 Z0.4")));
 

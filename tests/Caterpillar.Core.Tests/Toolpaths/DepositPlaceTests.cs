@@ -10,7 +10,7 @@ namespace Caterpillar.Tests.Toolpaths;
 /// <summary>Cells, bins and strands of a deposit, seen from above.</summary>
 public class DepositPlaceTests
 {
-    // A strand along x from 0 to 10 at the height 1, 0.4 mm wide; asked for 0.2 mm high ones.
+    // A strand along x over 10 mm at the height 1, 0.4 mm wide; asked for 0.2 mm high ones.
     [TestCase(5, 0.099, 1, 0, 0.2, true, TestName = "{m}(a little less than a quarter of both halves beside)")]
     [TestCase(5, 0.101, 1, 0, 0.2, false)]
     [TestCase(5, 0, 1, 18.0, 0.2, true)]
@@ -34,9 +34,9 @@ public class DepositPlaceTests
     public void A_strand_runs_in_the_place_of_another(double x, double y, double z, double degrees, double half, bool runs)
     {
         var deposit = new Deposit();
-        deposit.Add(new Vec3(0, 0, 1), new Vec3(10, 0, 1), 0.2, 3);
+        deposit.Add(new Vec3(30, 50, 1), new Vec3(40, 50, 1), 0.2, 3);
         var (sin, cos) = Angle.SinCos(degrees);
-        Assert.That(deposit.HasParallel(new Vec3(x, y, z), new Vec3(7 * cos, 7 * sin), half, 0.2, out var tag), Is.EqualTo(runs));
+        Assert.That(deposit.HasParallel(new Vec3(30 + x, 50 + y, z), new Vec3(7 * cos, 7 * sin), half, 0.2, out var tag), Is.EqualTo(runs));
         Assert.That(tag, Is.EqualTo(runs ? 3 : -1));
     }
 
@@ -107,6 +107,35 @@ public class DepositPlaceTests
         Assert.That(deposit.CellAt(2500, 1).Top, Is.EqualTo(double.NegativeInfinity), "nothing was printed so far out");
         deposit.Add(new Vec3(2500, 9, 4), new Vec3(2600, 9, 4), 0.2);
         Assert.That(deposit.CellAt(-3000, 1), Is.EqualTo((4, double.NegativeInfinity)), "everything outside has one height");
+    }
+
+    [Test]
+    public void Cells_are_touched_up_to_half_their_diagonal_beyond_the_strand()
+    {
+        // Diagonal, 1 mm wide: the second cell beside its axis is 1.41 mm off, and half a width and half a diagonal are 1.21 mm.
+        var deposit = new Deposit(1);
+        deposit.Add(new Vec3(0.5, 0.5, 2), new Vec3(9.5, 9.5, 2), 0.5);
+        for (var i = 2; i < 8; i++)
+        {
+            Assert.That(deposit.CellAt(i + 0.5, i + 0.5).Top, Is.EqualTo(2));
+            Assert.That((deposit.CellAt(i + 1.5, i + 0.5).Top, deposit.CellAt(i - 0.5, i + 0.5).Top), Is.EqualTo((2.0, 2.0)));
+            Assert.That(deposit.CellAt(i + 2.5, i + 0.5).Top, Is.EqualTo(double.NegativeInfinity));
+            Assert.That(deposit.CellAt(i - 1.5, i + 0.5).Top, Is.EqualTo(double.NegativeInfinity));
+        }
+    }
+
+    [TestCase(1, 1, true)]
+    [TestCase(3, 3, true)]
+    [TestCase(0.999, 0.999, false)]
+    [TestCase(3.001, 3.001, false)]
+    [TestCase(0, 1, true)]
+    [TestCase(3, 5, true)]
+    [TestCase(0, 0.999, false)]
+    [TestCase(3.001, 5, false)]
+    public void A_segment_meets_rows_that_it_touches(double from, double to, bool meets)
+    {
+        Assert.That(FlatSegment.RowSpan(new Vec3(2, from), new Vec3(6, to), 1, 3, out _, out _), Is.EqualTo(meets));
+        Assert.That(FlatSegment.RowSpan(new Vec3(2, to), new Vec3(6, from), 1, 3, out _, out _), Is.EqualTo(meets));
     }
 
     // The cells reach 2048 mm far; what is nearer to their edge than its width counts as outside too.

@@ -147,6 +147,27 @@ public class MoveRemovalTests
     }
 
     [Test]
+    public void What_was_retracted_in_blocks_without_cuts_is_known_in_the_next()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        void Add(double x, double e, double speed, MoveKind kind, Role role = Role.Unspecified)
+            => builder.Add(new Vec3(x, 0), e, 0, speed, kind, role, -1, 0, 0);
+        Add(1, 0, 77, MoveKind.Travel);
+        Add(1, -2, 33, MoveKind.Retract);
+        while (builder.Count < ToolpathBlock.Capacity) Add(builder.Count % 2, 0, 20, MoveKind.Print, Role.Infill);
+        Add(5, 0, 20, MoveKind.Print, Role.Support);
+        Add(5, 2, 0, MoveKind.Restore, Role.Support);
+        Add(9, 0, 20, MoveKind.Print, Role.Infill);
+        var before = builder.Build([new ToolpathTool(1)]);
+        var after = before.Remove(new MoveFilter { Roles = [Role.Support] });
+        Assert.That(after.Blocks[0], Is.SameAs(before.Blocks[0]));
+        Assert.That(after.Moves().Skip(ToolpathBlock.Capacity).Select(m => (m.Kind, m.End.X, m.E, m.Speed)), Is.EqualTo(new[]
+        {
+            (MoveKind.Travel, 5.0, 0.0, 77.0), (MoveKind.Restore, 5, 2, 33), (MoveKind.Print, 9, 0, 20),
+        }));
+    }
+
+    [Test]
     public void Keeping_is_removing_the_rest()
     {
         var before = Decode(";LAYER:0\nG0 Z1 F6000\nG1 X10 E1 F1200\n;LAYER:1\nG1 X20 E1\n;LAYER:2\nG1 X30 E1\n");

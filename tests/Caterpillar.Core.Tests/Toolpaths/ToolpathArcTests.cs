@@ -45,11 +45,16 @@ public class ToolpathArcTests
         Assert.That(Circle(m => m with { Source = m.Source / 2 }).FitArcs().Count, Is.EqualTo(3));
     }
 
-    [TestCase(1.02, 1)]
-    [TestCase(1.03, 2)]
-    public void Strands_of_an_arc_are_even_to_two_percent(double flow, int arcs)
-        => Assert.That(Circle(m => m.Index >= 11 ? m with { E = m.E * flow, Deposited = m.E * flow } : m).FitArcs().Moves().Count(m => m.Arc is not null),
-            Is.EqualTo(arcs));
+    [TestCase(1, 1.02, 1)]
+    [TestCase(1, 1.03, 2)]
+    [TestCase(20, 1.02, 1)]
+    [TestCase(20, 0.98, 1)]
+    [TestCase(20, 1.03, 2)]
+    public void Strands_of_an_arc_are_even_to_two_percent(double size, double flow, int arcs)
+    {
+        var toolpath = Circle(m => m with { End = m.End * size, E = m.Index >= 11 ? m.E * flow : m.E, Deposited = m.Index >= 11 ? m.E * flow : m.E });
+        Assert.That(toolpath.FitArcs(new ArcFitOptions { Tolerance = 0.5 }).Moves().Count(m => m.Arc is not null), Is.EqualTo(arcs));
+    }
 
     [Test]
     public void An_event_among_strands_ends_an_arc()

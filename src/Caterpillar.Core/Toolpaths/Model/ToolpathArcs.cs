@@ -37,7 +37,7 @@ public static class ToolpathArcs
                 for (; next < toolpath.Events.Count
                     && toolpath.Events[next].Move <= first + i; next++) events.Add(toolpath.Events[next] with { Move = made });
                 if (run <= i) run = RunEnd(columns, points, i, first, eventful, evenness);
-                if (run - i > 1 && fitter.From(i, run) is { } fit)
+                if (fitter.From(i, run) is { } fit)
                 {
                     editor ??= Copied(columns, points, i);
                     double e = 0, deposited = 0;

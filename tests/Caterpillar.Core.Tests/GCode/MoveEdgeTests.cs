@@ -1,0 +1,139 @@
+using System;
+using System.Linq;
+using System.Text;
+using Caterpillar.Dialects;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.GCode;
+
+/// <summary>Moves of a file at the limits of numbers, their counts, and arcs that are written.</summary>
+public class MoveEdgeTests
+{
+    [TestCase("G1 X1.5:7", 1.5)]
+    [TestCase("G1 X1.5/7", 1.5)]
+    [TestCase("G1 X2:8", 2)]
+    [TestCase("G1 X2/8", 2)]
+    [TestCase("G1 X-0.25", -0.25)]
+    [TestCase("G1 X+.25", 0.25)]
+    [TestCase("G1 X123456789.125", 123456789.125)]
+    [TestCase("G1 X9999999999", 9999999999.0)]
+    [TestCase("G1 X10000000000", null)]
+    [TestCase("G1 X-10000000000", null)]
+    public void Coordinates_end_with_their_digits_and_below_ten_to_the_ten(string line, double? x)
+    {
+        var toolpath = Decode(line + "\n").Toolpath;
+        Assert.That(toolpath.Count == 0 ? null : (double?)toolpath[0].End.X, Is.EqualTo(x));
+    }
+
+    // The known travel from the origin to (1, 1, 1), then E alone, with length, backward and without any.
+    [Test]
+    public void Moves_are_counted_by_what_they_do()
+    {
+        var report = Decode("M83\nG28\nG0 X1 Y1 Z1 F600\nG1 X4 Y5 E1\nG0 X4 Y10 E1\nG1 X9 E-0.5\nG1 E-1\nG1 E1.5\nG1 E0.25\nG1 X9\nG1 X19\nG0 X9\nG2 X9 Y10 "
+            + "I5 E2\n").Report;
+        Assert.That((report.PrintSegments, report.TravelSegments, report.TravelsWithRetract), Is.EqualTo((3, 4, 1)));
+        Assert.That((report.PrintArcs, report.TravelArcs, report.PrintsByG0, report.TravelsByG1), Is.EqualTo((1, 0, 1, 2)));
+        Assert.That((report.RapidMoves, report.FeedMoves, report.Retracts, report.Unretracts, report.NoOps), Is.EqualTo((3, 8, 1, 2, 1)));
+        Assert.That(report.PrintLength, Is.EqualTo(5 + 5 + 10 * Math.PI).Within(1e-9));
+        Assert.That(report.TravelLength, Is.EqualTo(Math.Sqrt(3) + 5 + 10 + 10).Within(1e-9));
+        Assert.That((report.EPositive, report.ENegative, report.EPrint, report.ENet), Is.EqualTo((5.75, -1.5, 4.0, 4.25)));
+        Assert.That((report.Heights, report.FlatHeights, report.HeightChanges), Is.EqualTo((1, 1, 1)));
+        Assert.That(report.PrintBounds, Is.EqualTo(new Bounds(new Vec3(1, 1, 1), new Vec3(19, 15, 1))));
+    }
+
+    [TestCase(0.2004, 1)]
+    [TestCase(0.2006, 2)]
+    public void Heights_are_told_apart_by_micrometers(double z, int heights)
+    {
+        var text = FormattableString.Invariant($"M83\nG1 X1 Z0.2 F600\nG1 X2 E1\nG1 Z{z}\nG1 X3 E1\n");
+        Assert.That((Decode(text).Report.Heights, Decode(text).Report.FlatHeights), Is.EqualTo((heights, heights)));
+    }
+
+    [TestCase("cnc")]
+    [TestCase("grbl")]
+    public void After_going_to_the_stored_place_the_axes_are_known(string dialect)
+    {
+        var toolpath = Decode("G28\nG92 X5 Y6 Z7\nG1 X6 Y8 Z10 F600\n", dialect).Toolpath;
+        Assert.That(toolpath[toolpath.Count - 1].End, Is.EqualTo(new Vec3(1, 2, 3)), "they stand at 0 and get another name");
+    }
+
+    [Test]
+    public void E_is_summed_up_for_each_tool_and_the_tools_are_told_in_order()
+    {
+        var decoding = Decode("M83\nT1\nG1 X1 E2 F600\nT0\nG1 X2 E1\nG1 E-4\nT3\nG1 X3 E5\nT2\nG1 X4\n");
+        Assert.That(decoding.Report.EUsedByTool.Select(t => (t.Key, t.Value)), Is.EqualTo(new[] { (0, 1.0), (1, 2.0), (3, 5.0) }));
+        Assert.That(decoding.Report.ToJson(), Does.Contain("\"e_used_by_tool\": {\"0\": 1"));
+        Assert.That(decoding.Report.ToolChanges, Is.EqualTo(4));
+    }
+
+    [TestCase("G1 E1\nG1 E0.5", "Prime 1, Prime 0.5")]
+    [TestCase("G1 E-1\nG1 E0.5\nG1 E0.5\nG1 E0.5", "Retract 0, Restore 0, Restore 0, Prime 0.5")]
+    [TestCase("G1 E-1\nG1 E1.5", "Retract 0, Restore 0.5")]
+    [TestCase("G1 E-1\nG1 X5 E0.5\nG1 X6 E1", "Retract 0, MovingRestore 0, Print 0.5")]
+    [TestCase("G1 X5 E-1\nG1 X6 E1\nG1 X7 E1", "Wipe 0, MovingRestore 0, Print 1")]
+    [TestCase("G1 E-1\nG1 X5 E1.0000000001\nG1 X6 E1", "Retract 0, MovingRestore 0, Print 1")]
+    public void E_prints_beyond_what_was_pulled_back(string lines, string kinds)
+        => Assert.That(string.Join(", ",
+            Decode("M83\nG1 F600\n" + lines + "\n").Toolpath.Moves().Select(m => FormattableString.Invariant($"{m.Kind} {m.Deposited}"))),
+            Is.EqualTo(kinds));
+
+    // Half a circle from (5, 0) around the origin, counterclockwise.
+    [TestCase("marlin2", false, "G3 X-5 I-5 J0 E1 F600")]
+    [TestCase("marlin2", true, "G2 X-5 I-5 J0 E1 F600")]
+    public void Half_a_circle_is_one_line(string dialect, bool clockwise, string line)
+    {
+        var written = Written(dialect, new Vec3(-5, 0, 1), new Arc(Vec3.Zero, clockwise ? -180 : 180));
+        Assert.That(written.Single(l => l.Contains('I')), Is.EqualTo(line));
+    }
+
+    [TestCase(ArcPlane.ZX, "G18", "I-5", "K0")]
+    [TestCase(ArcPlane.YZ, "G19", "J0", "K-1")]
+    public void Arcs_in_other_planes_name_their_plane(ArcPlane plane, string code, string first, string second)
+    {
+        // Around the origin, from (5, 0, 1).
+        var end = plane == ArcPlane.ZX ? new Vec3(-5, 0, -1) : new Vec3(5, 0, -1);
+        var written = Written("marlin2", end, new Arc(Vec3.Zero, 180, plane));
+        Assert.That(written, Does.Contain(code));
+        Assert.That(written.Last(l => l.StartsWith("G3", StringComparison.Ordinal)).Split(' '),
+            Does.Contain(first).And.Contain(second == "K0" ? "K-1" : second));
+    }
+
+    // A short arc whose ends round to one point, and a full circle that does not close.
+    [TestCase(0.0004, 0.005, false)]
+    [TestCase(0.0, 360.0, true)]
+    [TestCase(0.01, 359.9995, false)]
+    [TestCase(0.01, 359.885, true)]
+    public void Arcs_that_rounding_would_turn_into_circles_or_into_nothing_become_chords(double beside, double sweep, bool arc)
+    {
+        var written = Written("marlin2", new Vec3(5, beside == 0 ? 0 : sweep > 180 ? -beside : beside, 1), new Arc(Vec3.Zero, sweep));
+        Assert.That(written.Any(l => l.Contains(" I")), Is.EqualTo(arc));
+    }
+
+    [TestCase(2.0, 2)]
+    [TestCase(2.5, 3)]
+    public void Turns_beyond_a_circle_are_circles_and_a_rest(double turns, int lines)
+    {
+        var end = turns == 2 ? new Vec3(5, 0, 4) : new Vec3(-5, 0, 4);
+        var written = Written("smoothie", end, new Arc(Vec3.Zero, 360 * turns)).Where(l => l.Contains(" I")).ToArray();
+        Assert.That(written, Has.Length.EqualTo(lines));
+        Assert.That(written.Select(l => l.Split(' ').Single(w => w[0] == 'Z')), Is.EqualTo(turns == 2 ? new[] { "Z2.5", "Z4" } : ["Z2.2", "Z3.4", "Z4"]));
+        var back = Decode(string.Join("\n", Written("smoothie", end, new Arc(Vec3.Zero, 360 * turns))), "smoothie").Toolpath;
+        Assert.That(back.Moves().Sum(m => m.E), Is.EqualTo(1).Within(1e-4));
+    }
+
+    private static string[] Written(string dialect, Vec3 end, Arc arc)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, null);
+        builder.Add(new Vec3(5, 0, 1), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        builder.Add(end, 1, 1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0, arc);
+        var bytes = GCodeWriter.ToBytes(builder.Build([new ToolpathTool(1)]),
+            new GCodeFormat { Comments = false, Arcs = true, Dialect = DialectTable.Find(dialect)! });
+        return Encoding.ASCII.GetString(bytes).Split(['\n'], StringSplitOptions.RemoveEmptyEntries);
+    }
+
+    private static DecodedGCode Decode(string text, string dialect = "marlin2")
+        => GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Find(dialect)! }).Value!;
+}
