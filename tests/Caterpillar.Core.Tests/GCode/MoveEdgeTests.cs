@@ -124,13 +124,83 @@ public class MoveEdgeTests
         Assert.That(back.Moves().Sum(m => m.E), Is.EqualTo(1).Within(1e-4));
     }
 
-    private static string[] Written(string dialect, Vec3 end, Arc arc)
+    [Test]
+    public void Chords_share_the_material_of_their_arc()
+    {
+        var lines = Written("marlin2", new Vec3(-5, 0, 1), new Arc(Vec3.Zero, 180), arcs: false).Where(l => l.Contains(" E")).ToArray();
+        // 24.8 chords of at most 0.01 mm beside the arc.
+        Assert.That(lines, Has.Length.EqualTo(25));
+        Assert.That(lines.Select(l => l.Split(' ').Single(w => w[0] == 'E')), Is.All.EqualTo("E0.04"));
+    }
+
+    // The origin of the system moves: the head is where it was, its name another.
+    [TestCase("G10 L2 P1 X1 Y2 Z3")]
+    [TestCase("G54;G10 L2 P1 X1 Y2 Z3")]
+    [TestCase("G92 X5 Y5 Z5;G10 L2 P1 X1 Y2 Z3")]
+    public void The_head_stays_where_an_origin_moves(string program)
+    {
+        var text = "G1 X10 Y20 Z30 F600\n" + program.Replace(';', '\n') + "\nG91\nG1 X1 Y1 Z1\n";
+        var toolpath = Decode(text, "cnc").Toolpath;
+        Assert.That(toolpath[toolpath.Count - 1].End, Is.EqualTo(new Vec3(11, 21, 31)));
+        var absolute = Decode("G1 X10 Y20 Z30 F600\nG10 L2 P1 X1 Y2 Z3\nG1 X5 Y5 Z5\n", "cnc").Toolpath;
+        Assert.That(absolute[absolute.Count - 1].End, Is.EqualTo(new Vec3(6, 7, 8)));
+    }
+
+    [Test]
+    public void Lines_of_many_words_are_read_whole()
+    {
+        var words = string.Concat(Enumerable.Range(0, 60).Select(i => " S" + i));
+        var decoding = Decode("M118" + words + "\nG1 X5 Y6 F600" + words + " Z7\n");
+        Assert.That(decoding.Toolpath[0].End, Is.EqualTo(new Vec3(5, 6, 7)));
+    }
+
+    [TestCase("<svg width=\"5\">\n</svg>\n", "a drawing (SVG)")]
+    [TestCase("<html>\n", "XML or HTML")]
+    [TestCase("solid x\nfacet normal 0 0 1\n", "a mesh (ASCII STL)")]
+    [TestCase("ply\nformat ascii 1.0\n", "a mesh (PLY)")]
+    public void Other_files_are_recognized(string text, string kind) => Assert.That(Decode(text).NotGCode!.Message, Does.Contain("looks like " + kind));
+
+    [TestCase("solid words without any triangle\n")]
+    [TestCase("a mesh with one facet\n")]
+    [TestCase("plywood\n")]
+    public void Text_is_no_mesh(string text) => Assert.That(Decode(text).NotGCode?.Message, Does.Not.Contain("mesh"));
+
+    [TestCase("M0")]
+    [TestCase("M25")]
+    [TestCase("M600")]
+    public void Pauses_are_events_and_not_ignored(string command)
+    {
+        var decoding = Decode("G1 X1 F600\n" + command + "\n");
+        Assert.That(decoding.Toolpath.Events.Count(e => e.Event is PauseEvent), Is.EqualTo(1));
+        Assert.That(decoding.Ignored, Is.Empty);
+    }
+
+    [Test]
+    public void Events_are_written_as_the_firmware_reads_them()
+    {
+        string[] Lines(PrinterEvent what, string dialect = "marlin2") => EventText.Lines(what, DialectTable.Find(dialect)!).ToArray();
+        Assert.That(Lines(new AccelerationEvent(1500.4)), Is.EqualTo(new[] { "M204 S1500" }));
+        Assert.That(Lines(new NozzleTemperatureEvent(210.26, true, 2)), Is.EqualTo(new[] { "M109 T2 S210.3" }));
+        Assert.That(Lines(new NozzleTemperatureEvent(210)), Is.EqualTo(new[] { "M104 S210" }));
+        Assert.That(Lines(new BedTemperatureEvent(60.04, true)).Concat(Lines(new BedTemperatureEvent(0))), Is.EqualTo(new[] { "M190 S60", "M140 S0" }));
+        Assert.That(new[] { -1, 0, 0.5, 1, 2 }.SelectMany(s => Lines(new FanEvent(s))),
+            Is.EqualTo(new[] { "M107", "M107", "M106 S128", "M106 S255", "M106 S255" }));
+        Assert.That(Lines(new DwellEvent(0.5004)), Is.EqualTo(new[] { "G4 P500" }));
+        Assert.That(Lines(new HomeEvent()).Concat(Lines(new HomeEvent(true, false, true))).Concat(Lines(new HomeEvent(false, true, false))),
+            Is.EqualTo(new[] { "G28", "G28 X Z", "G28 Y" }));
+        Assert.That(Lines(new PauseEvent("look\nhere")), Is.EqualTo(new[] { "; look here", Lines(new PauseEvent())[0] }));
+        Assert.That(Lines(new CommentEvent("a\rb")).Concat(Lines(new CommentEvent(""))), Is.EqualTo(new[] { "; a b", ";" }));
+        Assert.That(Lines(new RawEvent("M1\r\nM2")).Concat(Lines(new FinishMovesEvent())), Is.EqualTo(new[] { "M1", "M2", "M400" }));
+        Assert.That(Lines(new ToolEvent(1)), Is.EqualTo(new[] { "T1" }));
+    }
+
+    private static string[] Written(string dialect, Vec3 end, Arc arc, bool arcs = true)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, null);
         builder.Add(new Vec3(5, 0, 1), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         builder.Add(end, 1, 1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0, arc);
         var bytes = GCodeWriter.ToBytes(builder.Build([new ToolpathTool(1)]),
-            new GCodeFormat { Comments = false, Arcs = true, Dialect = DialectTable.Find(dialect)! });
+            new GCodeFormat { Comments = false, Arcs = arcs, Dialect = DialectTable.Find(dialect)! });
         return Encoding.ASCII.GetString(bytes).Split(['\n'], StringSplitOptions.RemoveEmptyEntries);
     }
 
