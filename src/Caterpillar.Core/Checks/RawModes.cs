@@ -1,5 +1,6 @@
 using System;
 using Caterpillar.Basics;
+using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -8,27 +9,36 @@ namespace Caterpillar.Checks;
 
 /// <summary>
 /// Raw lines of a design that leave the machine in another mode: G91, M82 or M83, G20. The writer states the modes again after each, so that what was meant to
-/// follow in that mode would not.
+/// follow in that mode would not. M221 and M200 it does not state: after them the same E is another amount of material.
 /// </summary>
 internal static class RawModes
 {
+    // Flow, as M221 states it.
+    private const double Percent = 100;
+
     public static void Run(Toolpath plan, GCodeFormat format, Findings findings, Func<int, SourceLocation?> placeOfEvent)
     {
-        var usual = new Modes(format.RelativeXyz, format.WritesRelative, false);
+        var usual = new Modes(format.RelativeXyz, format.WritesRelative, false, plan.VolumePerE(0) == 1, Percent);
         var events = plan.Events;
         for (var i = 0; i < events.Count; i++)
         {
             if (events[i].Event is not RawEvent raw || events[i].Move >= plan.Count) continue;
             var state = usual;
             foreach (var line in raw.Line.Split('\n', '\r')) state = state.After(line);
-            if (state == usual) continue;
-            var (at, word) = (i, state.Word(usual));
-            findings.Add(CheckCodes.FileModes, () => placeOfEvent(at),
-                () => $"A raw line switches to {word}. Modes end with it: give what needs them, and what ends them, in the same raw text.");
+            var at = i;
+            if (state with { IsVolume = usual.IsVolume, Flow = usual.Flow } != usual)
+                findings.Add(CheckCodes.FileModes, () => placeOfEvent(at), () => $"A raw line switches to {state.Word(usual)}. Modes end with it: give what "
+                    + "needs them, and what ends them, in the same raw text.");
+            if (format.Dialect.Volumetric && state.IsVolume != usual.IsVolume)
+                findings.Add(CheckCodes.FileExtrusion, () => placeOfEvent(at),
+                    () => $"A raw line switches to E in {(state.IsVolume ? "mm³" : "mm of filament")} (M200): the strands after it are planned in the other.");
+            if (format.Dialect.FlowFactor != FlowFactorRule.Ignored && state.Flow != usual.Flow)
+                findings.Add(CheckCodes.FileExtrusion, () => placeOfEvent(at), () => $"A raw line sets the flow to {NumberFormatter.Format(state.Flow, 1)} % "
+                    + "(M221): all strands after it have as much of what is planned. The flow of a design is flow_multiplier.");
         }
     }
 
-    private readonly record struct Modes(bool Relative, bool RelativeE, bool Inches)
+    private readonly record struct Modes(bool Relative, bool RelativeE, bool Inches, bool IsVolume, double Flow)
     {
         public Modes After(string line)
         {
@@ -44,7 +54,7 @@ internal static class RawModes
                     continue;
                 }
                 if (code[i] is not ('G' or 'M') || (i > 0 && char.IsLetter(code[i - 1]))) continue;
-                state = state.After(code[i], Number(code, i + 1));
+                state = state.After(code[i], Number(code, i + 1), code);
             }
             return state;
         }
@@ -53,7 +63,7 @@ internal static class RawModes
             => Relative != usual.Relative ? (Relative ? "relative positions (G91)" : "absolute positions (G90)") : Inches ? "inches (G20)" : RelativeE
                 ? "relative E (M83)" : "absolute E (M82)";
 
-        private Modes After(char letter, double number) => (letter, number) switch
+        private Modes After(char letter, double number, string code) => (letter, number) switch
         {
             ('G', 90) => this with { Relative = false },
             ('G', 91) => this with { Relative = true },
@@ -61,8 +71,13 @@ internal static class RawModes
             ('G', 21) => this with { Inches = false },
             ('M', 82) => this with { RelativeE = false },
             ('M', 83) => this with { RelativeE = true },
+            ('M', 200) => this with { IsVolume = (Word(code, 'D') ?? 1) > 0 && (Word(code, 'S') ?? 1) > 0 },
+            ('M', 221) => this with { Flow = Word(code, 'S') ?? Flow },
             _ => this,
         };
+
+        // The number of a word of a line with one command, or null.
+        private static double? Word(string code, char letter) => code.IndexOf(letter) is >= 0 and var at ? Number(code, at + 1) : null;
 
         private static double Number(string code, int at)
         {

@@ -63,25 +63,11 @@ public class CheckCodeTests
             return SafeWriter.ToDocument(file, file.Toolpath, setup, reason ?? (severity is null ? Reason : null)) is var result
                 && severity is null ? new Result<GCodeDocument>(result.Value, PrintCheck.Run(file, setup)) : result;
         }
-        if (code == CheckCodes.FileExtrusion) return Edited(Setup(null), reason);
         var (print, printer) = Prints(code);
         var own = Setup(printer);
         var toolpath = print.Build();
         if (severity is not null) return SafeWriter.ToDocument(toolpath, own, reason);
         return SafeWriter.ToDocument(toolpath, own);
-    }
-
-    // No raw line that is known makes the firmware extrude another amount than is planned: a file that was written wrongly.
-    private static Result<GCodeDocument> Edited(PrintSetup setup, string? reason)
-    {
-        const string Text = "G28\nM109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\nM104 S0\n";
-        var file = SmallPrint.Decode(Encoding.ASCII.GetBytes(Text), setup);
-        var wrong = Text.Replace("E0.3", "E0.4");
-        var findings = EditCheck.Run(file, file.Toolpath, GCodeDocument.FromText(wrong), setup, null, default);
-        var guard = new WriteGuard(findings, reason);
-        return guard.Refuses
-            ? new Result<GCodeDocument>(null, guard.Refusal([]))
-            : new Result<GCodeDocument>(GCodeDocument.FromText(string.Concat(guard.Comments().Select(c => "; " + c + "\n")) + wrong), guard.Remarks([]));
     }
 
     private static readonly Dictionary<string, string> Files = new()
@@ -97,6 +83,7 @@ public class CheckCodeTests
     private static (SmallPrint Print, Func<Printer, Printer>? Printer) Prints(string code) => code switch
     {
         CheckCodes.Outside => (new SmallPrint().Go(230, 10, 0.2), null),
+        CheckCodes.FileExtrusion => (At(80, 60, 0.2).Print(100, 60, 0.2).Event(new RawEvent("M221 S50")).Print(120, 60, 0.2), null),
         CheckCodes.Below => (new SmallPrint().Go(20, 10, -1), null),
         CheckCodes.PrintArea => (At(80, 60, 0.2).Print(130, 60, 0.2),
             p => p with { ExcludedAreas = new(new Bounds(new Vec3(100, 50), new Vec3(120, 70))) }),

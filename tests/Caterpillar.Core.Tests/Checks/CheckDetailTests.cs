@@ -76,6 +76,35 @@ public class CheckDetailTests
             Is.EqualTo(word is null ? [] : new[] { "A raw line switches to " + word }));
     }
 
+    [TestCase("M221 S50", 1, "marlin2", "sets the flow to 50 % (M221)")]
+    [TestCase("M221 S97.5", 1, "marlin2", "sets the flow to 97.5 % (M221)")]
+    [TestCase("M221", 1, "marlin2", null)]
+    [TestCase("M221 S100", 1, "marlin2", null)]
+    [TestCase("M221 S50\nG1 X40 E1\nM221 S100", 1, "marlin2", null)]
+    [TestCase("M221 S50", 1, "mach3", null)]
+    [TestCase("; M221 S50", 1, "marlin2", null)]
+    [TestCase("M200 D1.75", 2, "marlin2", "switches to E in mm³ (M200)")]
+    [TestCase("M200 S1 D1.75", 2, "marlin2", "switches to E in mm³ (M200)")]
+    [TestCase("M200 D0", 2, "marlin2", null)]
+    [TestCase("M200 S0 D1.75", 2, "marlin2", null)]
+    [TestCase("M200 D1.75", 1, "marlin2", null)]
+    [TestCase("M200 D0", 1, "marlin2", "switches to E in mm of filament (M200)")]
+    [TestCase("M200 S0", 1, "marlin2", "switches to E in mm of filament (M200)")]
+    [TestCase("M200 D1.75", 2, "klipper", null)]
+    public void A_raw_line_that_makes_E_another_amount_is_named(string raw, double volumePerE, string dialect, string? word)
+    {
+        var setup = SmallPrint.Setup(p => p with { Dialect = DialectTable.Find(dialect)! });
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
+        builder.Add(new Vec3(30, 10, 0.2), 1, 1, 20, MoveKind.Print, Role.Unspecified, -1, 0, 0);
+        builder.AddEvent(new RawEvent(raw), 1);
+        builder.Add(new Vec3(60, 10, 0.2), 1, 1, 20, MoveKind.Print, Role.Unspecified, -1, 0, 2);
+        var plan = builder.Build([new ToolpathTool(volumePerE)]);
+        var findings = new Findings(setup.Printer, plan);
+        RawModes.Run(plan, SetupFormat.Of(setup, plan).Value!, findings, i => new SourceLocation(Step: plan.Events[i].Source));
+        Assert.That(findings.ToList().Select(d => (d.Code, d.Source!.Step)), Is.EqualTo(word is null ? [] : new[] { (CheckCodes.FileExtrusion, (int?)1) }));
+        if (word is not null) Assert.That(findings.ToList()[0].Message, Does.StartWith("A raw line " + word));
+    }
+
     [Test]
     public void After_the_last_move_a_raw_line_may_leave_any_mode()
     {
