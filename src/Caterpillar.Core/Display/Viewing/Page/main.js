@@ -5,9 +5,9 @@ let layersRange, movesRange, firstLayer = 0, lastLayer = 0, ranks = [], playing 
 const hidden = new Set();
 const lines = new FileLines();
 
-// Where a whole picture takes long, changes are shown by every n-th strand, and the whole follows when they pause.
+// Where a whole picture takes long, changes are shown quickly, by as many strands as the time allows, and the whole follows when they pause.
 const wholePicture = 80, pause = 250;
-let pictureTime = 0, resting = 0, started = false;
+let pictureTime = 0, every = 1, resting = 0, started = false;
 
 function redraw() {
   if (!started) return;
@@ -18,11 +18,13 @@ function redraw() {
   queued = true;
   requestAnimationFrame((start) => {
     queued = false;
-    const skip = slow ? Math.min(Math.ceil(pictureTime / wholePicture), 60) : 1;
+    const skip = slow ? every : 0;
     scene.draw(camera, state, skip);
-    if (skip > 1) return;
     // The next frame comes when this one has been drawn.
-    requestAnimationFrame((end) => { pictureTime = end - start; });
+    requestAnimationFrame((end) => {
+      if (skip > 0) every = Math.min(Math.max(Math.round(skip * (end - start) / wholePicture), 1), 1000);
+      else pictureTime = end - start;
+    });
   });
 }
 

@@ -1,21 +1,35 @@
 const textureWidth = 4096;
 
-// Beads: each instance is a row; its ends, and those of its neighbors for mitered joints, come from the texture of points.
-const beadVertex = `#version 300 es
-precision highp float; precision highp int; precision highp sampler2D;
-layout(location = 0) in vec3 corner;
-layout(location = 1) in uint row;
+// Indices of one draw call are of 16 bits.
+const mostCorners = 65536;
+
+// All vertices find their place by their number alone: which row of a list, and which corner of it. Instances of so few corners draw slowly.
+const fromTextures = `precision highp float; precision highp int; precision highp sampler2D; precision highp usampler2D;
 uniform sampler2D points;
-uniform sampler2D colors;
+uniform usampler2D rows;
 uniform mat4 matrix;
+uniform int skip;
+vec4 point(int i) { return texelFetch(points, ivec2(i % ${textureWidth}, i / ${textureWidth}), 0); }
+uint rowAt(int i) { return texelFetch(rows, ivec2(i * skip % ${textureWidth}, i * skip / ${textureWidth}), 0).r; }
+`;
+
+// Beads: the ends of a row, and those of its neighbors for mitered joints, come from the texture of points.
+const beadVertex = `#version 300 es
+${fromTextures}
+uniform sampler2D colors;
+uniform vec2 around[8];
+uniform int sides, first;
 uniform float unit, part, thin;
 uniform uint last;
 uniform bool picking;
 out vec3 normal;
 flat out vec4 color;
-vec4 point(int i) { return texelFetch(points, ivec2(i % ${textureWidth}, i / ${textureWidth}), 0); }
 vec3 sideOf(vec3 d) { return length(d.xy) > 1e-6 ? normalize(vec3(d.y, -d.x, 0)) : vec3(1, 0, 0); }
 void main() {
+  int corner = gl_VertexID % (2 * sides);
+  uint row = rowAt(first + gl_VertexID / (2 * sides));
+  vec2 at = around[corner % sides];
+  bool end = corner >= sides;
   int i = int(row);
   vec4 a = point(i), b = point(i + 1);
   if (row == last) b.xyz = mix(a.xyz, b.xyz, part);
@@ -23,7 +37,6 @@ void main() {
   vec3 d = b.xyz - a.xyz;
   d = length(d) > 1e-6 ? normalize(d) : vec3(1, 0, 0);
   vec3 side = sideOf(d), up = cross(side, d);
-  bool end = corner.z > 0.5;
   vec4 other = point(end ? i + 2 : i - 1);
   // The width of a row is with its end; a row without width is no strand.
   float otherWidth = end ? other.w : a.w;
@@ -36,8 +49,8 @@ void main() {
   }
   vec3 p = end ? b.xyz : a.xyz;
   if (b.w > 0.0) p.z -= height * 0.5;
-  p += across * corner.x * max(width, thin) + up * corner.y * max(height, thin);
-  normal = normalize(side * corner.x / max(width, 1e-3) + up * corner.y / max(height, 1e-3));
+  p += across * at.x * max(width, thin) + up * at.y * max(height, thin);
+  normal = normalize(side * at.x / max(width, 1e-3) + up * at.y / max(height, 1e-3));
   color = picking ? vec4(float(row & 255u), float((row >> 8) & 255u), float((row >> 16) & 255u), float(row >> 24) + 1.0) / 255.0
     : texelFetch(colors, ivec2(i % ${textureWidth}, i / ${textureWidth}), 0);
   gl_Position = matrix * vec4(p, 1);
@@ -59,26 +72,18 @@ void main() {
 }`;
 
 const lineVertex = `#version 300 es
-precision highp float; precision highp int; precision highp sampler2D;
-layout(location = 1) in uint row;
-uniform sampler2D points;
-uniform mat4 matrix;
-vec4 point(int i) { return texelFetch(points, ivec2(i % ${textureWidth}, i / ${textureWidth}), 0); }
+${fromTextures}
 void main() {
-  gl_Position = matrix * vec4(point(int(row) + gl_VertexID).xyz, 1);
+  gl_Position = matrix * vec4(point(int(rowAt(gl_VertexID / 2)) + gl_VertexID % 2).xyz, 1);
   // Travels run along the tops of strands; a little nearer they are seen.
   gl_Position.z -= 2e-4 * gl_Position.w;
 }`;
 
 const markVertex = `#version 300 es
-precision highp float; precision highp int; precision highp sampler2D;
-layout(location = 1) in uint row;
-uniform sampler2D points;
-uniform mat4 matrix;
+${fromTextures}
 uniform float size;
 void main() {
-  int i = int(row);
-  gl_Position = matrix * vec4(texelFetch(points, ivec2(i % ${textureWidth}, i / ${textureWidth}), 0).xyz, 1);
+  gl_Position = matrix * vec4(point(int(rowAt(gl_VertexID))).xyz, 1);
   gl_PointSize = size;
 }`;
 
@@ -116,7 +121,7 @@ void main() {
 
 class Scene {
   constructor(canvas, middle) {
-    const gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
+    const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
     if (!gl) throw new Error("This browser has no WebGL 2, which the view needs.");
     this.gl = gl;
     this.canvas = canvas;
@@ -126,7 +131,7 @@ class Scene {
     this.marks = this.program(markVertex, plainFragment);
     this.plain = this.program(plainVertex, plainFragment);
     this.solid = this.program(solidVertex, solidFragment);
-    this.shapes = [8, 6, 4].map((sides) => this.shape(prism(sides)));
+    this.shapes = [8, 6, 4].map((sides) => this.shape(sides));
     this.lists = {};
     this.meshes = {};
     gl.enable(gl.DEPTH_TEST);
@@ -158,12 +163,15 @@ class Scene {
     return buffer;
   }
 
-  shape({ corners, triangles }) {
-    return { corners: this.buffer(corners), triangles: this.buffer(triangles, this.gl.ELEMENT_ARRAY_BUFFER), count: triangles.length };
+  // As many prisms as one draw call holds.
+  shape(sides) {
+    const { around, triangles } = prism(sides), most = Math.floor(mostCorners / (2 * sides)), all = new Uint16Array(most * triangles.length);
+    for (let k = 0; k < most; k++) for (let i = 0; i < triangles.length; i++) all[k * triangles.length + i] = k * 2 * sides + triangles[i];
+    return { sides, around, most, triangles: this.buffer(all, this.gl.ELEMENT_ARRAY_BUFFER), count: triangles.length };
   }
 
-  texture(unit, format, type, layout, data, rows) {
-    const gl = this.gl, texture = gl.createTexture();
+  texture(unit, format, type, layout, data, rows, texture = this.gl.createTexture()) {
+    const gl = this.gl;
     gl.activeTexture(gl.TEXTURE0 + unit);
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texImage2D(gl.TEXTURE_2D, 0, format, textureWidth, rows, 0, layout, type, data);
@@ -178,6 +186,8 @@ class Scene {
     const points = new Float32Array(rows * textureWidth * 4);
     const widest = moves.width.reduce((a, b) => Math.max(a, b), 0.1);
     this.unit = Math.max(widest / 4000, 0.001);
+    const printed = moves.width.filter((w) => w > 0);
+    this.usualWidth = printed.reduce((sum, w) => sum + w, 0) / Math.max(printed.length, 1);
     const place = (i, x, y, z) => points.set([x - this.middle[0], y - this.middle[1], z - this.middle[2]], 4 * i);
     place(0, ...start);
     for (let i = 0; i < moves.rows; i++) {
@@ -205,9 +215,10 @@ class Scene {
 
   // Rows to draw, ascending, by name: beads, travels, retractions, seams.
   list(name, rows) {
-    const gl = this.gl, entry = this.lists[name] ??= { buffer: gl.createBuffer() };
-    gl.bindBuffer(gl.ARRAY_BUFFER, entry.buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, rows, gl.DYNAMIC_DRAW);
+    const gl = this.gl, entry = this.lists[name] ??= {}, lines = Math.max(Math.ceil(rows.length / textureWidth), 1);
+    const data = new Uint32Array(lines * textureWidth);
+    data.set(rows);
+    entry.texture = this.texture(2, gl.R32UI, gl.UNSIGNED_INT, gl.RED_INTEGER, data, lines, entry.texture);
     entry.rows = rows;
     entry.count = rows.length;
   }
@@ -244,39 +255,44 @@ class Scene {
     gl.uniformMatrix4fv(uniforms.matrix, false, camera.matrix());
     if (uniforms.points) gl.uniform1i(uniforms.points, 0);
     if (uniforms.colors) gl.uniform1i(uniforms.colors, 1);
+    if (uniforms.rows) gl.uniform1i(uniforms.rows, 2);
     if (uniforms.eyeBack) gl.uniform3fv(uniforms.eyeBack, camera.back);
     if (uniforms.eyeSide) gl.uniform3fv(uniforms.eyeSide, camera.right);
     for (let i = 0; i < 3; i++) gl.disableVertexAttribArray(i);
     return uniforms;
   }
 
-  rowsOf(name, skip = 1) {
+  // Every n-th row of a list is drawn.
+  rowsOf(name, uniforms, skip = 1) {
     const gl = this.gl, entry = this.lists[name];
-    gl.bindBuffer(gl.ARRAY_BUFFER, entry.buffer);
-    gl.enableVertexAttribArray(1);
-    gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_INT, 4 * skip, 0);
-    gl.vertexAttribDivisor(1, 1);
-    return entry.count;
+    gl.activeTexture(gl.TEXTURE2);
+    gl.bindTexture(gl.TEXTURE_2D, entry.texture);
+    gl.uniform1i(uniforms.skip, skip);
+    return Math.floor(entry.count / skip);
   }
 
-  drawBeads(camera, state, picking, skip = 1) {
-    const gl = this.gl, all = this.lists.beads?.count ?? 0, count = Math.floor(all / skip);
-    if (!count) return;
-    const uniforms = this.use(this.beads, camera);
+  drawBeads(camera, state, picking, skip = 1, quick = picking) {
+    if (!this.lists.beads?.count) return;
+    const gl = this.gl, uniforms = this.use(this.beads, camera), count = this.rowsOf("beads", uniforms, skip);
     gl.uniform1f(uniforms.unit, this.unit);
     gl.uniform1f(uniforms.part, state.part);
     // Strands thinner than a pixel would flicker.
-    gl.uniform1f(uniforms.thin, camera.distance * 2 * Math.tan(0.35) / this.canvas.height * (picking ? 3 : 0.8));
+    const pixel = camera.distance * 2 * Math.tan(0.35) / this.canvas.height;
+    gl.uniform1f(uniforms.thin, pixel * (picking ? 3 : 0.8));
     gl.uniform1ui(uniforms.last, state.part < 1 ? state.row : 0xffffffff);
     gl.uniform1i(uniforms.picking, picking ? 1 : 0);
-    const shape = this.shapes[count < 60000 ? 0 : count < 300000 ? 1 : 2];
-    gl.bindBuffer(gl.ARRAY_BUFFER, shape.corners);
-    gl.enableVertexAttribArray(0);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
-    gl.vertexAttribDivisor(0, 0);
-    this.rowsOf("beads", skip);
+    const across = this.usualWidth / pixel, shape = this.shapes[quick || across < 5 || count >= 300000 ? 2 : across < 10 || count >= 60000 ? 1 : 0];
+    // Corners run clockwise as seen from outside.
+    gl.enable(gl.CULL_FACE);
+    gl.cullFace(gl.FRONT);
+    gl.uniform1i(uniforms.sides, shape.sides);
+    gl.uniform2fv(uniforms["around[0]"], shape.around);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, shape.triangles);
-    gl.drawElementsInstanced(gl.TRIANGLES, shape.count, gl.UNSIGNED_SHORT, 0, count);
+    for (let first = 0; first < count; first += shape.most) {
+      gl.uniform1i(uniforms.first, first);
+      gl.drawElements(gl.TRIANGLES, Math.min(shape.most, count - first) * shape.count, gl.UNSIGNED_SHORT, 0);
+    }
+    gl.disable(gl.CULL_FACE);
   }
 
   drawRows(program, name, camera, tint, mode, points, size) {
@@ -284,7 +300,7 @@ class Scene {
     const gl = this.gl, uniforms = this.use(program, camera);
     gl.uniform4fv(uniforms.tint, tint);
     if (uniforms.size) gl.uniform1f(uniforms.size, size);
-    gl.drawArraysInstanced(mode, 0, points, this.rowsOf(name));
+    gl.drawArrays(mode, 0, points * this.rowsOf(name, uniforms));
   }
 
   drawLines(name, camera, tint, shift = [0, 0, 0]) {
@@ -296,7 +312,6 @@ class Scene {
     gl.bindBuffer(gl.ARRAY_BUFFER, mesh.buffer);
     gl.enableVertexAttribArray(0);
     gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
-    gl.vertexAttribDivisor(0, 0);
     gl.drawArrays(gl.LINES, 0, mesh.count);
   }
 
@@ -310,14 +325,25 @@ class Scene {
     for (const [location, offset] of [[0, 0], [2, 12]]) {
       gl.enableVertexAttribArray(location);
       gl.vertexAttribPointer(location, 3, gl.FLOAT, false, 24, offset);
-      gl.vertexAttribDivisor(location, 0);
     }
     gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
   }
 
-  draw(camera, state, skip = 1) {
-    const gl = this.gl;
+  // With smooth edges, or quickly: every n-th strand, with four sides and edges as they fall.
+  draw(camera, state, skip = 0) {
+    const gl = this.gl, quick = skip > 0;
     this.resize();
+    const { width, height } = this.canvas;
+    if (!quick) gl.bindFramebuffer(gl.FRAMEBUFFER, this.smoothTarget().frame);
+    this.paint(camera, state, Math.max(skip, 1), quick);
+    if (quick) return;
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+
+  paint(camera, state, skip, quick) {
+    const gl = this.gl;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(...state.background, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -327,7 +353,7 @@ class Scene {
       this.drawLines("bedThin", camera, gray(0.83, 0.24));
       this.drawLines("bedBold", camera, gray(0.5, 0.5));
     }
-    this.drawBeads(camera, state, false, skip);
+    this.drawBeads(camera, state, false, skip, quick);
     if (state.travel) this.drawRows(this.lines, "travels", camera, [0.35, 0.5, 0.85, 1], gl.LINES, 2);
     gl.disable(gl.DEPTH_TEST);
     if (state.retractions) this.drawRows(this.marks, "retractions", camera, [0.85, 0.2, 0.55, 1], gl.POINTS, 1, 5);
@@ -349,9 +375,8 @@ class Scene {
   // The row under a place of the canvas in CSS pixels, or -1.
   pick(camera, state, x, y) {
     const gl = this.gl, ratio = this.canvas.width / this.canvas.clientWidth;
-    if (!this.target || this.target.width !== this.canvas.width || this.target.height !== this.canvas.height) this.target = this.pickTarget();
     const px = Math.floor(x * ratio), py = this.canvas.height - 1 - Math.floor(y * ratio);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.frame);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.pickTarget().frame);
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(px, py, 1, 1);
     gl.clearColor(0, 0, 0, 0);
@@ -364,18 +389,24 @@ class Scene {
     return color[3] === 0 ? -1 : color[0] + color[1] * 256 + color[2] * 65536 + (color[3] - 1) * 16777216;
   }
 
-  pickTarget() {
+  pickTarget() { return this.pickFrame = this.target(this.pickFrame, 0); }
+
+  smoothTarget() { return this.smoothFrame = this.target(this.smoothFrame, Math.min(4, this.gl.getParameter(this.gl.MAX_SAMPLES))); }
+
+  // A picture in memory of the size of the canvas: the one there is, or a new one.
+  target(old, samples) {
     const gl = this.gl, { width, height } = this.canvas;
-    if (this.target) {
-      gl.deleteFramebuffer(this.target.frame);
-      gl.deleteRenderbuffer(this.target.color);
-      gl.deleteRenderbuffer(this.target.depth);
+    if (old?.width === width && old.height === height) return old;
+    if (old) {
+      gl.deleteFramebuffer(old.frame);
+      gl.deleteRenderbuffer(old.color);
+      gl.deleteRenderbuffer(old.depth);
     }
     const frame = gl.createFramebuffer(), color = gl.createRenderbuffer(), depth = gl.createRenderbuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
     for (const [buffer, format, attachment] of [[color, gl.RGBA8, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
       gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-      gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
+      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
       gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
     }
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);

@@ -1,19 +1,18 @@
-// A prism around a segment: corners as (across, up, end), with across and up on a circle of diameter 1, closed at both ends.
+// A prism around a segment: its corners as (across, up) on a circle of diameter 1, and triangles of the corners of the start and, after them, of the end,
+// closed at both ends.
 function prism(sides) {
-  const corners = [], triangles = [];
-  for (let end = 0; end < 2; end++) {
-    for (let i = 0; i < sides; i++) {
-      const angle = 2 * Math.PI * (i + (sides > 4 ? 0.5 : 0)) / sides;
-      const grow = sides > 4 ? 1 / Math.cos(Math.PI / sides) : 1;
-      corners.push(Math.cos(angle) * grow / 2, Math.sin(angle) * grow / 2, end);
-    }
+  const around = [], triangles = [];
+  for (let i = 0; i < sides; i++) {
+    const angle = 2 * Math.PI * (i + (sides > 4 ? 0.5 : 0)) / sides;
+    const grow = sides > 4 ? 1 / Math.cos(Math.PI / sides) : 1;
+    around.push(Math.cos(angle) * grow / 2, Math.sin(angle) * grow / 2);
   }
   for (let i = 0; i < sides; i++) {
     const next = (i + 1) % sides;
     triangles.push(i, next, sides + i, next, sides + next, sides + i);
   }
   for (let i = 2; i < sides; i++) triangles.push(0, i, i - 1, sides, sides + i - 1, sides + i);
-  return { corners: new Float32Array(corners), triangles: new Uint16Array(triangles) };
+  return { around: new Float32Array(around), triangles };
 }
 
 // Nozzle and head around their axis as triangles with flat normals: x y z nx ny nz each.
