@@ -119,7 +119,7 @@ public class PrintedOnTests
     }
 
     // "… at (x, y, z)."
-    private static double X(string message) => double.Parse(message[(message.LastIndexOf('(') + 1)..].Split(',')[0], CultureInfo.InvariantCulture);
+    private static double X(string message) => double.Parse(message.Substring(message.LastIndexOf('(') + 1).Split(',')[0], CultureInfo.InvariantCulture);
 
     private static TriMesh Plate(Func<double, double, double> height, double x0, double x1, double y0, double y1)
     {

@@ -48,12 +48,12 @@ public class PrintPathTests
         var arc = new Arc(new Vec3(2, 1.5), 180);
         var closed = new PrintPath(Square, Beads, true, [null, arc, null, null]) { Role = Role.Infill, Tool = 2, Name = "n", Color = 7 }.Reversed();
         Assert.That(closed.Points, Is.EqualTo(new[] { Square[0], Square[3], Square[2], Square[1] }));
-        Assert.That(Enumerable.Range(0, 4).Select(closed.BeadOf), Is.EqualTo(Beads.Reverse()));
+        Assert.That(Enumerable.Range(0, 4).Select(closed.BeadOf), Is.EqualTo(Enumerable.Reverse(Beads)));
         Assert.That(closed.ArcOf(2), Is.EqualTo(arc.Reversed()));
         Assert.That((closed.Role, closed.Tool, closed.Name, closed.Color), Is.EqualTo((Role.Infill, 2, "n", (int?)7)));
         var open = new PrintPath(Square, Beads.Take(3)).Reversed();
-        Assert.That(open.Points, Is.EqualTo(Square.Reverse()));
-        Assert.That(Enumerable.Range(0, 3).Select(open.BeadOf), Is.EqualTo(Beads.Take(3).Reverse()));
+        Assert.That(open.Points, Is.EqualTo(Enumerable.Reverse(Square)));
+        Assert.That(Enumerable.Range(0, 3).Select(open.BeadOf), Is.EqualTo(Enumerable.Reverse(Beads.Take(3))));
     }
 
     [Test]
