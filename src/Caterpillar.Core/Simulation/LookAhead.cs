@@ -123,8 +123,8 @@ internal sealed class CruiseLookAhead : LookAhead
             else Brake(run, done, 0, 0);
             Cruise(run, done);
         }
+        // The next run begins at rest, whatever was before.
         _entered -= done;
-        if (ends) _reach = _slowReach = _before = 0;
         return done;
     }
 

@@ -270,6 +270,15 @@ public class CheckDetailTests
     }
 
     [Test]
+    public void Progress_of_edited_files_ends_at_1([Values(null, "the bed is longer")] string? reason)
+    {
+        var file = SmallPrint.Decode(Encoding.ASCII.GetBytes("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X500\nM104 S0\n"), Setup);
+        var steps = new Steps();
+        SafeWriter.ToDocument(file, file.Toolpath, Setup, reason, null, steps);
+        Assert.That(steps.All, Is.Ordered.And.All.InRange(0, 1));
+    }
+
+    [Test]
     public void Checks_stop_when_canceled()
     {
         using var cancel = new CancellationTokenSource();

@@ -137,6 +137,9 @@ public class CheckEdgeTests
             Assert.That(PrintableNumbers.Check(new SmallPrint().Print(10, 20, 0.2, speed: value).Build()) is null, Is.EqualTo(fine), $"{value}");
             Assert.That(PrintableNumbers.Check(new SmallPrint().Prime(value * SmallPrint.FilamentArea).Build()) is null, Is.EqualTo(fine), $"{value}");
         }
+        Assert.That(PrintableNumbers.Check(new SmallPrint().Event(new DwellEvent(1e7)).Go(20, 10, 0.2).Build()), Is.Not.Null);
+        Assert.That(PrintableNumbers.Check(new SmallPrint().Event(new DwellEvent(9_999_999)).Go(20, 10, 0.2).Build()), Is.Null);
+        Assert.That(PrintableNumbers.Check(new SmallPrint().Go(12_345_678.12345, 10, 0.2).Build())!.Message, Does.EndWith("it is 12345678.123, beyond 10⁷."));
         foreach (var what in new PrinterEvent[]
         {
             new BedTemperatureEvent(1e9), new FanEvent(double.NaN), new AccelerationEvent(1e9), new LimitEvent(MotionLimit.JerkX, 1e9), new DwellEvent(1e9),

@@ -176,7 +176,9 @@ public class CollisionFreeOrderTests
         var down = new PrintPath([new Vec3(52, 50, 15), new Vec3(50, 50, 1)], new Bead(0.08, 0.2));
         Assert.That(CollisionFreeOrder.Find([down], Setup).OrThrow().OfType<PathStep>().Single().Path.Start.Z, Is.EqualTo(1));
         var both = new PrintPath([new Vec3(52, 50, 15), new Vec3(50, 50, 1), new Vec3(48, 50, 15)], new Bead(0.08, 0.2));
-        Assert.That(CollisionFreeOrder.Find([both], Setup).Diagnostics.Single().Code, Is.EqualTo(CollisionFreeOrder.BlocksItself));
+        var blocked = CollisionFreeOrder.Find([both], Setup).Diagnostics.Single();
+        Assert.That((blocked.Code, blocked.Source!.Step), Is.EqualTo((CollisionFreeOrder.BlocksItself, (int?)0)));
+        Assert.That(blocked.Message, Does.StartWith("Path 0 cannot be printed in either direction"));
         Assert.That(CollisionFreeOrder.Find([], Setup).OrThrow(), Is.Empty);
     }
 

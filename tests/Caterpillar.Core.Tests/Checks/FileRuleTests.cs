@@ -82,6 +82,7 @@ public class FileRuleTests
         Assert.That(SmallPrint.Find(new SmallPrint().Prime(10.00001).Build(), setup, CheckCodes.Stationary), Has.Exactly(1).Items);
         var half = new SmallPrint().Prime(5).Prime(5);
         Assert.That(SmallPrint.Find(half.Build(), setup, CheckCodes.Stationary), Is.Empty, "in two moves");
+        Assert.That(SmallPrint.Find(new SmallPrint().Prime(9).Go(20, 10, 0.2).Prime(10).Build(), setup, CheckCodes.Stationary), Is.Empty, "at two places");
         Assert.That(SmallPrint.Find(half.Prime(0.01).Build(), setup, CheckCodes.Stationary).Single().Source!.Move, Is.EqualTo(2));
     }
 
@@ -146,6 +147,20 @@ public class FileRuleTests
         Assert.That(SafeWriter.WriteDraft(print, Setup, draft).Value, Is.Null);
         Assert.That(SafeWriter.Write(print, Setup, file).Value, Is.Null);
         Assert.That((draft.Length > 0, file.Length), Is.EqualTo((true, 0L)));
+    }
+
+    // The last of 70,000 moves, in the second block.
+    [Test]
+    public void Every_move_of_a_long_edited_file_is_compared()
+    {
+        var text = new StringBuilder("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\n");
+        for (var i = 1; i <= 70_000; i++) text.Append("G1 X").Append(i % 2 == 0 ? "20" : "20.5").Append(" E0.01\n");
+        var file = SmallPrint.Decode(Encoding.ASCII.GetBytes(text + "G1 Z5\nM104 S0\n"), Setup);
+        Assert.That(file.Toolpath.Blocks.Count, Is.GreaterThan(1));
+        var found = EditCheck.Run(file, file.Toolpath, GCodeDocument.FromText(text + "G1 Z6\nM104 S0\n"), Setup, null, default);
+        Assert.That(found.Where(d => d.Code.StartsWith("file.p", StringComparison.Ordinal)).Select(d => d.Source!.Line), Is.EqualTo(new int?[] { 70_006 }));
+        var same = EditCheck.Run(file, file.Toolpath, GCodeDocument.FromText(text + "G1 Z5\nM104 S0\n"), Setup, null, default);
+        Assert.That(same.Where(d => d.Code is CheckCodes.FilePosition or CheckCodes.FileExtrusion), Is.Empty);
     }
 
     // Other start code of an edited file.

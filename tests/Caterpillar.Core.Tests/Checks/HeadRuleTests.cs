@@ -75,6 +75,15 @@ public class HeadRuleTests
     }
 
     [Test]
+    public void A_box_that_goes_on_through_strands_is_one_finding_for_each_move()
+    {
+        var setup = SmallPrint.Setup(p
+            => p with { HeadOutline = new(new HeadPoint(0.5, 0)), HeadBoxes = new(new Bounds(new Vec3(-1, 9, 1), new Vec3(1, 11, 9))) });
+        var print = new SmallPrint().Wall(60, 90, 60, 5).Go(65, 50, 50).Go(65, 50, 2).Go(85, 50, 2);
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.HeadHits).Single().Count, Is.EqualTo(2));
+    }
+
+    [Test]
     public void Each_of_several_boxes_and_beams_is_looked_at()
     {
         var boxes = new[] { new Bounds(new Vec3(-30, -30, 40), new Vec3(30, 30, 50)), new Bounds(new Vec3(9, -1, 1), new Vec3(11, 1, 9)) };

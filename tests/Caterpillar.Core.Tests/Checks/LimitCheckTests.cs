@@ -96,6 +96,18 @@ public class LimitCheckTests
         Assert.That(found.Select(d => d.Code), Is.EqualTo(Enumerable.Repeat("limit.stationary", errors)));
     }
 
+    // Around the center of a round bed of 200 mm, and around a place 30 mm aside.
+    [TestCase(0, 99, 0)]
+    [TestCase(0, 101, 1)]
+    [TestCase(30, 69, 0)]
+    [TestCase(30, 75, 1)]
+    public void An_arc_stays_on_a_round_bed(double aside, double radius, int found)
+    {
+        void Arc(ToolpathBuilder b) => b.Add(new Vec3(aside, -radius, 1), 1, 1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0,
+            new Arc(new Vec3(aside, 0, 1), -180));
+        Assert.That(Run(Delta, Arc, new Vec3(aside, radius, 1)).Count(d => d.Code == "bed.outside"), Is.EqualTo(found));
+    }
+
     [Test]
     public void An_arc_that_bulges_out_is_seen()
     {

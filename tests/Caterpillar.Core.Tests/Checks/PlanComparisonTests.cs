@@ -73,6 +73,17 @@ public class PlanComparisonTests
         Assert.That(found.Where(d => d.Code == CheckCodes.FilePosition).Select(d => d.Source!.Move), Is.EqualTo(new int?[] { 1 }));
     }
 
+    [Test]
+    public void Every_move_of_a_long_file_is_compared()
+    {
+        var print = new SmallPrint(10, 10, 0.2);
+        for (var i = 1; i <= 70_000; i++) print.Print(i % 2 == 0 ? 10 : 11, 10, 0.2);
+        var plan = print.Go(10, 10, 7.125).Build();
+        Assert.That(plan.Blocks.Count, Is.GreaterThan(1));
+        Assert.That(Compare(plan, text => text), Is.Empty);
+        Assert.That(Compare(plan, text => text.Replace("Z7.125", "Z7.2")).Select(d => d.Source!.Move), Is.EqualTo(new int?[] { 70_000 }));
+    }
+
     private static Diagnostic[] Compare(Toolpath plan, Func<string, string> change)
     {
         var (_, lines, text) = SmallPrint.Written(plan, Setup);

@@ -73,6 +73,15 @@ public class StrandRuleTests
         Assert.That(Count(print, CheckCodes.Unsupported), Is.EqualTo(found));
     }
 
+    // Each half millimeter is looked at in its middle: the wall ends with the cell at 50.5.
+    [TestCase(50.6, 55.6, 0)]
+    [TestCase(50.6, 55.8, 1)]
+    public void A_strand_beside_a_wall_hangs_from_its_start_on(double from, double to, int found)
+    {
+        var print = new SmallPrint().Wall(40, 50, 50, 4).Go(from, 50, 200).Go(from, 50, 4.2).Print(to, 50, 4.2).Go(80, 80, 4.2);
+        Assert.That(Count(print, CheckCodes.Unsupported), Is.EqualTo(found));
+    }
+
     [Test]
     public void The_height_of_a_print_is_that_of_its_highest_strand()
     {
