@@ -27,18 +27,22 @@ internal sealed class MoveTable
     {
         var table = new MoveTable(stream);
         var several = toolpaths.Count > 1;
+        var turns = toolpaths.Any(t => t.Toolpath.HasTurns);
         table.Text((several ? "file," : "")
             + "move,line,kind,x,y,z,e,deposited_e,speed_mm_s,role,layer,tool,length_mm,arc_center_x,arc_center_y,"
-            + "arc_center_z,arc_sweep_deg,area_mm2,width_mm\n");
+            + "arc_center_z,arc_sweep_deg,area_mm2,width_mm" + (turns ? ",a_deg,b_deg,c_deg,tool_x,tool_y,tool_z\n" : "\n"));
         foreach (var (file, toolpath) in toolpaths)
         {
             var prefix = several ? Quoted(file) + "," : "";
             var count = 0;
+            var axes = ToolTilt.AxesOf(toolpath);
             foreach (var move in toolpath.Moves())
             {
                 if ((++count & 0xFFFF) == 0) cancel.ThrowIfCancellationRequested();
                 table.Text(prefix);
                 table.Row(toolpath, move);
+                if (turns) table.Turns(toolpath.TurnsOf(move.Index), axes);
+                table._buffer[table._at - 1] = (byte)'\n';
             }
         }
         table.Flush();
@@ -78,7 +82,17 @@ internal sealed class MoveTable
         {
             Text(",,");
         }
-        _buffer[_at - 1] = (byte)'\n';
+    }
+
+    // The words, and where the tool points; upright where a file has none yet.
+    private void Turns((double A, double B, double C)? turns, TiltAxes? axes)
+    {
+        var (a, b, c) = turns ?? default;
+        Number(a);
+        Number(b);
+        Number(c);
+        if (axes is { } tilt) Point(ToolTilt.Direction(tilt, (a, b, c)));
+        else Text(",,,");
     }
 
     private void Point(Vec3 p)

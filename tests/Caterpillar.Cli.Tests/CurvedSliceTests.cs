@@ -120,6 +120,24 @@ public class CurvedSliceTests : CliFixture
     }
 
     [Test]
+    public void The_table_of_moves_shows_where_a_tilted_tool_points()
+    {
+        File.WriteAllText("part.stl", Box(20, 12, 3));
+        string[][] Rows(params string[] more)
+        {
+            var run = Run(["slice", "part.stl", "--surface", "0.2 * x", "--set", "layer_height_mm=0.3", "-o", "part.gcode", .. more]);
+            Assert.That(run.Code, Is.Zero, run.Messages);
+            return Run("decode", "part.gcode", "--csv").Text.Split('\n').Where(l => l.Length > 0).Select(l => l.Split(',')).ToArray();
+        }
+        Assert.That(Rows()[0], Does.Not.Contain("tool_z"));
+        var rows = Rows("--tilt", "bc");
+        Assert.That(rows[0].Skip(rows[0].Length - 6), Is.EqualTo(new[] { "a_deg", "b_deg", "c_deg", "tool_x", "tool_y", "tool_z" }));
+        Assert.That(rows.Select(r => r.Length).Distinct().Count(), Is.EqualTo(1));
+        var printed = rows.First(r => r[2] == "print" && r[^5] == "11.31");
+        Assert.That(printed.Skip(printed.Length - 3).Select(double.Parse), Is.EqualTo(new[] { -0.196116, 0, 0.980581 }).Within(1e-5));
+    }
+
+    [Test]
     public void Curves_and_turtles_are_put_onto_an_object()
     {
         File.WriteAllText("scan.stl", BoxAt(180, 180, 8, 30));

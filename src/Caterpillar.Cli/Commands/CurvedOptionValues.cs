@@ -103,14 +103,16 @@ internal sealed class CurvedOptionValues
         _onto.Check(arguments, !HasField(arguments));
     }
 
-    /// <summary>The field of the layers.</summary>
+    /// <summary>The field of the layers, and the uppermost surface that it follows, if it does.</summary>
     /// <param name="arguments">The command line.</param>
     /// <param name="models">The models where they are printed.</param>
     /// <param name="shift">How far they were moved from their places in their files.</param>
     /// <param name="setup">Its head limits overhangs.</param>
     /// <param name="session">Reads files.</param>
-    public LayerField Field(ParseResult arguments, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
+    public LayerField Field(
+        ParseResult arguments, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session, out PlanSurface? surface)
     {
+        surface = null;
         if (arguments.GetValue(_deform) is { } deform) return Deformed(deform, models, shift, setup, session);
         var surfaces = arguments.GetValue(_surface) ?? [];
         var kind = arguments.GetValue(_field) ?? "vertical";
@@ -123,13 +125,17 @@ internal sealed class CurvedOptionValues
         switch (kind)
         {
             case "vertical":
-                return LayerField.Vertical(Surface(surfaces[0], models, shift, session), arguments.GetValue(_blend) is { } blend ? Blend(blend) : null);
+                surface = Surface(surfaces[0], models, shift, session);
+                return LayerField.Vertical(surface, arguments.GetValue(_blend) is { } blend ? Blend(blend) : null);
             case "normal":
-                return LayerField.Offset(Meshes.ReadAsOne(surfaces[0], session).Moved(shift));
+                var mesh = Meshes.ReadAsOne(surfaces[0], session).Moved(shift);
+                surface = PlanSurface.Of(mesh);
+                return LayerField.Offset(mesh);
             case "between":
                 var plans = surfaces.Select(s => Surface(s, models, shift, session)).ToList();
                 // One surface: from the bottom of the models up to it.
                 if (plans.Count == 1) plans.Insert(0, PlanSurface.Level(models.Min(m => m.Mesh.Bounds.Min.Z)));
+                surface = plans[^1];
                 return LayerField.Between(plans.ToArray());
             case var formula:
                 return session.ValueOrFail(LayerField.Formula(formula, shift, new SourceLocation(Key: "--field")), ExitCode.Usage);
@@ -142,11 +148,11 @@ internal sealed class CurvedOptionValues
     /// <param name="session">Reads files.</param>
     public TriMesh? Onto(ParseResult arguments, Vec3 shift, Session session) => _onto.Read(arguments, shift, session);
 
-    /// <summary>Lines that take the place of the infill's pattern, along directions of the uppermost surface; null for the pattern.</summary>
+    /// <summary>Lines that take the place of the infill's pattern, along directions of a surface; null for the pattern.</summary>
     /// <inheritdoc cref="Field" path="/param"/>
-    public IReadOnlyList<Polyline>? InfillLines(ParseResult arguments, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
-        => _along.IsGiven(arguments) && arguments.GetValue(_surface) is [.., var last]
-            ? _along.Lines(arguments, Surface(last, models, shift, session), models, shift, setup, session) : null;
+    public IReadOnlyList<Polyline>? InfillLines(
+        ParseResult arguments, PlanSurface? surface, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
+        => surface is null ? null : _along.Lines(arguments, surface, models, shift, setup, session);
 
     public double Squeeze(ParseResult arguments) => _onto.Squeeze(arguments);
 

@@ -41,11 +41,11 @@ internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult argu
             shift = shift.WithZ(0);
         }
         var meshes = models.Select(m => m.Mesh).ToArray();
-        var field = options.Field(arguments, meshes, shift, setup, session);
+        var field = options.Field(arguments, meshes, shift, setup, session, out var surface);
         var curved = new CurvedOptions
         {
             Onto = onto is null ? null : PlanSurface.OnBed(onto), Partial = options.IsPartial(arguments), MaxTilt = options.Tilt(arguments)?.MaxTilt ?? 0,
-            InfillLines = options.InfillLines(arguments, meshes, shift, setup, session),
+            InfillLines = options.InfillLines(arguments, surface, meshes, shift, setup, session),
         };
         var result = session.ValueOrFail(session.WithProgress("Slicing",
             progress => CurvedSlicer.SliceEach(models, field, setup, curved, threads, progress, session.Cancel)));

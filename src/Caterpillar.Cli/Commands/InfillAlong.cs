@@ -30,7 +30,12 @@ internal sealed class InfillAlong
     {
         if (arguments.GetValue(_along) is not { } text) return null;
         var percent = setup.Settings.InfillPercent;
-        if (percent is <= 0 or >= 100) return null;
+        if (percent is <= 0 or >= 100)
+        {
+            session.Print([new Diagnostic(Severity.Warning, "curved.no_infill_lines",
+                $"--infill-along changes nothing: infill_percent is {NumberFormatter.Format(percent, 2)}, and lines have distances between 0 and 100 %.")]);
+            return null;
+        }
         var spacing = setup.Settings.LineWidth * 100 / percent;
         var plan = Bounds.Of(models.SelectMany(m => new[] { m.Mesh.Bounds.Min, m.Mesh.Bounds.Max }));
         switch (text.Trim())

@@ -24,6 +24,8 @@ public class ToolTiltTests
             double s = Angle.Sin(tilt), c = Angle.Cos(tilt);
             var tool = axes == TiltAxes.BC ? new Vec3(s * Angle.Cos(turn), s * Angle.Sin(turn), c) : new Vec3(s * Angle.Sin(turn), -s * Angle.Cos(turn), c);
             Assert.That(tool.DistanceTo(normal), Is.LessThan(1e-12), $"azimuth {azimuth}");
+            var words = (axes == TiltAxes.AC ? tilt : 0, axes == TiltAxes.BC ? tilt : 0, turn);
+            Assert.That(ToolTilt.Direction(axes, words).DistanceTo(normal), Is.LessThan(1e-12));
         }
     }
 
@@ -54,6 +56,35 @@ public class ToolTiltTests
         Assert.That(wanted, Has.Length.EqualTo(planned.Moves().Count(m => m.Kind == MoveKind.Print)));
         var block2 = decoded.Blocks[decoded.Blocks.Count - 1].Columns;
         Assert.That((block2.B![block2.Count - 1], block2.C![block2.Count - 1]), Is.EqualTo((11.31, 180.0)));
+    }
+
+    [TestCase(TiltAxes.BC)]
+    [TestCase(TiltAxes.AC)]
+    public void A_file_gives_the_directions_of_the_tool_back(TiltAxes axes)
+    {
+        static Vec3 Normal(Vec3 p) => new Vec3(0.3 * Angle.Sin(3 * p.X), 0.2 * Angle.Cos(5 * p.Y), 1).Unit();
+        var points = Enumerable.Range(0, 200).Select(i => new Vec3(100 + 30 * Angle.Cos(5 * i), 100 + 0.2 * i, 0.2)).ToArray();
+        var setup = new PrintSetup();
+        var planned = Planner.Plan([new PrintPath(points, new Bead(0.08, 0.2, 30))], setup).OrThrow();
+        Assert.That((planned.HasTurns, ToolTilt.AxesOf(planned), planned.TurnsOf(0)), Is.EqualTo((false, (TiltAxes?)null, ((double, double, double)?)null)));
+        var tilted = new ToolTilt(axes).Apply(planned, Normal);
+        var decoded = GCodeDecoder.Decode(GCodeDocument.FromBytes(GCodeWriter.ToBytes(tilted))).OrThrow().Toolpath;
+        Assert.That(ToolTilt.AxesOf(decoded), Is.EqualTo(axes));
+        foreach (var move in decoded.Moves().Where(m => m.Kind == MoveKind.Print))
+        {
+            var tool = ToolTilt.Direction(axes, decoded.TurnsOf(move.Index)!.Value);
+            Assert.That(tool.DistanceTo(Normal(move.End)), Is.LessThan(1e-4), "three decimals of words, and of the place");
+        }
+        Assert.That(() => decoded.TurnsOf(decoded.Count), Throws.InstanceOf<ArgumentOutOfRangeException>());
+    }
+
+    [Test]
+    public void Both_tilting_words_are_another_kind_of_machine()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        builder.Add(new Vec3(1, 0, 0), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        builder.SetRotary(10, 20, 0);
+        Assert.That(ToolTilt.AxesOf(builder.Build([new ToolpathTool(1)])), Is.Null);
     }
 
     [Test]

@@ -39,11 +39,15 @@ internal sealed class CurvedRun
         if (options.MaxLength > 0 && (_longest == 0 || options.MaxLength < _longest)) _longest = options.MaxLength;
     }
 
+    // Of a length; a circle would need more points than the limit.
+    private const double Precision = 1e-14;
+
     private bool Adapts => _options.ChordTolerance > 0 || _options.Angle > 0;
 
     /// <summary>The points after the start of the run, with its end.</summary>
     public List<Vec3> Divide()
     {
+        if (_options.MinLength == 0 && IsHopeless()) throw new SubdivisionLimitException();
         var stations = Adapts ? ByDensity() : ByLength();
         var last = new Station(0, 0, 0);
         foreach (var s in stations)
@@ -56,6 +60,21 @@ internal sealed class CurvedRun
         }
         Add(last, new Station(_length.Total, _length.LeafCount - 1, 1), 0);
         return _points;
+    }
+
+    // Chords cannot be nearer to the curve than its points are exact, nor turn less than the ends of its parts.
+    private bool IsHopeless()
+    {
+        if (_options.ChordTolerance > 0 && _options.ChordTolerance < Precision * _length.Total) return true;
+        if (!(_options.Angle > 0)) return false;
+        var turn = 0.0;
+        for (var i = 0; i < _length.LeafCount; i++)
+        {
+            var leaf = _length.LeafAt(i);
+            var span = _length.Spans[leaf.Span];
+            turn += CurveSpan.TurnDegrees(Tangent(span, leaf.From), Tangent(span, leaf.To));
+        }
+        return turn > _options.Angle * _mostPoints;
     }
 
     // Lengths along the run at which it is cut, without its ends.
@@ -178,7 +197,13 @@ internal sealed class CurvedRun
 
     private static double SpeedAt(CurveSpan span, double u) => span.Derivatives(u).First.Length;
 
-    private void Append(double s, double amount) => _table.Add((s, _table[_table.Count - 1].Amount + amount));
+    private void Append(double s, double amount)
+    {
+        var sum = _table[_table.Count - 1].Amount + amount;
+        // No need to look at the rest.
+        if (sum > _mostPoints) throw new SubdivisionLimitException();
+        _table.Add((s, sum));
+    }
 
     private double LengthOf(double amount)
     {

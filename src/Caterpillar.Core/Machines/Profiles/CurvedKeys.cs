@@ -22,12 +22,17 @@ internal static class CurvedKeys
         "curved_max_gap_mm", 0.001, 100, s => s.CurvedMaxGap, (s, v) => s with { CurvedMaxGap = v },
         "Curved layers that are thicker than this somewhere are divided; 0 for three quarters of the nozzle, or the layer height if that is more.");
 
+    public static readonly ProfileKey<PrintSettings, double> CurvedMaxGapRatio = K.NumberOrZero(
+        "curved_max_gap_ratio", 2, 1000, s => s.CurvedMaxGapRatio, (s, v) => s with { CurvedMaxGapRatio = v },
+        "The thickest strand of curved layers is at most so many times as high as the thinnest: where layers are thinner, several are printed at once; 0 for "
+        + "any.");
+
     public static readonly ProfileKey<PrintSettings, double> CurvedMaxSlope = K.Number(
         "curved_max_slope_deg", 0, 89, s => s.CurvedMaxSlope, (s, v) => s with { CurvedMaxSlope = v },
         "Steepest curved layers; 0 takes what the head of the printer allows.");
 
     public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [
-        CurvedTolerance, CurvedGapStep, CurvedMinGap, CurvedMaxGap, CurvedMaxSlope,
+        CurvedTolerance, CurvedGapStep, CurvedMinGap, CurvedMaxGap, CurvedMaxGapRatio, CurvedMaxSlope,
     ];
 }

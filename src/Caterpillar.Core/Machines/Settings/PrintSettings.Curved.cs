@@ -15,6 +15,9 @@ public sealed partial record PrintSettings
     /// <summary>Curved layers that are thicker than this somewhere are divided, mm; 0 for three quarters of the nozzle.</summary>
     public double CurvedMaxGap { get; init => field = CurvedKeys.CurvedMaxGap.Check(value); }
 
+    /// <summary>How many times as high as the thinnest strand of curved layers the thickest may be, 2 or more; 0 for any.</summary>
+    public double CurvedMaxGapRatio { get; init => field = CurvedKeys.CurvedMaxGapRatio.Check(value); }
+
     /// <summary>Steepest curved layers, degrees; 0 takes what the head of the printer allows.</summary>
     public double CurvedMaxSlope { get; init => field = CurvedKeys.CurvedMaxSlope.Check(value); }
 }

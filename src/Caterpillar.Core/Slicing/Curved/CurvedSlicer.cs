@@ -80,18 +80,22 @@ public static class CurvedSlicer
         }, progress.Part(0.3, 0.75), cancel);
         problems.AddRange(sliced.Diagnostics);
         if (sliced.Value is not { } result) return new Result<SliceResult>(null, problems.ToList());
-        return Lifted(result, field, setup, options, part, threads, problems, progress.Part(0.75, 1), cancel);
+        var least = MinGap(setup);
+        // Thinner places are printed several layers at once.
+        if (setup.Settings.CurvedMaxGapRatio > 0)
+            least = Math.Max(least, limits.Thickest(result.Layers.Select(l => l.Layer)) / setup.Settings.CurvedMaxGapRatio);
+        return Lifted(result, field, setup, options, part, least, threads, problems, progress.Part(0.75, 1), cancel);
     }
 
     private static Result<SliceResult> Lifted(
-        SliceResult flat, LayerField field, PrintSetup setup, CurvedOptions options, PartColumns part, int threads, DiagnosticList problems,
+        SliceResult flat, LayerField field, PrintSetup setup, CurvedOptions options, PartColumns part, double minGap, int threads, DiagnosticList problems,
         IProgress<double>? progress, CancellationToken cancel)
     {
         var settings = setup.Settings;
         // A tool that tilts sees the slope from its own axis; overhanging layers cannot be printed by any.
         var ceiling = Math.Min(89.9, SlopeLimit(setup, part, flat, field) + options.MaxTilt);
         var rules = new LiftRules(
-            settings.CurvedTolerance, settings.CurvedGapStep / 100, MinGap(setup), ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial)
+            settings.CurvedTolerance, settings.CurvedGapStep / 100, minGap, ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial)
         {
             // Without a partial print it was looked for in the whole part.
             FindsEdge = options.Partial,

@@ -28,6 +28,30 @@ public sealed record ToolTilt(TiltAxes Axes, double MaxTilt = 90)
     // Degrees: where the tool is as good as upright its azimuth says nothing.
     private const double Upright = 0.05;
 
+    /// <summary>
+    /// The words that tilt the tool of a toolpath: A and C, or B and C. Null where it has no rotary words, or turns both A and B, which is another kind of
+    /// machine.
+    /// </summary>
+    public static TiltAxes? AxesOf(Toolpath toolpath)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        var (hasA, hasB) = (false, false);
+        foreach (var block in toolpath.Blocks)
+        {
+            hasA |= Turns(block.Columns.A);
+            hasB |= Turns(block.Columns.B);
+        }
+        return !toolpath.HasTurns || (hasA && hasB) ? null : hasA ? TiltAxes.AC : TiltAxes.BC;
+    }
+
+    /// <summary>The unit vector from the nozzle's tip along the tool, for rotary words in degrees.</summary>
+    public static Vec3 Direction(TiltAxes axes, (double A, double B, double C) turns)
+    {
+        var (sin, cos) = Angle.SinCos(axes == TiltAxes.BC ? turns.B : turns.A);
+        var (sinC, cosC) = Angle.SinCos(turns.C);
+        return axes == TiltAxes.BC ? new Vec3(sin * cosC, sin * sinC, cos) : new Vec3(sin * sinC, -sin * cosC, cos);
+    }
+
     /// <summary>The tilt of a normal, and the turn next to the one before.</summary>
     /// <param name="normal">Upward; the length does not matter.</param>
     /// <param name="lastTurn">The turn of C before, degrees.</param>
@@ -77,4 +101,6 @@ public sealed record ToolTilt(TiltAxes Axes, double MaxTilt = 90)
         for (; nextEvent < toolpath.Events.Count; nextEvent++) builder.AddEvent(toolpath.Events[nextEvent].Event);
         return builder.Build(toolpath.Tools);
     }
+
+    private static bool Turns(double[]? angles) => angles is not null && Array.Exists(angles, a => a != 0);
 }

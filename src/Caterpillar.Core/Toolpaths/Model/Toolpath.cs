@@ -98,6 +98,19 @@ public sealed class Toolpath
         }
     }
 
+    /// <summary>True if moves have rotary words (A, B, C).</summary>
+    public bool HasTurns => Array.Exists(_blocks, b => b.Columns.A is not null || b.Columns.B is not null || b.Columns.C is not null);
+
+    /// <summary>Rotary words in degrees at the end of a move; null where neither it nor the moves around it have any.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such move.</exception>
+    public (double A, double B, double C)? TurnsOf(int move)
+    {
+        if (move < 0 || move >= Count) throw new ArgumentOutOfRangeException(nameof(move));
+        var block = BlockOf(move);
+        var (c, i) = (_blocks[block].Columns, move - _firsts[block]);
+        return c.A is null && c.B is null && c.C is null ? null : (c.A?[i] ?? 0, c.B?[i] ?? 0, c.C?[i] ?? 0);
+    }
+
     /// <summary>All moves in order. For hot loops inside the library use the columns of the blocks.</summary>
     public IEnumerable<Move> Moves()
     {
