@@ -3,6 +3,7 @@ using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Drawings;
 using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests.Curves;
@@ -100,6 +101,37 @@ public class JsonEdgeTests
     {
         var curve = CurveReaderTests.Read("o part # 1\nv 0 0 0\nv 3 0 0\nv 3 4 0\nl 1/1 2/7 -1 # end\n", "a.obj.gz").Value!.Single();
         Assert.That(curve.Curve.Length, Is.EqualTo(7));
+    }
+
+    [TestCase("a.csv.gz", true)]
+    [TestCase("a.txt", true)]
+    [TestCase("a.data", false)]
+    [TestCase("a.json.gz", false)]
+    public void A_name_says_what_a_file_is_else_its_text(string name, bool fails)
+        => Assert.That(CurveReaderTests.Read("[[0,0],[1,0]]", name).HasErrors, Is.EqualTo(fails));
+
+    [Test]
+    public void Lengths_of_all_files_are_in_the_unit_that_is_asked_for()
+    {
+        var inches = new CurveReadOptions { UnitLength = 25.4 };
+        foreach (var (text, name) in new[] { ("v 0 0 0\nv 1 0 0\nl 1 2\n", "a.obj"), ("\n0,0,0\n1,0,0\n", "a.csv"), ("[[0,0],[1,0]]", "a.json") })
+            Assert.That(CurveReaderTests.Read(text, name, inches).Value!.Single().Curve.Length, Is.EqualTo(25.4).Within(1e-12), name);
+    }
+
+    [Test]
+    public void Errors_of_curves_are_sentences_without_names_of_parameters()
+    {
+        var wrong = Read("{\"degree\":2,\"points\":[[0,0],[1,0],[1,1]],\"knots\":[0,0,0,1]}").Diagnostics.Single();
+        Assert.That(wrong.Message, Does.EndWith(".").And.Not.Contain("arameter"));
+    }
+
+    [Test]
+    public void A_role_alone_reaches_the_path()
+    {
+        var curve = new UserCurve(new PolylineCurve([Vec3.Zero, Vec3.UnitX], false));
+        Assert.That(CurvePaths.ToPaths([curve with { Role = Role.Brim }]).Value!.Single().Role, Is.EqualTo(Role.Brim));
+        Assert.That(CurvePaths.ToPaths([curve with { Tool = 2 }]).Value!.Single().Tool, Is.EqualTo(2));
+        Assert.That(CurvePaths.ToPaths([curve with { Name = "n" }]).Value!.Single().Name, Is.EqualTo("n"));
     }
 
     [Test]

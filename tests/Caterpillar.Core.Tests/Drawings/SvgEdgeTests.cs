@@ -111,6 +111,25 @@ public class SvgEdgeTests
         Assert.That(Read("<path d=\"M0 0h1\"/><z:x xmlns:z=\"urn:z\"/>").Diagnostics, Is.Empty, "what editors note for themselves");
     }
 
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Files_of_two_bytes_a_character_are_read(bool bigEndian)
+    {
+        var encoding = new System.Text.UnicodeEncoding(bigEndian, true);
+        var text = "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0h96\"/></svg>";
+        var curves = CurveReader.Read([.. encoding.GetPreamble(), .. encoding.GetBytes(text)], "a.svg").Value!;
+        Assert.That(curves.Single().Curve.Length, Is.EqualTo(25.4).Within(1e-9));
+    }
+
+    // A loop that comes back to where it began, and curves that stay there.
+    [TestCase("M0 0Q9 9 0 0", 1)]
+    [TestCase("M0 0Q0 0 9 0", 1)]
+    [TestCase("M0 0h1Q1 0 1 0", 1)]
+    [TestCase("M0 0C9 0 0 9 0 0", 1)]
+    [TestCase("M0 0h1C1 0 1 0 1 0", 1)]
+    public void Curves_without_extent_are_left_out(string data, int curves)
+        => Assert.That(Read($"<path d=\"{data}\"/>").Value, Has.Count.EqualTo(curves));
+
     private sealed class Shares(System.Collections.Generic.List<double> shares) : IProgress<double>
     {
         public void Report(double value) => shares.Add(value);

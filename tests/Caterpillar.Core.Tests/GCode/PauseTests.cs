@@ -36,6 +36,14 @@ public class PauseTests
     }
 
     [Test]
+    public void A_dwell_at_the_beginning_of_the_layer_stays_with_its_move()
+    {
+        var paused = Decode("G90\nM83\n;LAYER:0\nG0 X1 Z1 F6000\nG1 X9 E1\n;LAYER:1\nG4 P500\nG1 X1 E1\n").PauseAtLayer(1, Lifted).Value!;
+        var dwell = paused.Events.Single(e => e.Event is DwellEvent).Move;
+        Assert.That(paused[dwell].Kind, Is.EqualTo(MoveKind.Dwell));
+    }
+
+    [Test]
     public void A_plain_pause_is_the_command_alone()
         => Assert.That(Written(Print, 1, Pause.Plain), Is.EqualTo(Print.Replace("G0 Z0.4", "M0\nG0 Z0.4")));
 

@@ -99,6 +99,7 @@ public class PrintPathTests
     public void Only_the_first_path_of_a_chain_is_turned_around()
     {
         Assert.That(PathMerging.Merge([Line(1, 2), Line(2, 3), Line(0, 1)], reverse: true), Has.Count.EqualTo(2));
+        Assert.That(PathMerging.Merge([Line(0, 1), Line(1, 2), Line(1, 5)], reverse: true), Has.Count.EqualTo(2), "the second has its place");
         var named = Line(1, 2).With(name: "x", overrides: new(200));
         Assert.That(PathMerging.Merge([Line(0, 1), named]), Has.Count.EqualTo(2));
         Assert.That(PathMerging.Merge([Line(0, 1).With(layer: new Layer(1, 1)), Line(1, 2).With(layer: new Layer(2, 1))]), Has.Count.EqualTo(2));

@@ -139,6 +139,7 @@ public class ToolpathBlockTests
         var a = new MoveEvent(3, new FanEvent(0.5)) { Source = 1 };
         Assert.That(a, Is.EqualTo(new MoveEvent(3, new FanEvent(0.5)) { Source = 9 }));
         Assert.That(a.GetHashCode(), Is.EqualTo((a with { Source = 9 }).GetHashCode()));
+        Assert.That(new MoveEvent(3, new FanEvent(0.5)).Source, Is.EqualTo(-1), "unless it is stated");
         Assert.That(a, Is.Not.EqualTo(new MoveEvent(4, new FanEvent(0.5))));
         Assert.That(a, Is.Not.EqualTo(new MoveEvent(3, new FanEvent(0.6))));
     }

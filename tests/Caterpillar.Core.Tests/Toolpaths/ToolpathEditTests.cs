@@ -131,6 +131,23 @@ public class ToolpathEditTests
     }
 
     [Test]
+    public void Balances_change_in_later_blocks_too()
+    {
+        // Tool 0 retracts in the first block and restores in the second; the retraction is given to tool 1.
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        builder.Add(Vec3.Zero, -2, 0, 30, MoveKind.Retract, Role.Unspecified, -1, 0, 0);
+        while (builder.Count < ToolpathBlock.Capacity) builder.Add(Vec3.UnitX, 0, 0, 30, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        builder.AddEvent(new ToolEvent(0));
+        builder.Add(Vec3.UnitX, 2, 0, 30, MoveKind.Restore, Role.Unspecified, -1, 0, 0);
+        var before = builder.Build([new ToolpathTool(1)]);
+        var after = before.Insert(0, new ToolEvent(1));
+        Assert.That((after[0].Tool, after[0].Kind, after[ToolpathBlock.Capacity - 1].Tool), Is.EqualTo((1, MoveKind.Retract, 1)));
+        var last = after[ToolpathBlock.Capacity];
+        Assert.That((last.Tool, last.Kind, last.Deposited), Is.EqualTo((0, MoveKind.Prime, 2.0)), "nothing was pulled out of it");
+        Assert.That(before[ToolpathBlock.Capacity].Kind, Is.EqualTo(MoveKind.Restore));
+    }
+
+    [Test]
     public void Material_that_was_thinned_stays_thin_with_another_tool()
     {
         var before = Decode("G0 X1 F600\nG1 E-2\nG1 X9 E3\n").ScaleFlow(MoveFilter.Prints, 0.5);
