@@ -17,7 +17,7 @@ namespace Caterpillar.Display;
 /// </summary>
 public static class ViewerPage
 {
-    private static readonly string[] Scripts = ["unpack.js", "colors.js", "camera.js", "shapes.js", "scene.js", "range.js", "panel.js", "main.js"];
+    private static readonly string[] Scripts = ["unpack.js", "colors.js", "camera.js", "shapes.js", "scene.js", "frames.js", "range.js", "panel.js", "main.js"];
 
     /// <summary>Writes the page in UTF-8.</summary>
     /// <exception cref="OperationCanceledException">Canceled.</exception>

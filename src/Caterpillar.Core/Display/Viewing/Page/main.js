@@ -1,32 +1,11 @@
 // State of the view; what can be shared stands in the address after #.
 const state = { dark: false, bed: true, head: true, model: true, travel: false, retractions: false, seams: false, row: 0, part: 1, nozzle: null, background: [1, 1, 1] };
-let head, moves, scene, camera, list, coloring, total, box;
-let layersRange, movesRange, firstLayer = 0, lastLayer = 0, ranks = [], playing = false, queued = false;
+let head, moves, scene, camera, frames, list, coloring, total, box;
+let layersRange, movesRange, firstLayer = 0, lastLayer = 0, ranks = [], playing = false;
 const hidden = new Set();
 const lines = new FileLines();
 
-// Where a whole picture takes long, changes are shown quickly, by as many strands as the time allows, and the whole follows when they pause.
-const wholePicture = 80, pause = 250;
-let pictureTime = 0, every = 1, resting = 0, started = false;
-
-function redraw() {
-  if (!started) return;
-  clearTimeout(resting);
-  const slow = pictureTime > wholePicture;
-  if (slow) resting = setTimeout(() => scene.draw(camera, state), pause);
-  if (queued) return;
-  queued = true;
-  requestAnimationFrame((start) => {
-    queued = false;
-    const skip = slow ? every : 0;
-    scene.draw(camera, state, skip);
-    // The next frame comes when this one has been drawn.
-    requestAnimationFrame((end) => {
-      if (skip > 0) every = Math.min(Math.max(Math.round(skip * (end - start) / wholePicture), 1), 1000);
-      else pictureTime = end - start;
-    });
-  });
-}
+function redraw() { frames?.redraw(); }
 
 // Layers by height: several objects share a place on the slider where they share a height.
 function rankLayers() {
@@ -255,7 +234,7 @@ function listen() {
   // What lies under a resting pointer is shown; a click keeps it.
   view.addEventListener("pointermove", (e) => {
     clearTimeout(waiting);
-    if (e.buttons) return;
+    if (e.buttons || frames.areSlow) return;
     waiting = setTimeout(() => {
       const row = scene.pick(camera, state, e.clientX, e.clientY);
       view.title = row < 0 ? "" : describe(row);
@@ -363,8 +342,8 @@ async function start() {
   }, [[], []]));
   camera.look(-60, 28);
   fromAddress();
-  scene.draw(camera, state);
-  started = true;
+  frames = new Frames(scene, camera, state);
+  redraw();
   byId("message").hidden = true;
   document.documentElement.dataset.state = "ready";
   console.info("ready");

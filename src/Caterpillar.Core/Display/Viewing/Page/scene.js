@@ -271,9 +271,10 @@ class Scene {
     return Math.floor(entry.count / skip);
   }
 
-  drawBeads(camera, state, picking, skip = 1, quick = picking) {
+  // The strands of some rows of the list of beads, in steps of skip.
+  drawBeads(camera, state, { picking = false, quick = picking, skip = 1, from = 0, to = Infinity } = {}) {
     if (!this.lists.beads?.count) return;
-    const gl = this.gl, uniforms = this.use(this.beads, camera), count = this.rowsOf("beads", uniforms, skip);
+    const gl = this.gl, uniforms = this.use(this.beads, camera), count = Math.min(this.rowsOf("beads", uniforms, skip), to);
     gl.uniform1f(uniforms.unit, this.unit);
     gl.uniform1f(uniforms.part, state.part);
     // Strands thinner than a pixel would flicker.
@@ -288,7 +289,7 @@ class Scene {
     gl.uniform1i(uniforms.sides, shape.sides);
     gl.uniform2fv(uniforms["around[0]"], shape.around);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, shape.triangles);
-    for (let first = 0; first < count; first += shape.most) {
+    for (let first = from; first < count; first += shape.most) {
       gl.uniform1i(uniforms.first, first);
       gl.drawElements(gl.TRIANGLES, Math.min(shape.most, count - first) * shape.count, gl.UNSIGNED_SHORT, 0);
     }
@@ -329,31 +330,47 @@ class Scene {
     gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
   }
 
-  // With smooth edges, or quickly: every n-th strand, with four sides and edges as they fall.
-  draw(camera, state, skip = 0) {
-    const gl = this.gl, quick = skip > 0;
+  // Quickly: every n-th strand, with four sides and edges as they fall.
+  drawQuickly(camera, state, skip) {
     this.resize();
-    const { width, height } = this.canvas;
-    if (!quick) gl.bindFramebuffer(gl.FRAMEBUFFER, this.smoothTarget().frame);
-    this.paint(camera, state, Math.max(skip, 1), quick);
-    if (quick) return;
+    this.drawBackground(camera, state);
+    this.drawBeads(camera, state, { quick: true, skip });
+    this.drawForeground(camera, state);
+  }
+
+  // All strands, with smooth edges, in steps between which others may draw.
+  *drawWhole(camera, state, strands = Infinity) {
+    const gl = this.gl;
+    this.resize();
+    const { width, height } = this.canvas, { frame } = this.smoothTarget();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    this.drawBackground(camera, state);
+    for (let from = 0; from < (this.lists.beads?.count ?? 0); from += strands) {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+      this.drawBeads(camera, state, { from, to: from + strands });
+      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      yield;
+    }
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    this.drawForeground(camera, state);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
     gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
-  paint(camera, state, skip, quick) {
+  drawBackground(camera, state) {
     const gl = this.gl;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(...state.background, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const ink = state.dark ? 1 : 0;
-    if (state.bed) {
-      const gray = (light, dark) => [state.dark ? dark : light, state.dark ? dark : light, state.dark ? dark : light, 1];
-      this.drawLines("bedThin", camera, gray(0.83, 0.24));
-      this.drawLines("bedBold", camera, gray(0.5, 0.5));
-    }
-    this.drawBeads(camera, state, false, skip, quick);
+    if (!state.bed) return;
+    const gray = (light, dark) => [state.dark ? dark : light, state.dark ? dark : light, state.dark ? dark : light, 1];
+    this.drawLines("bedThin", camera, gray(0.83, 0.24));
+    this.drawLines("bedBold", camera, gray(0.5, 0.5));
+  }
+
+  drawForeground(camera, state) {
+    const gl = this.gl, ink = state.dark ? 1 : 0;
     if (state.travel) this.drawRows(this.lines, "travels", camera, [0.35, 0.5, 0.85, 1], gl.LINES, 2);
     gl.disable(gl.DEPTH_TEST);
     if (state.retractions) this.drawRows(this.marks, "retractions", camera, [0.85, 0.2, 0.55, 1], gl.POINTS, 1, 5);
@@ -381,7 +398,7 @@ class Scene {
     gl.scissor(px, py, 1, 1);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    this.drawBeads(camera, state, true);
+    this.drawBeads(camera, state, { picking: true });
     const color = new Uint8Array(4);
     gl.readPixels(px, py, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, color);
     gl.disable(gl.SCISSOR_TEST);
