@@ -153,9 +153,9 @@ public static class CurvedSlicer
         => steps.ConvertAll(s => s.Region is null
             || ReferenceEquals(s.Region, region) ? s : s.With(s.Path, region));
 
-    // Level travels inside the part would run through curved layers.
+    // Level travels inside the part would run through curved layers; steps that are joined may have lost pieces between them.
     private static List<PathStep> WithoutRegions(List<PathStep> steps)
-        => steps.ConvertAll(s => s.Region is null ? s : s.With(s.Path, null));
+        => steps.ConvertAll(s => s.Region is null ? s : new PathStep(s.Path, s.Group) { KeepStart = s.KeepStart });
 
     // The head sees no more of a layer than its rise: found from the samples of the part.
     private static double SlopeLimit(PrintSetup setup, PartColumns part, SliceResult flat, LayerField field)

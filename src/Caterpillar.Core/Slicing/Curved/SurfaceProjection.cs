@@ -49,8 +49,8 @@ public static class SurfaceProjection
             progress?.Report((double)i / steps.Count);
             switch (steps[i])
             {
-                // Level combing does not know the surface.
-                case PathStep path: result.AddRange(lifter.Lift(path).Select(p => p.With(p.Path, null))); break;
+                // Level combing does not know the surface; pieces that are left out join nothing.
+                case PathStep path: result.AddRange(lifter.Lift(path).Select(Free)); break;
                 case TravelStep travel: result.Add(new TravelStep(Over(travel.Points, field), travel.Speed, travel.Intent)); break;
                 case var other: result.Add(other); break;
             }
@@ -58,6 +58,9 @@ public static class SurfaceProjection
         LiftFindings.Add(lifter.Report, rules, problems);
         return new Result<IReadOnlyList<Step>>(problems.HasErrors ? null : result, problems.ToList());
     }
+
+    private static PathStep Free(PathStep step)
+        => new(step.Path, step.Group) { KeepStart = step.KeepStart, Source = step.Source, Lines = step.Lines };
 
     private static (double Span, double Rise) Extent(IReadOnlyList<Step> steps, PlanSurface onto)
     {
