@@ -43,7 +43,7 @@ internal static class RawModes
         public Modes After(string line)
         {
             var state = this;
-            var end = line.IndexOf(';');
+            var end = line.IndexOf(';', 0);
             var code = (end < 0 ? line : line.Substring(0, end)).ToUpperInvariant();
             for (var i = 0; i + 1 < code.Length; i++)
             {
@@ -77,7 +77,7 @@ internal static class RawModes
         };
 
         // The number of a word of a line with one command, or null.
-        private static double? Word(string code, char letter) => code.IndexOf(letter) is >= 0 and var at ? Number(code, at + 1) : null;
+        private static double? Word(string code, char letter) => code.IndexOf(letter, 0) is >= 0 and var at ? Number(code, at + 1) : null;
 
         private static double Number(string code, int at)
         {
