@@ -194,6 +194,30 @@ public class MoveEdgeTests
         Assert.That(Lines(new ToolEvent(1)), Is.EqualTo(new[] { "T1" }));
     }
 
+    [Test]
+    public void Circles_of_a_helix_turn_as_the_whole()
+    {
+        var clockwise = Written("smoothie", new Vec3(-5, 0, 4), new Arc(Vec3.Zero, -900)).Where(l => l.Contains(" I")).ToArray();
+        Assert.That(clockwise.Select(l => l.Split(' ')[0]), Is.EqualTo(new[] { "G2", "G2", "G2" }));
+        var counter = Written("smoothie", new Vec3(-5, 0, 4), new Arc(Vec3.Zero, 900)).Where(l => l.Contains(" I")).ToArray();
+        Assert.That(counter.Select(l => l.Split(' ')[0]), Is.EqualTo(new[] { "G3", "G3", "G3" }));
+    }
+
+    [Test]
+    public void A_restored_state_has_its_origin_back()
+    {
+        var toolpath = Decode("G1 X10 Y20 F600\nSAVE_GCODE_STATE NAME=a\nG92 X0 Y0\nG1 X1\nRESTORE_GCODE_STATE NAME=a\nG1 X5 Y6\n", "klipper").Toolpath;
+        Assert.That(toolpath.Moves().Select(m => (m.End.X, m.End.Y)), Is.EqualTo(new[] { (10.0, 20.0), (11, 20), (5, 6) }));
+    }
+
+    [TestCase(1)]
+    [TestCase(2)]
+    public void The_box_of_a_file_holds_its_arcs(int radius)
+    {
+        var report = Decode(FormattableString.Invariant($"M83\nG1 X0 Y0 F600\nG2 X{2 * radius} Y0 I{radius} E1\n")).Report;
+        Assert.That(report.PrintBounds.Max, Is.EqualTo(new Vec3(2 * radius, radius)));
+    }
+
     private static string[] Written(string dialect, Vec3 end, Arc arc, bool arcs = true)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, null);
