@@ -58,6 +58,16 @@ public class FileRuleTests
         Assert.That(SmallPrint.Find(new SmallPrint().Print(30, 10, 0.2, speed: speed).Build(), setup, CheckCodes.Speed).Length, Is.EqualTo(found));
     }
 
+    // 0.08 mm² at half a millimeter per second are 0.04 mm³/s; Z moves by 0.25 mm/s.
+    [Test]
+    public void Slow_moves_are_judged_as_well()
+    {
+        var setup = SmallPrint.Setup(p => p with { MaxFlow = 0.03, MaxSpeed = new(500, 500, 0.25, 500) });
+        var print = new SmallPrint().Print(30, 10, 0.2, speed: 0.5).Print(30, 10, 0.4, speed: 0.5).Build();
+        Assert.That(SmallPrint.Find(print, setup, CheckCodes.Flow).Single().Source!.Move, Is.Zero);
+        Assert.That(SmallPrint.Find(print, setup, CheckCodes.Speed).Single().Source!.Move, Is.EqualTo(1));
+    }
+
     // Z at twice its speed, then X at three times its own, and the other way round.
     [TestCase(false, true)]
     [TestCase(true, false)]
