@@ -1,49 +1,81 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Threading;
+using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Shows a toolpath to checks, move by move.</summary>
-internal static class CheckRun
+/// <summary>Shows moves to checks, block by block.</summary>
+/// <param name="checks">Who sees them.</param>
+/// <param name="tools">The tools of the moves.</param>
+/// <param name="cancel">Cancels.</param>
+internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> tools, CancellationToken cancel)
 {
     private const int Pulse = 4096;
+    private readonly double[] _volumes = tools.Select(t => t.VolumePerE ?? double.NaN).ToArray();
+    private CheckedMove _seen;
+    private bool _began;
+    private bool _known;
+    private bool _homes;
 
+    /// <summary>Shows a whole toolpath.</summary>
     public static void Run(Toolpath toolpath, IMoveCheck[] checks, IProgress<double>? progress, CancellationToken cancel)
     {
-        var seen = new CheckedMove { End = toolpath.Start ?? Vec3.Zero };
-        var known = toolpath.Start is not null;
-        var next = 0;
-        var homes = false;
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        var run = new CheckRun(checks, toolpath.Tools, cancel);
+        foreach (var block in BlocksOf(toolpath, 0, 0)) run.Block(block, at => progress?.Report(at / (double)toolpath.Count));
+        run.End(toolpath);
+    }
+
+    /// <summary>The blocks of a toolpath from one on, and its events from one on.</summary>
+    public static IEnumerable<DecodedBlock> BlocksOf(Toolpath toolpath, int block, int next)
+    {
+        var thicknesses = toolpath.Layers.Select(l => l.Thickness).ToArray();
+        for (; block < toolpath.Blocks.Count; block++)
         {
-            var c = toolpath.Blocks[block].Columns;
-            var first = toolpath.FirstOf(block);
-            for (var i = 0; i < c.Count; i++)
-            {
-                if ((i & (Pulse - 1)) == 0)
-                {
-                    cancel.ThrowIfCancellationRequested();
-                    progress?.Report((first + i) / (double)toolpath.Count);
-                }
-                HomeEvent? home = null;
-                for (; next < toolpath.Events.Count && toolpath.Events[next].Move <= first + i; next++)
-                {
-                    home = toolpath.Events[next].Event as HomeEvent ?? home;
-                    foreach (var check in checks) check.Event(toolpath.Events[next]);
-                }
-                Fill(ref seen, toolpath, c, i);
-                seen.Index = first + i;
-                seen.IsHoming = home is not null && seen.Kind == MoveKind.Travel && seen.E == 0 && seen.End == home.Home(seen.Start);
-                // Where a head comes from after it has homed is the machine's own.
-                seen.StartKnown = known && !seen.IsHoming && !(homes && home is null) && home is null;
-                homes = seen.IsHoming;
-                known = true;
-                foreach (var check in checks) check.Move(seen);
-            }
+            var columns = toolpath.Blocks[block].Columns;
+            var (first, events) = (toolpath.FirstOf(block), new List<MoveEvent>());
+            for (; next < toolpath.Events.Count && toolpath.Events[next].Move < first + columns.Count; next++) events.Add(toolpath.Events[next]);
+            yield return new DecodedBlock(columns, columns.Layer, first, events.ToArray(), toolpath.Start, thicknesses);
         }
+    }
+
+    /// <summary>The next block; <paramref name="pulse"/> hears now and then which move is shown.</summary>
+    public void Block(DecodedBlock block, Action<int> pulse)
+    {
+        if (!_began) (_began, _known, _seen.End) = (true, block.Start is not null, block.Start ?? Vec3.Zero);
+        var c = block.Columns;
+        var next = 0;
+        for (var i = 0; i < c.Count; i++)
+        {
+            if ((i & (Pulse - 1)) == 0)
+            {
+                cancel.ThrowIfCancellationRequested();
+                pulse(block.First + i);
+            }
+            HomeEvent? home = null;
+            for (; next < block.Events.Length && block.Events[next].Move <= block.First + i; next++)
+            {
+                home = block.Events[next].Event as HomeEvent ?? home;
+                foreach (var check in checks) check.Event(block.Events[next]);
+            }
+            Fill(ref _seen, block, c, i);
+            _seen.IsHoming = home is not null && _seen.Kind == MoveKind.Travel && _seen.E == 0 && _seen.End == home.Home(_seen.Start);
+            // Where a head comes from after it has homed is the machine's own.
+            _seen.StartKnown = _known && !_seen.IsHoming && !(_homes && home is null) && home is null;
+            _homes = _seen.IsHoming;
+            _known = true;
+            foreach (var check in checks) check.Move(_seen);
+        }
+    }
+
+    /// <summary>After the last block: what happens after the last move.</summary>
+    public void End(Toolpath toolpath)
+    {
+        var next = toolpath.Events.Count;
+        while (next > 0 && toolpath.Events[next - 1].Move >= toolpath.Count) next--;
         for (; next < toolpath.Events.Count; next++)
         {
             foreach (var check in checks) check.Event(toolpath.Events[next]);
@@ -51,21 +83,22 @@ internal static class CheckRun
         foreach (var check in checks) check.End(toolpath);
     }
 
-    private static void Fill(ref CheckedMove move, Toolpath toolpath, ToolpathColumns c, int i)
+    private void Fill(ref CheckedMove move, DecodedBlock block, ToolpathColumns c, int i)
     {
+        move.Index = block.First + i;
         move.Start = move.End;
         move.End = new Vec3(c.X[i], c.Y[i], c.Z[i]);
         move.Kind = c.Kind[i];
         move.Role = c.Role[i];
-        move.Layer = c.Layer[i];
+        move.Layer = block.Layers[i];
         move.Tool = c.Tool[i];
         move.E = c.E[i];
         move.Speed = c.Speed[i];
         move.Arc = c.TryGetArc(i, out var arc) ? arc : null;
         move.Length = move.Arc is null ? move.Start.DistanceTo(move.End) : arc.Length(move.Start, move.End);
-        var volume = toolpath.VolumePerE(move.Tool) ?? double.NaN;
+        var volume = move.Tool >= 0 && move.Tool < _volumes.Length ? _volumes[move.Tool] : double.NaN;
         move.Deposited = c.Deposited[i] * volume;
         move.Pushed = move.E * volume;
-        move.Thickness = toolpath.ThicknessOf(move.Layer);
+        move.Thickness = move.Layer >= 0 ? block.Thicknesses![move.Layer] : 0;
     }
 }

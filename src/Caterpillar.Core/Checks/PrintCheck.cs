@@ -52,9 +52,10 @@ public static class PrintCheck
         return CheckScope.HeatsItself(toolpath) ? setup with { Material = setup.Material with { NozzleTemperature = 0 } } : setup;
     }
 
-    /// <summary>Runs all checks; those of what is printed on a thread of their own.</summary>
+    /// <summary>Runs all checks; those of what is printed on a thread of their own, or by one that follows and has begun already.</summary>
     internal static IReadOnlyList<Diagnostic> Run(
-        Toolpath toolpath, PrintSetup setup, CheckScope scope, Func<Findings> findings, IProgress<double>? progress, CancellationToken cancel)
+        Toolpath toolpath, PrintSetup setup, CheckScope scope, Func<Findings> findings, IProgress<double>? progress, CancellationToken cancel,
+        DepositFollower? follower = null)
     {
         var (limits, prints) = (findings(), findings());
         IMoveCheck[] ofLimits =
@@ -62,12 +63,16 @@ public static class PrintCheck
             new PositionCheck(setup.Printer, limits), new RateCheck(toolpath, setup, limits), new HeatCheck(setup, scope, limits),
             new StationaryCheck(setup.Printer, limits), new FileCheck(toolpath, setup.Printer, scope, limits), new GapCheck(limits),
         ];
-        IMoveCheck[] ofPrints = [new DepositCheck(setup, prints)];
+        IReadOnlyList<Diagnostic>? strands = null;
         try
         {
             Parallel.Invoke(
                 () => CheckRun.Run(toolpath, ofLimits, null, cancel),
-                () => CheckRun.Run(toolpath, ofPrints, progress, cancel));
+                () =>
+                {
+                    strands = follower?.Finish(toolpath, progress);
+                    if (strands is null) CheckRun.Run(toolpath, [new DepositCheck(setup, prints)], progress, cancel);
+                });
         }
         catch (AggregateException several)
         {
@@ -75,7 +80,7 @@ public static class PrintCheck
             throw several.Flatten().InnerExceptions.FirstOrDefault(e => e is OperationCanceledException) ?? several.GetBaseException();
         }
         progress?.Report(1);
-        return [.. limits.ToList(), .. prints.ToList()];
+        return [.. limits.ToList(), .. strands ?? prints.ToList()];
     }
 
     /// <summary>The toolpath of a file with the filament of the material for the tools whose filament it does not state.</summary>

@@ -23,9 +23,10 @@ internal static class ReadBack
     {
         var lines = new WrittenLines(plan.Count);
         var writer = new GCodeWriter(plan, format) { Written = lines };
-        var file = Read(plan, setup, writer, stream, progress.Part(0, 0.5), cancel);
+        using var strands = new DepositFollower(plan, setup, lines, cancel);
+        var file = Read(setup, writer, stream, strands.Take, progress.Part(0, 0.5), cancel);
         var read = file.Toolpath.Tools.Count <= plan.Tools.Count ? file.Toolpath.WithTools(plan.Tools) : file.Toolpath;
-        var places = new WrittenPlaces(plan, read, lines, setup.Printer);
+        var places = new WrittenPlaces(plan, move => move < 0 || move >= read.Count ? null : read[move].Source, lines, setup.Printer);
         Findings Make() => new(setup.Printer, places.Of, places.Of);
         var compared = Make();
         var comparing = Task.Run(() =>
@@ -36,7 +37,7 @@ internal static class ReadBack
         IReadOnlyList<Diagnostic> checks;
         try
         {
-            checks = PrintCheck.Run(read, setup, CheckScope.OfWritten(file, setup), Make, progress.Part(0.5, 1), cancel);
+            checks = PrintCheck.Run(read, setup, CheckScope.OfWritten(file, setup), Make, progress.Part(0.5, 1), cancel, strands);
         }
         finally
         {
@@ -45,9 +46,10 @@ internal static class ReadBack
         return ([.. compared.ToList(), .. checks], writer.Lines, writer.Bytes);
     }
 
-    private static DecodedGCode Read(Toolpath plan, PrintSetup setup, GCodeWriter writer, Stream? stream, IProgress<double>? progress, CancellationToken cancel)
+    private static DecodedGCode Read(
+        PrintSetup setup, GCodeWriter writer, Stream? stream, Action<DecodedBlock> follow, IProgress<double>? progress, CancellationToken cancel)
     {
-        var options = new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter };
+        var options = new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter, Follow = follow };
         using var pipe = new BytePipe();
         var reading = Task.Run(() =>
         {

@@ -86,15 +86,22 @@ public static class SafeWriter
         if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
         var (timed, seconds) = ProgressLines.Add(toolpath, setup, cancel);
         var plain = format.Value with { PrintTime = seconds };
-        // With a reason what was found stands at the top of the file, and must be known before.
-        var twice = !isDraft || WriteGuard.IsReason(reason);
-        var (findings, lines, bytes) = ReadBack.Write(timed, setup, plain, twice ? null : stream, progress.Part(0, twice ? 0.7 : 1), cancel);
+        // With a reason what was found stands at the top of the file: it is written again, where something was.
+        var isOverridden = WriteGuard.IsReason(reason);
+        var direct = isDraft && (!isOverridden || stream.CanSeek);
+        var start = direct && isOverridden ? stream.Position : 0;
+        var (findings, lines, bytes) = ReadBack.Write(timed, setup, plain, direct ? stream : null, progress.Part(0, direct ? 1 : 0.7), cancel);
         var guard = new WriteGuard(findings, reason);
         if (guard.Refuses) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
-        if (twice)
+        if (!direct || guard.Overridden > 0)
         {
+            if (direct)
+            {
+                stream.SetLength(start);
+                stream.Position = start;
+            }
             var writer = new GCodeWriter(timed, plain with { Header = [.. guard.Comments(), .. plain.Header] });
-            writer.WriteAll(stream, progress.Part(0.7, 1), cancel);
+            writer.WriteAll(stream, direct ? null : progress.Part(0.7, 1), cancel);
             (lines, bytes) = (writer.Lines, writer.Bytes);
         }
         return new Result<WrittenGCode>(new WrittenGCode(bytes, lines, guard.Overridden, seconds), guard.Remarks(format.Diagnostics));

@@ -1,3 +1,4 @@
+using System;
 using Caterpillar.Basics;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
@@ -6,14 +7,18 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>Places in a file that was written from a plan: its line, the move of the plan, and where the design states it.</summary>
-internal sealed class WrittenPlaces(Toolpath plan, Toolpath read, WrittenLines lines, Printer printer)
+/// <param name="plan">The plan.</param>
+/// <param name="lineOf">The line of a move that was read; null where there is no such move.</param>
+/// <param name="lines">The lines of the plan.</param>
+/// <param name="printer">Whose templates they are.</param>
+internal sealed class WrittenPlaces(Toolpath plan, Func<int, int?> lineOf, WrittenLines lines, Printer printer)
 {
     /// <summary>The place of a move of the plan by its line.</summary>
     public static SourceLocation OfMove(Toolpath plan, int move, int line)
         => new(Line: line, Step: plan[move].Source is >= 0 and var step ? step : null, Move: move, Origin: plan.PlaceOf(move));
 
     /// <summary>The place of a move that was read from the file.</summary>
-    public SourceLocation? Of(int move) => move < 0 || move >= read.Count ? null : OfLine(read[move].Source);
+    public SourceLocation? Of(int move) => lineOf(move) is { } line ? OfLine(line) : null;
 
     /// <summary>The place of an event that was read from the file.</summary>
     public SourceLocation? Of(MoveEvent what) => what.Source < 1 ? null : OfLine(what.Source);

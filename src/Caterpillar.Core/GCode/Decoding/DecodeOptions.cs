@@ -33,5 +33,8 @@ public sealed record DecodeOptions
     /// <summary>How much memory the moves and the text may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
+    /// <summary>Gets each block of moves as soon as it is full, on the thread that reads; not the last one.</summary>
+    internal Action<DecodedBlock>? Follow { get; init; }
+
     internal int Degree => Threads > 0 ? Threads : Math.Max(Environment.ProcessorCount, 1);
 }

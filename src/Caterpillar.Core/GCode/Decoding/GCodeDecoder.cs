@@ -149,6 +149,7 @@ public static class GCodeDecoder
         var given = axis;
         axis = axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
+        interpreter.Machine.Moves.Follow = options.Follow;
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched))
         {

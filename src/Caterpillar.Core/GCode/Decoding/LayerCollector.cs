@@ -125,6 +125,20 @@ internal sealed class LayerCollector
         return places;
     }
 
+    /// <summary>Thickness of each layer that is printed, mm, 0 of the others; null where the comments so far do not say it.</summary>
+    public double[]? Thicknesses()
+    {
+        if (!Marked) return null;
+        var all = new double[_drafts.Count];
+        for (var i = 0; i < all.Length; i++)
+        {
+            if (!_drafts[i].IsPrinted) continue;
+            if (!(_drafts[i].Thickness > 0)) return null;
+            all[i] = Rounded(_drafts[i].Thickness);
+        }
+        return all;
+    }
+
     public Layer[] ToLayers()
     {
         var layers = new Layer[_drafts.Count];
@@ -139,11 +153,13 @@ internal sealed class LayerCollector
             }
             var height = double.IsNaN(draft.Z) ? z : draft.Z;
             var thickness = draft.Thickness > 0 ? draft.Thickness : Math.Max(height - below, 0);
-            layers[i] = new Layer(draft.Number, height, Math.Floor(thickness * 1e6 + 0.5) / 1e6, draft.Object);
+            layers[i] = new Layer(draft.Number, height, Rounded(thickness), draft.Object);
         }
         if (!Marked) Rank(layers);
         return layers;
     }
+
+    private static double Rounded(double thickness) => Math.Floor(thickness * 1e6 + 0.5) / 1e6;
 
     // For each layer itself if it has strands, else the next after it, or else before it, that has and began with the same mark, or else the last of its
     // object there.
@@ -185,7 +201,7 @@ internal sealed class LayerCollector
         for (var rank = 0; rank < order.Length; rank++)
         {
             var thickness = rank == 0 ? heights[0] : heights[rank] - heights[rank - 1];
-            layers[order[rank]] = layers[order[rank]] with { Index = rank, Thickness = Math.Max(Math.Floor(thickness * 1e6 + 0.5) / 1e6, 0) };
+            layers[order[rank]] = layers[order[rank]] with { Index = rank, Thickness = Math.Max(Rounded(thickness), 0) };
         }
     }
 

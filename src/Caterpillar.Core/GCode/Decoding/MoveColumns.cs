@@ -22,15 +22,18 @@ internal sealed class MoveColumns
 
     public bool IsFull => Columns.Count == Columns.X.Length;
 
-    public void Grow()
+    /// <summary>Makes space for more moves; returns the block that is full, if one is.</summary>
+    public ToolpathColumns? Grow()
     {
         if (Columns.Capacity < ToolpathBlock.Capacity)
         {
             Columns = Columns.Copy(Math.Min(Columns.Capacity * 4, ToolpathBlock.Capacity));
-            return;
+            return null;
         }
+        var full = Columns;
         Seal();
         Columns = new ToolpathColumns(ToolpathBlock.Capacity);
+        return full;
     }
 
     /// <summary>The last move is an arc.</summary>
@@ -118,10 +121,10 @@ internal sealed class MoveColumns
 
     private static void Renumber(ToolpathColumns columns, int[] places)
     {
-        for (var i = 0; i < columns.Count; i++)
-        {
-            if (columns.Layer[i] >= 0) columns.Layer[i] = places[columns.Layer[i]];
-        }
+        // In a new column: whoever follows may still read the old one.
+        var layers = new int[columns.Layer.Length];
+        for (var i = 0; i < columns.Count; i++) layers[i] = columns.Layer[i] >= 0 ? places[columns.Layer[i]] : -1;
+        columns.Layer = layers;
     }
 
     private void Seal()

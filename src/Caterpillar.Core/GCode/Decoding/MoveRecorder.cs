@@ -27,6 +27,7 @@ internal sealed class MoveRecorder
     private double _lastFlatZ = double.NaN;
     private bool _afterPrint;
     private Vec3? _start;
+    private int _followed;
 
     public MoveRecorder(Machine machine, ExtrusionRule rule)
     {
@@ -40,6 +41,9 @@ internal sealed class MoveRecorder
     }
 
     public LayerCollector Layers { get; } = new();
+
+    /// <summary>Gets each block as soon as it is full.</summary>
+    public Action<DecodedBlock>? Follow { get; set; }
 
     /// <summary>The role of the strands from here on.</summary>
     public Role Role { get; set; }
@@ -250,7 +254,7 @@ internal sealed class MoveRecorder
         head.X = x;
         head.Y = y;
         head.Z = z;
-        if (_moves.IsFull) _moves.Grow();
+        if (_moves.IsFull && _moves.Grow() is { } full) Follow?.Invoke(Followed(full));
         var c = _moves.Columns;
         var i = c.Count++;
         c.X[i] = x + head.ShiftX;
@@ -264,6 +268,14 @@ internal sealed class MoveRecorder
         c.Layer[i] = Layers.Current;
         c.Tool[i] = (short)_state.Tool;
         c.Source[i] = _diagnostics.Line;
+    }
+
+    private DecodedBlock Followed(ToolpathColumns full)
+    {
+        var first = _followed;
+        while (_followed < _events.Count && _events[_followed].Move < _moves.Count) _followed++;
+        return new DecodedBlock(
+            full, full.Layer, _moves.Count - full.Count, _events.GetRange(first, _followed - first).ToArray(), _start, Layers.Thicknesses());
     }
 
     // Where the first move begins; from there on the axes are known.

@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Which lines of a file belong to each move, each event and each template. Lines count from 1.</summary>
+/// <summary>
+/// Which lines of a file belong to each move, each event and each template. Lines count from 1. While one thread takes them down, others may ask for those that
+/// are written.
+/// </summary>
 internal sealed class WrittenLines(int moves)
 {
     private readonly int[] _before = new int[moves];
@@ -11,6 +14,7 @@ internal sealed class WrittenLines(int moves)
     private readonly List<(int Before, int Last, int Event)> _events = [];
     private int _start;
     private int _end = int.MaxValue;
+    private volatile int _moves;
 
     public void EndStart(long lines) => _start = Number(lines);
 
@@ -18,11 +22,16 @@ internal sealed class WrittenLines(int moves)
 
     public void BeginMove(int move, long lines) => _before[move] = Number(lines);
 
-    public void EndMove(int move, long lines) => _last[move] = Number(lines);
+    public void EndMove(int move, long lines)
+    {
+        _last[move] = Number(lines);
+        _moves = move + 1;
+    }
 
     public void Event(int index, long before, long last)
     {
-        if (last > before) _events.Add((Number(before), Number(last), index));
+        if (last <= before) return;
+        lock (_events) _events.Add((Number(before), Number(last), index));
     }
 
     /// <summary>True for lines of the start code and of the end code.</summary>
@@ -38,24 +47,30 @@ internal sealed class WrittenLines(int moves)
     public int MoveAt(int line)
     {
         var move = NextMove(line);
-        return move < moves && line > _before[move] ? move : -1;
+        return move < _moves && line > _before[move] ? move : -1;
     }
 
     /// <summary>The first move whose last line is not before a line; the number of moves after them all.</summary>
-    public int NextMove(int line) => First(moves, line, i => _last[i]);
+    public int NextMove(int line) => First(_moves, line, i => _last[i]);
 
     /// <summary>The event that a line comes from, or −1.</summary>
     public int EventAt(int line)
     {
-        var at = First(_events.Count, line, i => _events[i].Last);
-        return at < _events.Count && line > _events[at].Before ? _events[at].Event : -1;
+        lock (_events)
+        {
+            var at = First(_events.Count, line, i => _events[i].Last);
+            return at < _events.Count && line > _events[at].Before ? _events[at].Event : -1;
+        }
     }
 
     /// <summary>The first line of an event; 0 where it has none.</summary>
     public int LineOf(int what)
     {
-        var at = First(_events.Count, what, i => _events[i].Event);
-        return at < _events.Count && _events[at].Event == what ? _events[at].Before + 1 : 0;
+        lock (_events)
+        {
+            var at = First(_events.Count, what, i => _events[i].Event);
+            return at < _events.Count && _events[at].Event == what ? _events[at].Before + 1 : 0;
+        }
     }
 
     // The first of ascending values that is not below the wanted one; their number where all are.

@@ -1,0 +1,102 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Checks;
+
+/// <summary>What is printed is checked block by block while the file is still being written and read.</summary>
+public sealed class FollowedChecksTests
+{
+    private static readonly PrintSetup Setup = SmallPrint.Setup(p => p with { ProgressLines = false });
+
+    [TestCase(0.2)]
+    [TestCase(0)]
+    public void A_print_of_several_blocks_has_the_findings_of_the_whole_file(double thickness)
+    {
+        var toolpath = Long(thickness);
+        Assert.That(toolpath.Blocks.Count, Is.GreaterThan(1));
+        var file = SmallPrint.Written(toolpath, Setup).File;
+        var whole = PrintCheck.Run(file.Toolpath.WithTools(toolpath.Tools), Setup);
+
+        var written = SafeWriter.WriteDraft(toolpath, Setup, new MemoryStream());
+
+        var expected = whole.Where(IsOfPrints).Select(Told).ToArray();
+        Assert.That(expected.Select(d => d.Code), Does.Contain(CheckCodes.TravelHits).And.Contain(CheckCodes.Unsupported));
+        Assert.That(expected.Single(d => d.Code == CheckCodes.TravelHits).Count, Is.GreaterThan(2), "in the first block and in the last");
+        Assert.That(written.Diagnostics.Where(IsOfPrints).Select(Told), Is.EqualTo(expected));
+    }
+
+    [Test]
+    public void A_long_print_is_canceled_with_the_callers_own_token()
+    {
+        var toolpath = Long(0.2);
+        using var source = new CancellationTokenSource();
+        var progress = new CancelAt(0.6, source);
+
+        var thrown = Assert.Catch<OperationCanceledException>(() => SafeWriter.WriteDraft(toolpath, Setup, new MemoryStream(), null, progress, source.Token))!;
+
+        Assert.That(thrown.CancellationToken, Is.EqualTo(source.Token));
+    }
+
+    [Test]
+    public void An_overridden_draft_begins_where_the_stream_stood()
+    {
+        var hits = new SmallPrint().Wall(10, 60, 30, 2).Go(At, 30, 200).Go(At, 30, 1).Go(At, 60, 1).Build();
+        using var stream = new MemoryStream();
+        stream.Write(Encoding.ASCII.GetBytes("before\n"), 0, 7);
+        using var alone = new MemoryStream();
+
+        var written = SafeWriter.WriteDraft(hits, Setup, stream, "a test");
+        SafeWriter.WriteDraft(hits, Setup, alone, "a test");
+
+        Assert.That(written.Value!.Overridden, Is.GreaterThan(0));
+        var text = Encoding.UTF8.GetString(stream.ToArray());
+        Assert.That(text, Does.StartWith("before\n; Written in spite of these findings. Reason: a test\n"));
+        Assert.That(text.Substring(7), Is.EqualTo(Encoding.UTF8.GetString(alone.ToArray())));
+        Assert.That(written.Value.Bytes, Is.EqualTo(alone.Length));
+    }
+
+    private const double At = 35;
+
+    // Lines of 2 mm beside each other in layers; a travel through what is printed near the beginning, twice near the end, and strands in the air.
+    private static Toolpath Long(double thickness)
+    {
+        const int Lines = 1100, Layers = 62;
+        var print = new SmallPrint();
+        for (var layer = 0; layer < Layers; layer++)
+        {
+            var z = 0.2 * (layer + 1);
+            print.InLayer(new Layer(layer, z, thickness, ""));
+            print.Over(20, 20, z);
+            for (var i = 0; i < Lines / 2; i++)
+            {
+                var y = 20 + 0.2 * i;
+                print.Print(i % 2 == 0 ? 22 : 20, y, z).Print(i % 2 == 0 ? 22 : 20, y + 0.2, z);
+            }
+            if (layer is 3 or 60 or 61) print.Over(21, 10, 0.1).Go(21, 100, 0.1);
+            if (layer is 4 or 61) print.Over(100, 20, 30).Print(112, 20, 30);
+        }
+        return print.Go(At, At, 200).Build();
+    }
+
+    private static bool IsOfPrints(Diagnostic d)
+        => d.Code.StartsWith("strand.", StringComparison.Ordinal) || d.Code.StartsWith("collision.", StringComparison.Ordinal);
+
+    private static (string Code, Severity Severity, int Count, int? Line, string Message) Told(Diagnostic d)
+        => (d.Code, d.Severity, d.Count, d.Source?.Line, d.Message);
+
+    private sealed class CancelAt(double share, CancellationTokenSource source) : IProgress<double>
+    {
+        public void Report(double value)
+        {
+            if (value >= share) source.Cancel();
+        }
+    }
+}
