@@ -63,7 +63,9 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         var bead = overInfill ? _rules.Bead(width).WithSpeed(_settings.InfillBridgeSpeed) : _rules.Bead(width);
         var share = overInfill ? _settings.InfillBridgeFlow : role == Role.Bridge ? _settings.BridgeFlow : 1;
         var lines = tools.Infill.Fill(Request(area, pattern, _rules.Pitch(width), width, angle, solid: true));
-        var flow = Balance(lines, area.Area * _rules.Thickness, bead) * share;
+        // Rows between walls know what each of them has to fill.
+        var rows = pattern is InfillPattern.Lines or InfillPattern.Monotonic && _settings.WallCount > 0;
+        var flow = rows ? share : Balance(lines, area.Area * _rules.Thickness, bead) * share;
         Add(lines, bead.WithArea(bead.Area * flow), role, rank);
     }
 
@@ -103,8 +105,9 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
 
     // Center lines keep half a pitch from the edge of the area, less the overlap.
     private InfillRequest Request(Region area, InfillPattern pattern, double spacing, double width, double angle, bool solid)
-        => new(CenterLines(area, _rules, width, tools.Engine), pattern, spacing, width)
+        => new(CenterLines(area, _rules, width, solid ? _rules.SolidOverlap : _rules.Overlap, tools.Engine), pattern, spacing, width)
         {
+            Overlap = solid ? _rules.SolidOverlap : 0,
             Angle = angle, Z = layer.Plan.Top, Layer = layer.Index, Solid = solid, Linked = pattern != InfillPattern.Curves, Formula = _rules.InfillFormula,
             Curves = pattern switch
             {
@@ -115,9 +118,9 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         };
 
     /// <summary>Where the center lines of strands that fill an area may run.</summary>
-    public static Region CenterLines(Region area, SliceRules rules, double width, RegionEngine engine)
+    public static Region CenterLines(Region area, SliceRules rules, double width, double overlap, RegionEngine engine)
     {
-        var inset = rules.Settings.WallCount == 0 ? 0 : rules.Pitch(width) / 2 - rules.Overlap;
+        var inset = rules.Settings.WallCount == 0 ? 0 : rules.Pitch(width) / 2 - overlap;
         return inset == 0 ? area : area.Offset(-inset, JoinStyle.Miter, 2, ArcTolerance, engine);
     }
 

@@ -30,6 +30,9 @@ internal sealed record InfillRequest(Region Area, InfillPattern Pattern, double 
     /// <summary>Nothing may stay uncovered: rows fit between the sides of each island, and the flow follows their distance.</summary>
     public bool Solid { get; init; }
 
+    /// <summary>How far ends of solid lines reach into what surrounds the area, mm; lines along its edge do not.</summary>
+    public double Overlap { get; init; }
+
     /// <summary>
     /// For <see cref="InfillPattern.Formula"/>: variables x, y, z (mm), layer, spacing and width, in this order (<see cref="LevelSet.Variables"/>).
     /// </summary>

@@ -121,7 +121,7 @@ internal sealed class RowGaps
     // Along the middle between an edge, with half a strand up to the wall, and the other edge or the strand of the row.
     private void Strand(double from, double to, Edge? top, Edge? bottom, double row, InfillRequest request, in PatternFrame frame, List<InfillLine> lines)
     {
-        var half = request.Spacing / 2;
+        var half = request.Spacing / 2 - request.Overlap;
         _points.Clear();
         _flow.Clear();
         if (to <= from) return;

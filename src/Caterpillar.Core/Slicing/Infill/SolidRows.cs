@@ -6,16 +6,19 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Parallel lines that close an area. Rows are spread evenly between the sides of each island, the first and the last on its edge; what they miss at steps and
+/// Parallel lines that close an area. Rows are spread evenly between the sides of each island, the first and the last along them; what they miss at steps and
 /// along holes gets strands of its own. Also the rows of <see cref="InfillPattern.Monotonic"/>, swept from one side.
 /// </summary>
 internal sealed class SolidRows
 {
-    // Rows on an edge lie this far inside it, mm: more than the grid of regions, less than anything that is printed.
+    // Rows along an edge lie this far inside it, mm: more than the grid of regions, less than anything that is printed.
     private const double Inside = 5e-5;
 
     // Share of a spacing by which rows may lie farther apart before there is one more.
     private const double Slack = 0.1;
+
+    // The thinnest line, in spacings.
+    private const double Thinnest = 0.3;
 
     private readonly BoundaryLinks _links = new();
     private readonly RowGaps _gaps = new();
@@ -59,7 +62,7 @@ internal sealed class SolidRows
     // Half of what lies between a row and its neighbors; at the edge half a strand.
     private static double Territory(InfillRequest request, in PatternFrame frame, int row, double spacing, int rows)
     {
-        if (rows == 0) return request.Spacing + frame.MaxV - frame.MinV;
+        if (rows == 0) return Math.Max(Thinnest * request.Spacing, request.Spacing + frame.MaxV - frame.MinV - 2 * request.Overlap);
         return row == 0 || row == rows ? (request.Spacing + spacing) / 2 : spacing;
     }
 
@@ -67,10 +70,11 @@ internal sealed class SolidRows
     private static (double First, double Spacing, int Rows) Spread(InfillRequest request, in PatternFrame frame)
     {
         if (!request.Solid) return (0, request.Spacing, int.MaxValue);
-        var height = frame.MaxV - frame.MinV - 2 * Inside;
+        var inside = Inside + request.Overlap;
+        var height = frame.MaxV - frame.MinV - 2 * inside;
         var rows = (int)Math.Ceiling(height / request.Spacing - Slack);
         return rows < 1
             ? ((frame.MinV + frame.MaxV) / 2, Math.Max(height, request.Spacing), 0)
-            : (frame.MinV + Inside, height / rows, rows);
+            : (frame.MinV + inside, height / rows, rows);
     }
 }

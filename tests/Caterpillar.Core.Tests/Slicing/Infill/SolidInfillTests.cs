@@ -36,6 +36,15 @@ public class SolidInfillTests
     }
 
     [Test]
+    public void Ends_of_rows_overlap_with_walls_and_rows_along_them_do_not()
+    {
+        var lines = Fill(Solid(Region.Rectangle(0, 0, 10, 1.5)) with { Linked = false, Overlap = 0.05 });
+        Assert.That(lines.Select(l => l.Points[0].Y), Is.EqualTo(new[] { 0.05, 0.4, 0.75, 1.1, 1.45 }).Within(1e-3));
+        Assert.That(lines.Select(l => Math.Abs(l.Points[1].X - l.Points[0].X)), Is.All.EqualTo(10).Within(1e-3));
+        Assert.That(lines.Select(l => l.Flow![0]), Is.EqualTo(new[] { 0.9375, 0.875, 0.875, 0.875, 0.9375 }).Within(1e-3));
+    }
+
+    [Test]
     public void An_area_thinner_than_a_strand_gets_one_row_in_its_middle()
     {
         var line = Fill(Solid(Region.Rectangle(0, 0, 10, 0.03))).Single();
