@@ -68,6 +68,41 @@ internal static class BoundaryFinder
         return Enumerable.Range(0, mesh.VertexCount).Where(v => mesh.RawVertices[v].Z <= low).ToArray();
     }
 
+    /// <summary>Vertices no farther from a shape than a distance.</summary>
+    public static int[] Within(TriMesh mesh, BoundaryShape shape, double near)
+        => Enumerable.Range(0, mesh.VertexCount).Where(v => shape.DistanceTo(mesh.RawVertices[v]) <= near).ToArray();
+
+    /// <summary>
+    /// Vertices along a shape: no farther than a distance, and of those over each other only the nearest. Where the shape runs through vertices, none beside
+    /// it count, which would make the boundary a band.
+    /// </summary>
+    public static int[] Along(TriMesh mesh, BoundaryShape shape, double near)
+    {
+        var distance = new Dictionary<int, double>();
+        for (var v = 0; v < mesh.VertexCount; v++)
+        {
+            if (shape.DistanceTo(mesh.RawVertices[v]) is var d && d <= near) distance.Add(v, d);
+        }
+        var nearer = new Dictionary<int, int>();
+        var corners = mesh.RawTriangles;
+        for (var h = 0; h < corners.Length; h++)
+        {
+            var (a, b) = (corners[h], corners[h - h % 3 + (h + 1) % 3]);
+            if (!distance.TryGetValue(a, out var ofA) || !distance.TryGetValue(b, out var ofB)) continue;
+            Descend(a, ofA, b, ofB);
+            Descend(b, ofB, a, ofA);
+        }
+        // Downhill along edges each vertex comes to the one that stands for it.
+        var least = new Dictionary<int, double>();
+        foreach (var v in distance.Keys.OrderBy(v => distance[v]).ThenBy(v => v)) least.Add(v, nearer.TryGetValue(v, out var to) ? least[to] : distance[v]);
+        return distance.Keys.Where(v => distance[v] <= 2 * least[v] + 0.05 * near).OrderBy(v => v).ToArray();
+
+        void Descend(int from, double ofFrom, int to, double ofTo)
+        {
+            if (ofTo < ofFrom && (!nearer.TryGetValue(from, out var known) || ofTo < distance[known])) nearer[from] = to;
+        }
+    }
+
     /// <summary>Vertices of a mesh, and those which its refinement has set between two of them.</summary>
     public static int[] Between(TriMesh fine, int coarse, IReadOnlyList<(int A, int B)> parents, IReadOnlyList<int> vertices)
     {

@@ -55,7 +55,7 @@ public sealed class MeshBoundaries
     /// <param name="mesh">The part where it is printed, mm.</param>
     /// <param name="from">Where layers begin; null for the bottom of the part.</param>
     /// <param name="to">Where they end; one or several.</param>
-    /// <param name="near">How far vertices may lie from the objects, mm; 0 for half the length of an edge.</param>
+    /// <param name="near">How far vertices may lie from the objects, mm; 0 for those that lie along them, at most half the length of an edge away.</param>
     /// <param name="cancel">Cancels.</param>
     /// <returns>None, with the error <c>curved.no_boundary</c>, where one of them touches nothing.</returns>
     public static Result<MeshBoundaries> Near(
@@ -65,12 +65,12 @@ public sealed class MeshBoundaries
         if (to is null) throw new ArgumentNullException(nameof(to));
         if (!(near >= 0) || double.IsInfinity(near)) throw new ArgumentOutOfRangeException(nameof(near), "A distance is not negative.");
         var fine = Refined(mesh, cancel);
-        if (near == 0) near = Edge(mesh) / 2;
-        var lower = from is null ? BoundaryFinder.Lowest(fine) : Touched(fine, from, near);
+        int[] Touched(BoundaryShape shape) => near > 0 ? BoundaryFinder.Within(fine, shape, near) : BoundaryFinder.Along(fine, shape, Edge(mesh) / 2);
+        var lower = from is null ? BoundaryFinder.Lowest(fine) : Touched(from);
         var upper = new List<int>();
         for (var i = 0; i < to.Count; i++)
         {
-            var touched = Touched(fine, to[i], near);
+            var touched = Touched(to[i]);
             if (touched.Length == 0) return Missing($"Upper boundary {NumberFormatter.Format(i + 1)} touches no vertex of the part.");
             upper.AddRange(touched);
         }
@@ -94,16 +94,6 @@ public sealed class MeshBoundaries
     private static double Edge(TriMesh mesh) => Math.Min(2, Math.Max(0.5, mesh.Bounds.Size.Length / 80));
 
     private static TriMesh Refined(TriMesh mesh, CancellationToken cancel) => MeshRefiner.Refine(mesh, Edge(mesh), MostTriangles, cancel).Mesh;
-
-    private static int[] Touched(TriMesh mesh, BoundaryShape shape, double near)
-    {
-        var result = new List<int>();
-        for (var v = 0; v < mesh.VertexCount; v++)
-        {
-            if (shape.DistanceTo(mesh.RawVertices[v]) <= near) result.Add(v);
-        }
-        return result.ToArray();
-    }
 
     private static Result<MeshBoundaries> Checked(TriMesh original, TriMesh fine, int[] lower, int[] upper, string message)
     {

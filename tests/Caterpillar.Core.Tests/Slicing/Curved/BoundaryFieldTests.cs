@@ -47,7 +47,7 @@ public class BoundaryFieldTests
             var radius = 12 * Math.Pow(8 / 12.0, share);
             foreach (var p in CurvedSolids.Points(layers[i])) Assert.That(p.Z, Is.EqualTo((12 - radius) / 0.4).Within(5e-3));
         }
-        Assert.That(layers.Sum(CurvedSolids.Volume), Is.EqualTo(Cone.Volume).Within(1).Percent);
+        Assert.That(layers.Sum(CurvedSolids.Volume), Is.EqualTo(Cone.Volume).Within(1.5).Percent);
     }
 
     [TestCase(true)]
@@ -88,7 +88,7 @@ public class BoundaryFieldTests
         Assert.That(boundaries.Upper.All(v => Math.Abs(boundaries.Mesh.Vertices[v].Z - 6) < 0.3));
         Assert.That(boundaries.Lower.All(v => boundaries.Mesh.Vertices[v].Z == 0));
         var top = MeshBoundaries.Near(block, null, [BoundaryShape.Of(Solids.Block(-5, -5, 10, 25, 25, 11))]).OrThrow();
-        Assert.That(top.Upper.All(v => top.Mesh.Vertices[v].Z > 9.7));
+        Assert.That(top.Upper.All(v => top.Mesh.Vertices[v].Z == 10), Is.True, "No vertices beside what the shape runs through.");
     }
 
     [Test]
