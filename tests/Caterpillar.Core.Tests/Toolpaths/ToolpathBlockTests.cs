@@ -104,6 +104,8 @@ public class ToolpathBlockTests
         {
             layer, new SourceLocation("a.turtle", 3), new SourceLocation("a.turtle", 42), new SourceLocation(null, Layer: 8), null,
         }));
+        var moved = toolpath.Transform(Affine.Move(new Vec3(5, 0)));
+        Assert.That(Enumerable.Range(0, 5).Select(moved.PlaceOf), Is.EqualTo(Enumerable.Range(0, 5).Select(toolpath.PlaceOf)));
         Assert.That(() => toolpath.PlaceOf(5), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => toolpath.PlaceOf(-1), Throws.InstanceOf<ArgumentOutOfRangeException>());
     }

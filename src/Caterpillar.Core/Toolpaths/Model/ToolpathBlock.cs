@@ -128,6 +128,7 @@ internal sealed class ToolpathColumns
         Tool = Tool,
         Layer = Layer,
         Source = Source,
+        Line = Line,
     };
 
     private double[]? Resized(double[]? column, int capacity)
