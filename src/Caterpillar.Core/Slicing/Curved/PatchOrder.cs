@@ -21,7 +21,7 @@ internal static class PatchOrder
     /// <summary>The layers in the order in which they are printed; some in pieces, each of which is a layer of its own.</summary>
     public static SlicedLayer[] Arrange(SlicedLayer[] layers, Printer printer, DiagnosticList problems)
     {
-        var several = layers.Any(l => !l.Support.IsEmpty || l.Region.Contours.Count(c => IsOutline(c)) > 1)
+        var several = layers.Any(l => !l.Support.IsEmpty || l.Region.Contours.Count(c => c.SignedAreaXY > 0) > 1)
             || layers.Select(l => l.Layer.Object).Distinct().Count() > 1;
         if (!several || printer.HeadOutline.Count == 0) return layers;
         var size = layers.Aggregate(Bounds.Empty, (b, l) => b.Include(l.Region.Bounds)).Size;
@@ -187,17 +187,6 @@ internal static class PatchOrder
             }
         }
         return false;
-    }
-
-    private static bool IsOutline(Polyline contour)
-    {
-        var sum = 0.0;
-        for (var i = 0; i < contour.Count; i++)
-        {
-            Vec3 a = contour[i] - contour[0], b = contour[(i + 1) % contour.Count] - contour[0];
-            sum += a.X * b.Y - a.Y * b.X;
-        }
-        return sum > 0;
     }
 
     private static string Place(SlicedLayer[] layers, LayerPatch patch)
