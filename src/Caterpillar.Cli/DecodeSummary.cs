@@ -15,12 +15,13 @@ internal static class DecodeSummary
     {
         text.WriteLine($"{report.File}: {decoding.Dialect.Title}" + (decoding.Evidence.Count > 0 ? " (" + string.Join(" ", decoding.Evidence) + ")" : ""));
         var moves = decoding.Toolpath;
+        var unit = moves.VolumePerE(0) == 1 ? "mm³" : "mm";
         var rows = new[]
         {
-            ["  Printed", $"{Mm(report.PrintLength)} in {Count(report.PrintSegments + report.PrintArcs)} moves, {Count(moves.CountLayers())} layers"],
-            ["  Traveled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs)} moves, "
-                + $"{Count(report.Retracts + report.FirmwareRetracts)} retractions"],
-            ["  Extruded", report.HasAmounts ? $"{Mm(report.EUsed)} of E, net {Mm(report.ENet)}" : "no amounts of E"],
+            ["  Printed", $"{Mm(report.PrintLength)} in {Count(report.PrintSegments + report.PrintArcs, "move")}, {Count(moves.CountLayers(), "layer")}"],
+            ["  Traveled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs, "move")}, "
+                + Count(report.Retracts + report.FirmwareRetracts, "retraction")],
+            ["  Extruded", report.HasAmounts ? $"{Number(report.EUsed)} {unit} of E, net {Number(report.ENet)} {unit}" : "no amounts of E"],
             ["  Printed box", Box(report.PrintBounds)],
             new[] { "  All moves", Box(report.AllBounds) },
         };
@@ -41,7 +42,7 @@ internal static class DecodeSummary
         if (totals.All(t => t.Role == Role.Unspecified)) yield break;
         foreach (var total in totals)
         {
-            var strand = total is { Width: { } width, Area: { } area } ? $", {Number(width)} mm wide, {Number(area)} mm² on average" : "";
+            var strand = total is { Width: { } width, Area: > 0 and var area } ? $", {Number(width)} mm wide, {Number(area)} mm² on average" : "";
             yield return ["  " + Words.Spaced(total.Role.ToString()), Mm(total.Length) + strand];
         }
     }
@@ -55,4 +56,6 @@ internal static class DecodeSummary
     private static string Number(double value) => NumberFormatter.Format(value, 3);
 
     private static string Count(long value) => NumberFormatter.Format(value);
+
+    private static string Count(long value, string thing) => $"{Count(value)} {thing}{(value == 1 ? "" : "s")}";
 }

@@ -52,7 +52,7 @@ internal static class SimulationJson
         Number(json, "mass_g", s.Mass);
         Number(json, "cost", s.Cost);
         Number(json, "greatest_flow_mm3_s", s.GreatestFlow);
-        json.WriteNumber("greatest_flow_move", s.GreatestFlowMove);
+        Number(json, "greatest_flow_move", s.GreatestFlow is null ? null : s.GreatestFlowMove);
         Number(json, "greatest_speed_mm_s", s.GreatestSpeed);
         if (s.PrintBounds.IsEmpty) json.WriteNull("print_box_mm");
         else Box(json, s.PrintBounds);

@@ -21,7 +21,7 @@ internal static class StatisticsText
             ["  Time", $"{Duration(s.Duration)} by the limits of {limits}"],
             ["  Printing", Duration(s.PrintTime)],
             ["  Traveling", Duration(s.TravelTime)],
-            ["  Extruder alone", $"{Duration(s.ExtruderTime)}, {NumberFormatter.Format(s.Retractions)} retractions"],
+            ["  Extruder alone", $"{Duration(s.ExtruderTime)}, {NumberFormatter.Format(s.Retractions)} retraction{(s.Retractions == 1 ? "" : "s")}"],
             .. Waits(s.Waits),
             ["  Material", Material(s)],
             .. Flow(s),
@@ -49,7 +49,7 @@ internal static class StatisticsText
     }
 
     private static string Material(PrintStatistics s)
-        => $"{Number(s.Filament, 1)} mm of filament" + (s.Volume is { } volume ? $", {Number(volume / 1000, 2)} cm³" : "")
+        => s.Filament == 0 ? "none" : $"{Number(s.Filament, 1)} mm of filament" + (s.Volume is { } volume ? $", {Number(volume / 1000, 2)} cm³" : "")
             + (s.Mass is { } mass ? $", {Number(mass, 2)} g" : "") + (s.Cost is { } cost ? $", costs {Number(cost, 2)}" : "");
 
     private static IEnumerable<string[]> Flow(PrintStatistics s)

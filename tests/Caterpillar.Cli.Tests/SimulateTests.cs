@@ -39,7 +39,7 @@ public class SimulateTests : CliFixture
         File.WriteAllText("a.gcode", Program);
         var text = Run(["simulate", "a.gcode", "--at", "move:1", .. Limits]).Text;
         Assert.That(text, Does.Contain("Print, Solid infill").And.Contain("100, 0, 0 mm, tool 0").And.Contain("1 of 4").And.Contain("line 6"));
-        Assert.That(Run(["simulate", "a.gcode", "--at", "100%", .. Limits]).Text, Does.Contain("all are over").And.Contain("0 s left"));
+        Assert.That(Run(["simulate", "a.gcode", "--at", "100%", .. Limits]).Text, Does.Contain("all 4 are over").And.Contain("0 s left"));
     }
 
     [TestCase("line:0")]
@@ -62,7 +62,7 @@ public class SimulateTests : CliFixture
         File.WriteAllText("a.gcode", Program);
         var run = Run("simulate", "a.gcode", "--at", moment);
         Assert.That(run.Code, Is.EqualTo(ExitCode.BadInput));
-        Assert.That(run.Messages, Does.Contain(moment));
+        Assert.That(run.Messages, Does.Contain(moment).And.Contain("which has 4 moves and layers 0 to 1."));
     }
 
     [Test]
@@ -80,6 +80,27 @@ public class SimulateTests : CliFixture
         Assert.That(s.GetProperty("volume_mm3").GetDouble(), Is.EqualTo(24.052819).Within(1e-6));
         Assert.That(s.GetProperty("layers").GetArrayLength(), Is.EqualTo(2));
         Assert.That(s.GetProperty("cost").ValueKind, Is.EqualTo(JsonValueKind.Null));
+    }
+
+    [Test]
+    public void A_file_without_amounts_of_E_has_no_material_and_no_flow()
+    {
+        File.WriteAllText("a.gcode", ";FLAVOR:BFB\n;LAYER:0\n;TYPE:FILL\nG1 X10 Y10 Z0.3 F3000\nM101\nG1 X60\nM103\nG1 X70\n");
+        var text = Run("decode", "a.gcode", "--stats").Text;
+        Assert.That(text, Does.Contain("50 mm in 1 move, 1 layer").And.Contain("no amounts of E").And.Match("Material +none"));
+        Assert.That(text, Does.Not.Contain("mm wide").And.Not.Contain("Greatest flow"));
+        var s = JsonDocument.Parse(Run("decode", "a.gcode", "--stats", "--json").Output).RootElement[0];
+        Assert.That(s.GetProperty("greatest_flow_mm3_s").ValueKind, Is.EqualTo(JsonValueKind.Null));
+        Assert.That(s.GetProperty("greatest_flow_move").ValueKind, Is.EqualTo(JsonValueKind.Null));
+    }
+
+    [Test]
+    public void Amounts_of_E_have_their_unit()
+    {
+        File.WriteAllText("a.gcode", "; gcode_flavor = smoothie\nM200 D1.75\nM83\nG1 X10 Y10 Z0.3 F3000\nG1 X60 E12\n");
+        Assert.That(Run("decode", "a.gcode").Text, Does.Contain("12 mm³ of E, net 12 mm³"));
+        File.WriteAllText("a.gcode", "M83\nG1 X10 Y10 Z0.3 F3000\nG1 X60 E12\nG1 E-1\n");
+        Assert.That(Run("decode", "a.gcode").Text, Does.Contain("12 mm of E, net 11 mm").And.Contain("1 retraction").And.Not.Contain("retractions"));
     }
 
     [Test]

@@ -30,7 +30,7 @@ internal sealed class CheckVerb : Verb
     private readonly Option<bool> _json = new("--json") { Description = "Print the findings as a JSON array." };
 
     public CheckVerb()
-        : base("check", "Check G-code files against a printer: build volume, flow, temperatures.")
+        : base("check", "Check G-code files against a printer: where the head goes and what it would hit, strands, speeds, flow, temperatures.")
     {
         Arguments.Add(_files);
         _setup.AddTo(this);

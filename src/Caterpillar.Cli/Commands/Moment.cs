@@ -34,7 +34,14 @@ internal sealed class Moment
 
     /// <exception cref="CliException">The print has no such moment (bad input).</exception>
     public MachineState Of(Timeline timeline)
-        => _find(timeline) ?? throw new CliException(ExitCode.BadInput, $"--at {_text}: there is no such place in the print.");
+        => _find(timeline) ?? throw new CliException(ExitCode.BadInput, $"--at {_text}: there is no such place in the print, which has {Places(timeline)}.");
+
+    private static string Places(Timeline timeline)
+    {
+        var (moves, layers) = (timeline.Toolpath.Count, timeline.Toolpath.Layers);
+        return NumberFormatter.Format(moves) + (moves == 1 ? " move and " : " moves and ") + (layers.Count == 0 ? "no layers"
+            : $"layers {NumberFormatter.Format(layers.Min(l => l.Index))} to {NumberFormatter.Format(layers.Max(l => l.Index))}");
+    }
 
     private static MachineState? AtLayer(Timeline timeline, int index)
     {

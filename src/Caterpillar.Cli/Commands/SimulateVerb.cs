@@ -90,9 +90,9 @@ internal sealed class SimulateVerb : Verb
         yield return ["  Time", $"{StatisticsText.Duration(s.Time)}, {StatisticsText.Duration(s.TimeLeft)} left"];
         var source = s.Source >= 0 ? $", line {NumberFormatter.Format(s.Source)}" : "";
         var move = $"{NumberFormatter.Format(s.Move)} of {NumberFormatter.Format(toolpath.Count)}, {Number(100 * s.Done, 1)} % of it done";
-        yield return ["  Move", over ? "all are over" : move + source];
+        yield return ["  Move", over ? $"all {NumberFormatter.Format(toolpath.Count)} are over" : move + source];
         var role = s.Kind == Toolpaths.MoveKind.Print && s.Role != Toolpaths.Role.Unspecified ? ", " + Words.Spaced(s.Role.ToString()) : "";
-        if (!over) yield return ["  Doing", s.Waits ? "Waits" : Words.Spaced(s.Kind.ToString()) + role];
+        if (!over) yield return ["  Doing", s.Waits ? "Waiting" : Words.Spaced(s.Kind.ToString()) + role];
         yield return ["  Nozzle", $"{Number(s.Position.X, 3)}, {Number(s.Position.Y, 3)}, {Number(s.Position.Z, 3)} mm, tool {NumberFormatter.Format(s.Tool)}"];
         yield return ["  Speed", $"{Number(s.Speed, 2)} mm/s" + (s.Flow is { } flow ? $", {Number(flow, 3)} mm³/s" : "")];
         if (s.Layer >= 0) yield return ["  Layer", $"{NumberFormatter.Format(toolpath.Layers[s.Layer].Index)}, Z {Number(toolpath.Layers[s.Layer].Z, 3)} mm"];

@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
@@ -14,7 +15,11 @@ internal sealed record CheckScope(double NozzleTemperature, bool IsWholeFile = f
 {
     /// <summary>A file: one that heats by itself begins cold; one that leaves that to a macro of the firmware is taken as hot.</summary>
     public static CheckScope OfFile(DecodedGCode file, PrintSetup setup)
-        => new(HeatsItself(file.Toolpath) ? 0 : setup.Material.NozzleTemperature, true, file.Ignored.Keys.Any(IsMacro) || HomesItself(file));
+    {
+        var isReady = BeginsReady(file);
+        var celsius = HeatsItself(file.Toolpath) && !isReady ? 0 : setup.Material.NozzleTemperature;
+        return new CheckScope(celsius, true, file.Ignored.Keys.Any(IsMacro) || isReady);
+    }
 
     /// <summary>A file that is written with the templates of a printer; without start code that is elsewhere.</summary>
     public static CheckScope OfWritten(DecodedGCode file, PrintSetup setup)
@@ -31,8 +36,8 @@ internal sealed record CheckScope(double NozzleTemperature, bool IsWholeFile = f
     }
 
     // Ultimakers home, heat and prime before the file begins.
-    private static bool HomesItself(DecodedGCode file)
-        => file.Dialect.Name == "ultigcode" || (file.Settings.TryGetValue("flavor", out var flavor) && flavor == "Griffin");
+    private static bool BeginsReady(DecodedGCode file)
+        => file.Dialect.Name == "ultigcode" || file.Evidence.Any(e => e.EndsWith(";FLAVOR:Griffin", StringComparison.Ordinal));
 
     private static bool IsMacro(string command) => command.Length > 5 && command.All(c => char.IsLetter(c) || c == '_' || char.IsDigit(c));
 }

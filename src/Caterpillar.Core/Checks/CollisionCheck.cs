@@ -62,7 +62,8 @@ internal sealed class CollisionCheck
 
     // Above all that is printed, also by this time: most moves of a flat print.
     private bool IsAbove(in CheckedMove move, double tolerance)
-        => _clips is null && !(Math.Max(_printed.Highest, _printed.Object?.Lines.Highest ?? 0) > Math.Min(move.Start.Z, move.End.Z) + tolerance + _lowest);
+        => _clips is null && !(Math.Max(_printed.Highest, _printed.Object?.Lines.Highest ?? double.NegativeInfinity) > Math.Min(move.Start.Z, move.End.Z)
+            + tolerance + _lowest);
 
     private bool Hits(in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints)
     {
@@ -156,7 +157,7 @@ internal sealed class CollisionCheck
     // Boxes as strands side by side, of their height.
     private Deposit Stand(ValueList<Bounds> clips)
     {
-        var deposit = new Deposit(_printed.Deposit.Cell, 1e6);
+        var deposit = new Deposit(_printed.Deposit.Cell, Everywhere);
         for (var i = 0; i < clips.Count; i++)
         {
             var (min, max) = (clips[i].Min, clips[i].Max);

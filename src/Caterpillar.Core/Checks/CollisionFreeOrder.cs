@@ -110,6 +110,8 @@ public static class CollisionFreeOrder
 }
 
 /// <summary>Tries paths one after the other with the checks of collisions.</summary>
+/// <param name="setup">The head, and what is printed on.</param>
+/// <param name="travelHeight">Height of travels, mm, above all paths.</param>
 internal sealed class OrderTrial(PrintSetup setup, double travelHeight)
 {
     // Of half a strand and the cells of the deposit, mm.
@@ -128,8 +130,8 @@ internal sealed class OrderTrial(PrintSetup setup, double travelHeight)
         var at = (Vec3?)null;
         foreach (var path in paths)
         {
-            var over = path.Start.WithZ(Math.Max(travelHeight, path.Start.Z));
-            steps.Add(new TravelStep(at is { } from ? [from.WithZ(over.Z), over, path.Start] : [over, path.Start]));
+            var over = path.Start.WithZ(travelHeight);
+            steps.Add(new TravelStep(at is { } from ? [from.WithZ(travelHeight), over, path.Start] : [over, path.Start]));
             steps.Add(path);
             at = path.End;
         }
@@ -151,7 +153,7 @@ internal sealed class OrderTrial(PrintSetup setup, double travelHeight)
     private bool Collides(PrintPath[] paths)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, null);
-        foreach (var path in paths) Add(builder, path);
+        foreach (var step in Steps(paths)) Add(builder, step);
         Travel(builder, builder.Position.WithZ(travelHeight));
         var toolpath = builder.Build([new ToolpathTool(1)]);
         var collides = false;
@@ -163,16 +165,16 @@ internal sealed class OrderTrial(PrintSetup setup, double travelHeight)
         return collides;
     }
 
-    private void Add(ToolpathBuilder builder, PrintPath path)
+    private static void Add(ToolpathBuilder builder, Step step)
     {
-        var height = Math.Max(travelHeight, path.Start.Z);
-        if (builder.Count > 0) Travel(builder, builder.Position.WithZ(height));
-        Travel(builder, path.Start.WithZ(height));
-        Travel(builder, path.Start);
-        for (var i = 0; i < path.SegmentCount; i++)
+        if (step is TravelStep travel)
         {
-            var volume = path.LengthOf(i) * path.BeadOf(i).Area;
-            Move(builder, path.EndOf(i), volume, MoveKind.Print, path.Role, path.ArcOf(i));
+            foreach (var point in travel.Points) Travel(builder, point);
+        }
+        else if (step is PathStep { Path: var path })
+        {
+            for (var i = 0; i < path.SegmentCount; i++)
+                Move(builder, path.EndOf(i), path.LengthOf(i) * path.BeadOf(i).Area, MoveKind.Print, path.Role, path.ArcOf(i));
         }
     }
 

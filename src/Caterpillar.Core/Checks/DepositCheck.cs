@@ -68,10 +68,10 @@ internal sealed class DepositCheck : IMoveCheck
             if (move.Kind == MoveKind.Prime) _strands.Blob(move);
             return;
         }
-        var (height, filled) = (0.0, 0.0);
-        if (move.Kind == MoveKind.Print && move.Deposited > 0) (height, filled) = _strands.Strand(move);
+        (double Nominal, double Filled) height = default;
+        if (move.Kind == MoveKind.Print && move.Deposited > 0) height = _strands.Strand(move);
         else _strands.Break();
-        _collisions.Check(move, height);
-        _printed.Add(move, filled);
+        _collisions.Check(move, height.Nominal);
+        _printed.Add(move, height.Filled);
     }
 }

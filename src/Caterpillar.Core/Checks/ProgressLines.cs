@@ -17,7 +17,7 @@ internal static class ProgressLines
     /// </summary>
     public static (Toolpath Toolpath, double? Seconds) Add(Toolpath toolpath, PrintSetup setup, CancellationToken cancel)
     {
-        if (!setup.Printer.ProgressLines || toolpath.Count == 0) return (toolpath, null);
+        if (!setup.Printer.ProgressLines) return (toolpath, null);
         var timeline = Timeline.Of(toolpath, setup, null, cancel);
         if (!(timeline.Duration > 0)) return (toolpath, null);
         return (setup.Printer.Dialect.Progress == ProgressCommand.None ? toolpath : toolpath.WithEvents(Events(toolpath, timeline)), timeline.Duration);
@@ -27,15 +27,15 @@ internal static class ProgressLines
     {
         var all = new List<MoveEvent>();
         var next = 0;
-        var shown = (Percent: -1, Minutes: -1);
+        var shown = ((int, int)?)null;
         for (var move = 0; move <= toolpath.Count; move++)
         {
-            var now = move == toolpath.Count ? (100, 0) : At(timeline, timeline.StartOf(move));
+            var now = move == toolpath.Count ? (Percent: 100, Minutes: 0) : At(timeline, timeline.StartOf(move));
             // Before what happens at the move: a tool, a dwell.
             if (now != shown)
             {
                 shown = now;
-                all.Add(new MoveEvent(move, new ProgressEvent(shown.Percent, shown.Minutes)));
+                all.Add(new MoveEvent(move, new ProgressEvent(now.Percent, now.Minutes)));
             }
             for (; next < toolpath.Events.Count && toolpath.Events[next].Move <= move; next++) all.Add(toolpath.Events[next]);
         }

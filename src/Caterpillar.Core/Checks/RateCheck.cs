@@ -58,7 +58,6 @@ internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings fi
             ReportSpeed(move, own, "for", ", a limit that the file has raised");
         if (move.Kind != MoveKind.Print || !(move.Length > 0)) return;
         var flow = move.Deposited / move.Length * Math.Min(move.Speed, most);
-        if (!(flow > setup.MaxFlow)) return;
         // In short moves the last decimals count for more.
         var least = (move.Deposited - _roundedE * move.Pushed / move.E) / (move.Length + 2 * _roundedXyz) * Math.Min(move.Speed, most);
         if (least > setup.MaxFlow * Rounding) ReportFlow(flow, move.Index);
@@ -91,7 +90,7 @@ internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings fi
     {
         if (!(value > most)) return;
         findings.Add(CheckCodes.Acceleration, what.Move,
-            () => $"An acceleration is set to {Figures.Short(value)} mm/s²; {_printer.Title} stands {Figures.Short(most)} mm/s².");
+            () => $"An acceleration is set to {Figures.Short(value)} mm/s²; {_printer.Title} allows {Figures.Short(most)} mm/s².");
     }
 
     private void ReportRaised(MoveEvent what, LimitEvent set)

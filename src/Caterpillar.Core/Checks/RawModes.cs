@@ -63,7 +63,7 @@ internal static class RawModes
             => Relative != usual.Relative ? (Relative ? "relative positions (G91)" : "absolute positions (G90)") : Inches ? "inches (G20)" : RelativeE
                 ? "relative E (M83)" : "absolute E (M82)";
 
-        private Modes After(char letter, double number, string code) => (letter, number) switch
+        private Modes After(char letter, double? number, string code) => (letter, number) switch
         {
             ('G', 90) => this with { Relative = false },
             ('G', 91) => this with { Relative = true },
@@ -79,12 +79,12 @@ internal static class RawModes
         // The number of a word of a line with one command, or null.
         private static double? Word(string code, char letter) => code.IndexOf(letter, 0) is >= 0 and var at ? Number(code, at + 1) : null;
 
-        private static double Number(string code, int at)
+        private static double? Number(string code, int at)
         {
             while (at < code.Length && code[at] == ' ') at++;
             var end = at;
             while (end < code.Length && (char.IsDigit(code[end]) || code[end] == '.')) end++;
-            return NumberReader.TryParse(code.Substring(at, end - at), out var value) ? value : -1;
+            return NumberReader.TryParse(code.Substring(at, end - at), out var value) ? value : null;
         }
     }
 }

@@ -95,11 +95,8 @@ public static class SafeWriter
         if (guard.Refuses) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
         if (!direct || guard.Overridden > 0)
         {
-            if (direct)
-            {
-                stream.SetLength(start);
-                stream.Position = start;
-            }
+            // The position goes back with the end.
+            if (direct) stream.SetLength(start);
             var writer = new GCodeWriter(timed, plain with { Header = [.. guard.Comments(), .. plain.Header] });
             writer.WriteAll(stream, direct ? null : progress.Part(0.7, 1), cancel);
             (lines, bytes) = (writer.Lines, writer.Bytes);

@@ -12,6 +12,7 @@ internal sealed class StationaryCheck(Printer printer, Findings findings) : IMov
 
     public void Event(MoveEvent what)
     {
+        if (what.Event is HomeEvent) _pushed = 0;
     }
 
     public void Move(in CheckedMove move)

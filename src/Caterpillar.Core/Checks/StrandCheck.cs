@@ -92,7 +92,7 @@ internal sealed class StrandCheck
     public void Blob(in CheckedMove move)
     {
         var gap = GapBelow(move.End, Math.Min(_usualHeight, move.End.Z));
-        if (!(gap > 0) || gap > _printer.NozzleDiameter || !(move.Deposited > 0) || _highest == 0) return;
+        if (!(gap > 0) || gap > _printer.NozzleDiameter || _highest == 0) return;
         var width = 2 * Math.Sqrt(move.Deposited / (Math.PI * gap));
         if (!(width > WidestBlob * _printer.NozzleDiameter)) return;
         var volume = move.Deposited;

@@ -16,8 +16,8 @@ internal abstract class CornerRules(MachineLimits limits)
     /// <summary>Square of the highest speed in the corner between two moves; at most the square of the speed of both.</summary>
     public abstract double Corner2(in StraightMove before, in StraightMove move);
 
-    /// <summary>Most that the slower profile may change the square of the speed; what the acceleration allows where there is no such profile.</summary>
-    public virtual double SlowGain(in StraightMove move) => 2 * move.Acceleration * move.Length;
+    /// <summary>Most that the slower profile may change the square of the speed; NaN where there is no such profile.</summary>
+    public virtual double SlowGain(in StraightMove move) => double.NaN;
 
     protected static double Square(double value) => value * value;
 }

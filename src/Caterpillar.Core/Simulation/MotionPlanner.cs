@@ -219,7 +219,7 @@ internal sealed class MotionPlanner
             ref var s = ref _run[i];
             _out.Add(Trapezoid.Over(s.Length, s.Start2, s.Peak2, s.End2, s.Acceleration));
         }
-        if (done > 0 && done < _count) Array.Copy(_run, done, _run, 0, _count - done);
+        if (done > 0) Array.Copy(_run, done, _run, 0, _count - done);
         _count -= done;
     }
 

@@ -20,7 +20,6 @@ internal sealed class StatisticsSums
     private readonly Sum _print = new(), _travel = new(), _extruder = new();
     private int _retractions, _flowMove = -1;
     private double _flow, _speed;
-    private bool _flowKnown;
     private Bounds _bounds = Bounds.Empty;
 
     public StatisticsSums(Timeline timeline)
@@ -77,7 +76,7 @@ internal sealed class StatisticsSums
             Filament = all.E,
             Mass = mass,
             Cost = material.CostPerKg > 0 ? mass / 1000 * material.CostPerKg : null,
-            GreatestFlow = _flowKnown ? _flow : null,
+            GreatestFlow = _flowMove >= 0 ? _flow : null,
             GreatestFlowMove = _flowMove,
             GreatestSpeed = _speed,
             PrintBounds = _bounds,
@@ -133,12 +132,7 @@ internal sealed class StatisticsSums
 
     private void Flow(int move, double length, double? volume)
     {
-        if (volume is not { } known || !(length > 0)) return;
-        _flowKnown = true;
-        var flow = known / length * _timeline.PeakOf(move);
-        if (!(flow > _flow)) return;
-        _flow = flow;
-        _flowMove = move;
+        if (length > 0 && volume / length * _timeline.PeakOf(move) is { } flow && flow > _flow) (_flow, _flowMove) = (flow, move);
     }
 
     private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(_toolpath, _timeline.Setup, tool);

@@ -67,6 +67,8 @@ public class CheckDetailTests
     [TestCase("G91.1", ExtrusionMode.Relative, null)]
     [TestCase("M117 BG91", ExtrusionMode.Relative, null)]
     [TestCase("M117 G", ExtrusionMode.Relative, null)]
+    [TestCase("AG91", ExtrusionMode.Relative, null)]
+    [TestCase("G1 (", ExtrusionMode.Relative, null)]
     public void A_raw_line_that_leaves_another_mode_is_named(string raw, ExtrusionMode mode, string? word)
     {
         var setup = SmallPrint.Setup(p => p with { ExtrusionMode = mode });
@@ -79,6 +81,9 @@ public class CheckDetailTests
     [TestCase("M221 S50", 1, "marlin2", "sets the flow to 50 % (M221)")]
     [TestCase("M221 S97.5", 1, "marlin2", "sets the flow to 97.5 % (M221)")]
     [TestCase("M221", 1, "marlin2", null)]
+    [TestCase("M221 S", 1, "marlin2", null)]
+    [TestCase("M200", 2, "marlin2", "switches to E in mm³ (M200)")]
+    [TestCase("M200 D0.9 S0.9", 2, "marlin2", "switches to E in mm³ (M200)")]
     [TestCase("M221 S100", 1, "marlin2", null)]
     [TestCase("M221 S50\nG1 X40 E1\nM221 S100", 1, "marlin2", null)]
     [TestCase("M221 S50", 1, "mach3", null)]

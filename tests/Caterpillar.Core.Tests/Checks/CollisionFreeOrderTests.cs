@@ -53,6 +53,7 @@ public class CollisionFreeOrderTests
             blocked++;
             Assert.That(found.Diagnostics.Select(d => d.Code), Is.All.EqualTo(CollisionFreeOrder.Blocked).Or.EqualTo(CollisionFreeOrder.BlocksItself));
             Assert.That(found.Diagnostics.Select(d => d.Source!.Step), Is.All.InRange(0, 5));
+            Assert.That(found.Diagnostics, Is.Not.Empty);
         }
         Assert.That((orders, blocked), Is.GreaterThan((5, 0)));
     }
@@ -154,6 +155,19 @@ public class CollisionFreeOrderTests
         }).ToArray();
         var problem = CollisionFreeOrder.Find(paths, Setup).Diagnostics;
         Assert.That(problem.Select(d => d.Code), Is.All.EqualTo(CollisionFreeOrder.Blocked).And.Not.Empty);
+        Assert.That(problem.Select(d => d.Message), Is.EqualTo(new[] { "Each of these paths must be printed before another of them: 0, 1, 2." }));
+    }
+
+    // 2 mm² in 1 mm are 2.2 mm wide and the tip is 1 mm wide: they touch up to 1.6 mm aside.
+    [TestCase(1.4, true)]
+    [TestCase(2.2, false)]
+    public void Strands_are_as_wide_as_their_material(double aside, bool turned)
+    {
+        var setup = SmallPrint.Setup(p => p with { HeadOutline = new(new HeadPoint(0.5, 0)) });
+        PrintPath Wide(double y, double z, double area) => new([new Vec3(50, y, z), new Vec3(70, y, z)], new Bead(area, z));
+        var paths = new[] { Wide(50, 1, 2), Wide(50 + aside, 0.2, 0.08) };
+        var found = CollisionFreeOrder.Find(paths, setup).OrThrow().OfType<PathStep>().Select(s => s.Path.Start.Z);
+        Assert.That(found, Is.EqualTo(turned ? new[] { 0.2, 1 } : new[] { 1, 0.2 }));
     }
 
     [Test]

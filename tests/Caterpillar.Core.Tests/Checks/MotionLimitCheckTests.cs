@@ -153,7 +153,7 @@ public class MotionLimitCheckTests
         Diagnostic[] Found(double value)
             => SmallPrint.Find(new SmallPrint().Event(new LimitEvent(limit, value)).Go(20, 10, 0.2).Build(), setup, CheckCodes.Acceleration);
         Assert.That(Found(most), Is.Empty);
-        Assert.That(Found(most + 1).Single().Message, Does.EndWith($"stands {Figures.Short(most)} mm/s²."));
+        Assert.That(Found(most + 1).Single().Message, Does.EndWith($"allows {Figures.Short(most)} mm/s²."));
     }
 
     private static Diagnostic[] Raised(PrintSetup setup, MotionLimit limit, double value)

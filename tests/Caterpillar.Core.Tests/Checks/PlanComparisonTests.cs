@@ -84,6 +84,14 @@ public class PlanComparisonTests
         Assert.That(Compare(plan, text => text.Replace("Z7.125", "Z7.2")).Select(d => d.Source!.Move), Is.EqualTo(new int?[] { 70_000 }));
     }
 
+    [Test]
+    public void Material_that_is_missing_once_is_told_once()
+    {
+        var plan = new SmallPrint(10, 10, 0.2).Print(30, 10, 0.2).Print(60, 10, 0.2, 0.1).Print(90, 10, 0.2).Print(120, 10, 0.2).Build();
+        var found = Compare(plan, text => System.Text.RegularExpressions.Regex.Replace(text, "(G1 X60[^\n]*?) E[0-9.]+", "$1")).Single();
+        Assert.That((found.Code, found.Count, found.Source!.Move), Is.EqualTo((CheckCodes.FileExtrusion, 1, (int?)1)));
+    }
+
     private static Diagnostic[] Compare(Toolpath plan, Func<string, string> change)
     {
         var (_, lines, text) = SmallPrint.Written(plan, Setup);

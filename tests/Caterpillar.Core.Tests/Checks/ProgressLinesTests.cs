@@ -23,7 +23,7 @@ public class ProgressLinesTests
         Assert.That(lines, Does.Contain(";TIME:600"));
         var progress = lines.Where(l => l.StartsWith("M73", StringComparison.Ordinal)).ToArray();
         Assert.That(progress[0], Is.EqualTo(first));
-        Assert.That(progress.Last(), Does.StartWith("M73 P100"));
+        Assert.That(progress.Last(), Is.EqualTo(first.Contains("R10") ? "M73 P100 R0" : "M73 P100"));
         Assert.That(progress, Is.Unique);
         // 60 moves of 10 s: the percent is that of the time before the next move, minutes are the nearest.
         var at = Array.IndexOf(lines, progress[30]);
@@ -56,6 +56,19 @@ public class ProgressLinesTests
         Assert.That(all, Is.InRange(seconds + 1.5, seconds + 3));
         var (move, shown) = toolpath.Events.Where(e => e.Event is ProgressEvent).Select(e => (e.Move, (ProgressEvent)e.Event)).First();
         Assert.That((move, $"M73 P{shown.Percent} R{shown.MinutesLeft}"), Is.EqualTo((0, first)));
+    }
+
+    [TestCase(0, 0)]
+    [TestCase(1, 2)]
+    public void A_print_that_takes_time_has_a_first_and_a_last_line(int moves, int lines)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
+        // A move in place without E takes no time.
+        builder.Add(new Vec3(10 + 10 * moves, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        var (toolpath, seconds) = ProgressLines.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), default);
+        Assert.That((toolpath.Events.Count, seconds is not null), Is.EqualTo((lines, lines > 0)));
+        var nothing = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2)).Build([new ToolpathTool(2.4)]);
+        Assert.That(ProgressLines.Add(nothing, SmallPrint.Setup(), default), Is.EqualTo((nothing, (double?)null)));
     }
 
     [Test]

@@ -73,7 +73,26 @@ public class StrandRuleTests
         Assert.That(Count(print, CheckCodes.Unsupported), Is.EqualTo(found));
     }
 
-    // Each half millimeter is looked at in its middle: the wall ends with the cell at 50.5.
+    // What has landed before a travel does not hold the strand after it.
+    [TestCase(55, 0)]
+    [TestCase(55.5, 1)]
+    public void A_strand_after_a_travel_has_a_free_end(double x, int found)
+    {
+        var print = new SmallPrint(20, 20, 0.2).Print(30, 20, 0.2).Go(50, 50, 4).Print(x, 50, 4).Print(60, 50, 4, role: Role.Purge);
+        Assert.That(Count(print, CheckCodes.Unsupported), Is.EqualTo(found));
+    }
+
+    // 5.1 mm³ are 4.03 mm wide in a gap of a nozzle; higher up nothing is squeezed.
+    [TestCase(0.4, 1)]
+    [TestCase(0.401, 0)]
+    public void A_blob_is_squeezed_in_a_gap_of_up_to_a_nozzle(double z, int found)
+    {
+        var print = new SmallPrint(50, 50, 0.2).Print(70, 50, 0.2).Go(100, 100, z).Prime(5.1);
+        Assert.That(Count(print, CheckCodes.Squeezed), Is.EqualTo(found));
+    }
+
+    // Each half millimeter is looked at in its middle: the wall ends with the cell at 50.25.
+    [TestCase(50, 55.4, 0)]
     [TestCase(50.6, 55.6, 0)]
     [TestCase(50.6, 55.8, 1)]
     public void A_strand_beside_a_wall_hangs_from_its_start_on(double from, double to, int found)
@@ -119,6 +138,47 @@ public class StrandRuleTests
         // 4 mm hang at each side of a travel there and back; 5 mm may.
         var print = new SmallPrint(50, 50, 4).Print(54, 50, 4).Go(60, 60, 4).Go(54, 50, 4).Print(58, 50, 4).Go(80, 80, 4);
         Assert.That(Count(print, CheckCodes.Unsupported), Is.Zero);
+    }
+
+    // Exactly half a height above what is below it, in numbers without rounding.
+    [TestCase(4.125, 1)]
+    [TestCase(4.124, 2)]
+    public void A_strand_exactly_half_its_height_above_another_lies_on_it(double z, int hanging)
+    {
+        var setup = Setup with { Settings = new PrintSettings { LayerHeight = 0.25, FirstLayerHeight = 0.25 } };
+        var print = new SmallPrint(50, 50, 4).Print(70, 50, 4, 0.1).Go(70, 50, 20).Go(50, 50, 20).Go(50, 50, z).Print(70, 50, z, 0.1).Go(80, 80, 20);
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Unsupported).Sum(d => d.Count), Is.EqualTo(hanging));
+    }
+
+    [Test]
+    public void Strands_in_the_air_are_named_by_the_first_of_them()
+    {
+        var print = new SmallPrint(40, 50, 4).Go(50, 50, 4).Print(53, 50, 4).Print(56, 50, 4).Print(59, 50, 4).Go(80, 80, 4);
+        var found = SmallPrint.Find(print.Build(), Setup, CheckCodes.Unsupported).Single();
+        Assert.That((found.Source!.Move, found.Message), Is.EqualTo(((int?)1, "9 mm of a strand lie in the air with a free end.")));
+    }
+
+    [Test]
+    public void Odd_widths_are_named_by_the_first_strand_of_5_mm_and_then_by_each()
+    {
+        // Rectangles of 0.2 mm: 2 mm wide.
+        var setup = new PrintSetup(SmallPrint.Generic, new Material(), new PrintSettings { BeadShape = BeadShape.Rectangle });
+        var print = new SmallPrint(40, 50, 0.2).Go(50, 50, 0.2).Print(55, 50, 0.2, 0.4);
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Width), Is.Empty);
+        var found = SmallPrint.Find(print.Print(56, 50, 0.2, 0.4).Print(57, 50, 0.2, 0.6).Build(), setup, CheckCodes.Width).Single();
+        Assert.That((found.Source!.Move, found.Count, found.Worst!.Source!.Move), Is.EqualTo(((int?)1, 2, (int?)3)));
+    }
+
+    // 2 mm are 1.67 times the widest, 0.05 mm 1.6 times and 0.04 twice below the thinnest.
+    [TestCase(0.05, false)]
+    [TestCase(0.04, true)]
+    public void Of_odd_widths_the_one_farthest_from_the_nozzle_is_the_worst(double thin, bool worse)
+    {
+        var setup = new PrintSetup(SmallPrint.Generic, new Material(), new PrintSettings { BeadShape = BeadShape.Rectangle });
+        var print = new SmallPrint(50, 50, 0.2).Print(60, 50, 0.2, 0.4).Go(60, 80, 5).Go(60, 80, 0.2).Print(70, 80, 0.2, 0.2 * thin);
+        var found = SmallPrint.Find(print.Build(), setup, CheckCodes.Width).Single();
+        Assert.That((found.Count, found.Worst is not null), Is.EqualTo((2, worse)));
+        Assert.That(found.Message, Does.StartWith("Strands are 2 mm wide;"));
     }
 
     private static int Count(SmallPrint print, string code) => SmallPrint.Find(print.Build(), Setup, code).Sum(d => d.Count);

@@ -1,0 +1,89 @@
+using System;
+using Caterpillar.Checks;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Checks;
+
+/// <summary>What counts as printed while the head goes on: strands 1 mm high along X, 0.1 mm² unless they say otherwise.</summary>
+public class PrintedSoFarTests
+{
+    [TestCase(0.4, 0.25)]
+    [TestCase(1, 0.25)]
+    [TestCase(2, 0.5)]
+    public void Cells_are_a_quarter_of_a_wide_nozzle(double nozzle, double cell)
+        => Assert.That(PrintedSoFar.CellOf(new Printer { NozzleDiameter = nozzle }), Is.EqualTo(cell));
+
+    // The tip of 0.5 mm, a nozzle of 0.4 and two cells of 0.25 stay fresh, in two pieces of 0.7 mm.
+    [TestCase(0, 8.5, 9)]
+    [TestCase(0.7, 9.2, 9.7)]
+    [TestCase(1.4, 9.9, 10.3)]
+    public void The_end_of_a_strand_is_fresh_and_goes_piece_by_piece(double ahead, double covered, double free)
+    {
+        var printed = Printed(10);
+        Assert.That((printed.Lag, printed.FreshPiece), Is.EqualTo((1.4, 0.7)));
+        printed.Advance(ahead);
+        Assert.That(Top(printed, covered), Is.EqualTo(1));
+        Assert.That(Top(printed, free), Is.Zero);
+    }
+
+    [Test]
+    public void A_strand_as_short_as_its_fresh_end_is_fresh_from_its_start()
+    {
+        var printed = Printed(1.4);
+        printed.Advance(0);
+        Assert.That(Top(printed, 0), Is.Zero);
+        printed.Advance(0.7);
+        Assert.That((Top(printed, 0.3), Top(printed, 1.2)), Is.EqualTo((1, 0)));
+    }
+
+    [Test]
+    public void Motion_without_material_makes_a_strand_old()
+    {
+        var printed = Printed(1);
+        printed.Add(Move(new Vec3(1, 0, 1), new Vec3(1, 5, 1), 0), 1);
+        printed.Advance(0);
+        Assert.That((Top(printed, 0.5), Top(printed, 1, 3)), Is.EqualTo((1, 0)));
+        Assert.That(printed.Highest, Is.EqualTo(1));
+    }
+
+    // 10 mm² in 1 mm would be 10 mm wide.
+    [Test]
+    public void No_strand_is_wider_than_twelve_nozzles()
+    {
+        var printed = Printed(10, 10);
+        printed.Advance(2);
+        Assert.That((Top(printed, 5, 2.3), Top(printed, 5, 2.5)), Is.EqualTo((1, 0)));
+    }
+
+    // A plate 5 mm high; strands may be pressed 0.05 mm into it.
+    [TestCase(5, 6, 5)]
+    [TestCase(5, 5, 5)]
+    [TestCase(5, 4.97, 4.97)]
+    [TestCase(5, 4.94, 0)]
+    [TestCase(50, 6, 0)]
+    public void The_floor_is_the_object_or_the_bed(double x, double z, double floor)
+    {
+        var plate = TriMesh.Create([new(0, 0, 5), new(10, 0, 5), new(10, 10, 5), new(0, 10, 5)], [0, 1, 2, 0, 2, 3]);
+        var setup = SmallPrint.Setup() with { PrintedOn = plate };
+        Assert.That(new PrintedSoFar(setup, PrintedSoFar.ObjectOf(setup)).FloorUnder(new Vec3(x, 5, z)), Is.EqualTo(floor).Within(1e-9));
+        Assert.That(new PrintedSoFar(SmallPrint.Setup(), null).FloorUnder(new Vec3(x, 5, z)), Is.Zero);
+    }
+
+    private static PrintedSoFar Printed(double length, double area = 0.1)
+    {
+        var printed = new PrintedSoFar(SmallPrint.Setup(), null);
+        printed.Add(Move(new Vec3(0, 0, 1), new Vec3(length, 0, 1), area), 1);
+        return printed;
+    }
+
+    private static CheckedMove Move(Vec3 from, Vec3 to, double area) => new()
+    {
+        Start = from, End = to, StartKnown = true, Kind = area > 0 ? MoveKind.Print : MoveKind.Travel, Length = from.DistanceTo(to),
+        Deposited = from.DistanceTo(to) * area,
+    };
+
+    private static double Top(PrintedSoFar printed, double x, double y = 0) => Math.Max(printed.Deposit.TopUnder(new Vec3(x, y), 10), 0);
+}
