@@ -16,9 +16,12 @@ internal sealed class PrintedSoFar
 
     // Only what is about as high as the tip is asked for exactly.
     private const double KeepDepth = 6;
-    private readonly Queue<Fresh> _fresh = new();
     private readonly BeadShape _shape;
     private readonly double _widest;
+
+    // What is fresh, from the oldest piece up to the newest.
+    private Fresh[] _fresh = new Fresh[64];
+    private int _oldest, _newest;
     private double _distance;
 
     /// <param name="setup">The head and the shape of strands.</param>
@@ -66,12 +69,12 @@ internal sealed class PrintedSoFar
     /// <param name="ahead">mm beyond the end of the last move.</param>
     public void Advance(double ahead)
     {
-        while (_fresh.Count > 0 && _fresh.Peek().Distance + Lag <= _distance + ahead + 1e-9)
+        while (_oldest < _newest && _fresh[_oldest].Distance + Lag <= _distance + ahead + 1e-9)
         {
-            var strand = _fresh.Dequeue();
+            ref var strand = ref _fresh[_oldest++];
             var to = strand.To;
             // Pieces of a line that stop to be fresh together are one strand.
-            while (_fresh.Count > 0 && _fresh.Peek() is { GoesOn: true } next && next.Distance + Lag <= _distance + ahead + 1e-9) to = _fresh.Dequeue().To;
+            while (_oldest < _newest && _fresh[_oldest].GoesOn && _fresh[_oldest].Distance + Lag <= _distance + ahead + 1e-9) to = _fresh[_oldest++].To;
             Deposit.Add(strand.From, to, strand.Half, strand.Move);
         }
     }
@@ -94,10 +97,22 @@ internal sealed class PrintedSoFar
             var rest = piece * FreshPiece;
             if (rest >= move.Length) continue;
             var next = Vec3.Lerp(move.Start, move.End, 1 - rest / move.Length);
-            _fresh.Enqueue(new Fresh(at, next, half, move.Index, _distance - rest, at != move.Start));
+            Keep(new Fresh(at, next, half, move.Index, _distance - rest, at != move.Start));
             at = next;
         }
-        _fresh.Enqueue(new Fresh(at, move.End, half, move.Index, _distance, at != move.Start));
+        Keep(new Fresh(at, move.End, half, move.Index, _distance, at != move.Start));
+    }
+
+    private void Keep(in Fresh piece)
+    {
+        if (_newest == _fresh.Length)
+        {
+            var count = _newest - _oldest;
+            var fresh = count > _fresh.Length / 2 ? new Fresh[_fresh.Length * 2] : _fresh;
+            Array.Copy(_fresh, _oldest, fresh, 0, count);
+            (_fresh, _oldest, _newest) = (fresh, 0, count);
+        }
+        _fresh[_newest++] = piece;
     }
 
     private static IEnumerable<(double Radius, double Height)> Outline(Printer printer)

@@ -69,12 +69,14 @@ internal sealed class StrandCheck
         for (var k = 0; k < count; k++)
         {
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
-            gap = GapBelow(p, nominal);
-            tight = Math.Min(tight, gap);
-            var lies = gap <= reach || GapBelow(p, least) <= reach;
+            var floor = _printed.FloorUnder(p);
+            var (top, under) = _printed.Deposit.CellAt(p.X, p.Y);
+            gap = Gap(p.Z, top, under, floor, nominal);
+            if (gap < tight) tight = gap;
+            var lies = gap <= reach || Gap(p.Z, top, under, floor, least) <= reach;
             if (lies || move.Role == Role.Purge) Land(move.Index);
             else Fly(move.Index, step);
-            if (gap == p.Z - _printed.FloorUnder(p) && gap <= reach
+            if (gap == p.Z - floor && gap <= reach
                 && move.Role is not (Role.Skirt or Role.Purge)) _standing += step * area / Math.Max(gap, nominal / 2);
         }
         _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
@@ -120,13 +122,18 @@ internal sealed class StrandCheck
 
     private static string Number(double value) => NumberFormatter.Format(value, 2);
 
-    // mm to the bed or to a strand below; what is about as high as the strand itself lies beside it.
     private double GapBelow(Vec3 p, double height)
     {
         var (top, under) = _printed.Deposit.CellAt(p.X, p.Y);
-        var highest = p.Z - 0.5 * height;
+        return Gap(p.Z, top, under, _printed.FloorUnder(p), height);
+    }
+
+    // mm to the bed or to a strand below; what is about as high as the strand itself lies beside it.
+    private static double Gap(double z, double top, double under, double floor, double height)
+    {
+        var highest = z - 0.5 * height;
         var below = top <= highest ? top : under <= highest ? under : 0;
-        return p.Z - Math.Max(below, _printed.FloorUnder(p));
+        return z - (below > floor ? below : floor);
     }
 
     // mm to what lies exactly below the middle of a strand: ramps of seams run out over each other, thinner and thinner.

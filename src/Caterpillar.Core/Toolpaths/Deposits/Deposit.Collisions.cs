@@ -111,12 +111,12 @@ public sealed partial class Deposit
     {
         for (var block = (bin.Count - 1) >> DepositBin.BlockBits; block >= 0; block--)
         {
-            if (!(bin.BlockTops[block] > z)) continue;
             var first = block << DepositBin.BlockBits;
+            if (first + DepositBin.Block <= bin.Count && !(bin.BlockTops[block] > z)) continue;
             for (var i = Math.Min(first + DepositBin.Block, bin.Count) - 1; i >= first; i--)
             {
-                if (!(bin.Tops[i] > z)) continue;
-                ref var strand = ref _store[bin.Strands[i]];
+                if (!(bin.Entries[i].Top > z)) continue;
+                ref var strand = ref _store[bin.Entries[i].Strand];
                 var hits = Meets(strand, query.From, query.To, ref query);
                 if (hits || (query.Digs && tag < 0)) tag = strand.Tag;
                 if (hits) return true;
@@ -170,7 +170,7 @@ public sealed partial class Deposit
             if (!(bin.Cells[i].Top > z) || !MeetsCell(Center(column, row, i), bin.Cells[i].Top - tolerance - box.Min.Z, a, b, box)) continue;
             for (var k = bin.Count - 1; k >= 0 && tag < 0; k--)
             {
-                if (bin.Tops[k] > z) tag = _store[bin.Strands[k]].Tag;
+                if (bin.Entries[k].Top > z) tag = _store[bin.Entries[k].Strand].Tag;
             }
             return true;
         }

@@ -27,9 +27,9 @@ public sealed partial class Deposit
             return (_outside, double.NegativeInfinity);
         int column = Index(x), row = Index(y);
         int binColumn = (column >> DepositBin.Bits) - _left, binRow = (row >> DepositBin.Bits) - _bottom;
-        if (binColumn < 0 || binRow < 0 || binColumn >= _columns || binRow >= _rows || _bins[binRow * _columns + binColumn] is not { } bin)
+        if (binColumn < 0 || binRow < 0 || binColumn >= _columns || binRow >= _rows || _cells[binRow * _columns + binColumn] is not { } cells)
             return (double.NegativeInfinity, double.NegativeInfinity);
-        ref var cell = ref bin.Cells[CellOf(column, row)];
+        ref var cell = ref cells[CellOf(column, row)];
         return (cell.Top, cell.Under);
     }
 
@@ -53,11 +53,11 @@ public sealed partial class Deposit
         if (bin.Cells[CellOf(Index(p.X), Index(p.Y))].Top < lowest) return false;
         for (int i = bin.Count - 1, last = Math.Max(0, bin.Count - MostParallel); i >= last; i--)
         {
-            var top = bin.Tops[i];
+            var top = bin.Entries[i].Top;
             // The layer below begins here.
             if (top < p.Z - 2 * height) return false;
             if (top < lowest) continue;
-            ref var strand = ref _store[bin.Strands[i]];
+            ref var strand = ref _store[bin.Entries[i].Strand];
             if (Math.Min(half, strand.Half) < 0.6 * Math.Max(half, strand.Half)) continue;
             double dx = strand.Bx - strand.Ax, dy = strand.By - strand.Ay;
             var other = Math.Sqrt(dx * dx + dy * dy);

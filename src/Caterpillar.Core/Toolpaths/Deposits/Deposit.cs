@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 
@@ -21,6 +22,9 @@ public sealed partial class Deposit
     private readonly double _keepDepth;
     private readonly StrandStore _store = new();
     private DepositBin?[] _bins = [];
+
+    // Those of the bins: what is asked for most is one step nearer.
+    private DepositCell[]?[] _cells = [];
     private int _left, _bottom, _columns, _rows;
     private double _outside = double.NegativeInfinity;
 
@@ -154,7 +158,7 @@ public sealed partial class Deposit
                 if (bin is null || bin.Top <= best) continue;
                 for (var i = 0; i < bin.Count; i++)
                 {
-                    var top = _store[bin.Strands[i]].TopAt(point, radius);
+                    var top = _store[bin.Entries[i].Strand].TopAt(point, radius);
                     if (top <= limit && top > best) best = top;
                 }
                 if (bin.Dropped > best) best = DroppedUnder(bin, column, row, point, limit, radius, best);
@@ -182,7 +186,7 @@ public sealed partial class Deposit
     {
         for (var i = bin.Count - 1; i >= 0; i--)
         {
-            if (bin.Tops[i] > best) best = Math.Max(best, _store[bin.Strands[i]].TopWithin(a, b, radius));
+            if (bin.Entries[i].Top > best) best = Math.Max(best, _store[bin.Entries[i].Strand].TopWithin(a, b, radius));
         }
         if (bin.Dropped <= best) return best;
         var reach = radius + _cell * 0.7072;
@@ -208,25 +212,30 @@ public sealed partial class Deposit
     private Vec3 Center(int column, int row, int cell) => new(
         ((column << DepositBin.Bits) + (cell & (DepositBin.Side - 1)) + 0.5) * _cell, ((row << DepositBin.Bits) + (cell >> DepositBin.Bits) + 0.5) * _cell);
 
+    // In each row of cells the strand, wider by half a diagonal, covers a span: between its sides, or the ends of its discs.
     private void Draw(int index, in Strand strand)
     {
         double ax = strand.Ax, ay = strand.Ay, az = strand.Az, dx = strand.Bx - ax, dy = strand.By - ay, rise = strand.Bz - az;
-        var (half, highest) = (strand.Half, strand.Top);
-        var halfDiagonal = _cell * 0.7072;
-        var reach = (half + halfDiagonal) * (half + halfDiagonal);
+        var (half, highest, cell) = (strand.Half, strand.Top, _cell);
+        var halfDiagonal = cell * 0.7072;
+        var reach = half + halfDiagonal;
         var square = dx * dx + dy * dy;
         var inverse = square > 0 ? 1 / square : 0;
-        var spread = square > 0 ? Math.Abs(rise) / Math.Sqrt(square) * halfDiagonal : 0;
         var perY = dy != 0 ? 1 / dy : 0;
+        double slope = dx * perY, side = reach * Math.Sqrt(square) * Math.Abs(perY);
+        var spread = rise != 0 && square > 0 ? Math.Abs(rise) * Math.Sqrt(inverse) * halfDiagonal : 0;
         var lastRow = Index(Math.Max(ay, strand.By) + half);
+        // The bins of the row that know of the strand already.
+        int known = 0, beyond = 0;
         for (var row = Index(Math.Min(ay, strand.By) - half); row <= lastRow; row++)
         {
-            var y = row * _cell - ay;
+            if ((row & (DepositBin.Side - 1)) == 0) known = beyond = 0;
+            var y = row * cell - ay;
             // The part of the axis from which the strand may reach the row.
             double from = 0, to = 1;
             if (dy != 0)
             {
-                double enter = (y - half) * perY, leave = (y + _cell + half) * perY;
+                double enter = (y - half) * perY, leave = (y + cell + half) * perY;
                 if (enter > leave) (enter, leave) = (leave, enter);
                 if (enter > 1 || leave < 0) continue;
                 if (enter > 0) from = enter;
@@ -234,26 +243,58 @@ public sealed partial class Deposit
             }
             double left = dx * from, right = dx * to;
             if (left > right) (left, right) = (right, left);
-            var py = y + _cell / 2;
+            var py = y + cell / 2;
             var along = py * dy;
-            var lastColumn = Index(ax + right + half);
-            DepositBin? bin = null;
-            for (var column = Index(ax + left - half); column <= lastColumn; column++)
+            double low = py * slope - side, high = py * slope + side;
+            double lowAt = (low * dx + along) * inverse, highAt = (high * dx + along) * inverse;
+            if (dy == 0) (lowAt, highAt) = dx < 0 ? (2, -1) : (-1, 2);
+            if (!(lowAt >= 0 && lowAt <= 1 || IsOnDisc(lowAt > 1, dx, dy, py, reach, -1, out low))) continue;
+            if (!(highAt >= 0 && highAt <= 1 || IsOnDisc(highAt > 1, dx, dy, py, reach, 1, out high))) continue;
+            var column = Math.Max(Index(ax + left - half), Index(ax + low + cell / 2));
+            var last = Math.Min(Index(ax + right + half), Index(ax + high - cell / 2));
+            var line = (row & (DepositBin.Side - 1)) << DepositBin.Bits;
+            while (column <= last)
             {
-                var px = (column + 0.5) * _cell - ax;
-                var t = (px * dx + along) * inverse;
-                if (t < 0) t = 0;
-                else if (t > 1) t = 1;
-                double u = px - dx * t, v = py - dy * t;
-                if (u * u + v * v > reach) continue;
-                if (bin is null || (column & (DepositBin.Side - 1)) == 0) bin = Enter(column >> DepositBin.Bits, row >> DepositBin.Bits, index, highest);
-                var top = rise == 0 ? az : square > 0 ? Math.Min(highest, az + rise * t + spread) : highest;
-                bin.Cells[CellOf(column, row)].Lay(top);
+                var at = column >> DepositBin.Bits;
+                DepositCell[] cells;
+                if (at >= known && at < beyond)
+                {
+                    cells = _cells[((row >> DepositBin.Bits) - _bottom) * _columns + at - _left]!;
+                }
+                else
+                {
+                    cells = Enter(at, row >> DepositBin.Bits, index, highest);
+                    if (known == beyond) (known, beyond) = (at, at + 1);
+                    else if (at == beyond) beyond++;
+                    else if (at == known - 1) known--;
+                }
+                var end = Math.Min(last, column | (DepositBin.Side - 1));
+                if (rise == 0 || !(square > 0))
+                {
+                    for (; column <= end; column++) cells[line | (column & (DepositBin.Side - 1))].Lay(highest);
+                    continue;
+                }
+                for (; column <= end; column++)
+                {
+                    var t = (((column + 0.5) * cell - ax) * dx + along) * inverse;
+                    var top = Math.Min(highest, az + rise * Math.Min(1, Math.Max(0, t)) + spread);
+                    cells[line | (column & (DepositBin.Side - 1))].Lay(top);
+                }
             }
         }
     }
 
+    // The left or right end of a row of the disc around the start or the end of a strand.
+    private static bool IsOnDisc(bool atEnd, double dx, double dy, double py, double reach, int sign, out double x)
+    {
+        var y = atEnd ? py - dy : py;
+        var root = reach * reach - y * y;
+        x = (atEnd ? dx : 0) + sign * Math.Sqrt(root);
+        return root >= 0;
+    }
+
     // Rounded down. Plain comparisons: this, and the drawing of strands, is most of what a check costs.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private int Index(double x)
     {
         var cells = x * _perCell;
@@ -261,13 +302,13 @@ public sealed partial class Deposit
         return cells < index ? index - 1 : index;
     }
 
-    // The bin, with a strand that reaches into it.
-    private DepositBin Enter(int column, int row, int strand, double highest)
+    // The cells of a bin, with a strand that reaches into it.
+    private DepositCell[] Enter(int column, int row, int strand, double highest)
     {
         var bin = BinAt(column, row);
         bin.Add(strand, _store, _keepDepth);
         if (highest > bin.Top) Raise(bin, column, row, highest);
-        return bin;
+        return bin.Cells;
     }
 
     private static int Clamp(double x, double side, int first, int count)
@@ -288,7 +329,11 @@ public sealed partial class Deposit
     private DepositBin BinAt(int column, int row)
     {
         if (column < _left || row < _bottom || column >= _left + _columns || row >= _bottom + _rows) GrowTo(column, row);
-        return _bins[(row - _bottom) * _columns + column - _left] ??= new DepositBin();
+        ref var bin = ref _bins[(row - _bottom) * _columns + column - _left];
+        if (bin is not null) return bin;
+        bin = new DepositBin();
+        _cells[(row - _bottom) * _columns + column - _left] = bin.Cells;
+        return bin;
     }
 
     private void GrowTo(int column, int row)
@@ -304,11 +349,14 @@ public sealed partial class Deposit
         right = Math.Min(right, MaxBins);
         top = Math.Min(top, MaxBins);
         var bins = new DepositBin?[(right - left + 1) * (top - bottom + 1)];
+        var cells = new DepositCell[]?[bins.Length];
         for (var y = 0; y < _rows; y++)
         {
-            Array.Copy(_bins, y * _columns, bins, (y + _bottom - bottom) * (right - left + 1) + _left - left, _columns);
+            var at = (y + _bottom - bottom) * (right - left + 1) + _left - left;
+            Array.Copy(_bins, y * _columns, bins, at, _columns);
+            Array.Copy(_cells, y * _columns, cells, at, _columns);
         }
-        (_bins, _left, _bottom, _columns, _rows) = (bins, left, bottom, right - left + 1, top - bottom + 1);
+        (_bins, _cells, _left, _bottom, _columns, _rows) = (bins, cells, left, bottom, right - left + 1, top - bottom + 1);
         GrowTops();
     }
 }

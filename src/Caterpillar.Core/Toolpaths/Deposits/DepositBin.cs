@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Caterpillar.Toolpaths;
 
@@ -13,14 +14,11 @@ internal sealed class DepositBin
 
     public readonly DepositCell[] Cells = new DepositCell[Side * Side];
 
-    /// <summary>Numbers of the strands, in the order in which they were added.</summary>
-    public int[] Strands = new int[4];
+    /// <summary>The strands, in the order in which they were added.</summary>
+    public DepositEntry[] Entries = new DepositEntry[4];
 
-    /// <summary>Their tops, beside each other: most strands lie lower than what is asked for.</summary>
-    public double[] Tops = new double[4];
-
-    /// <summary>The highest top of each block of <see cref="Block"/> strands: layers far below are skipped by blocks.</summary>
-    public double[] BlockTops = new double[1];
+    /// <summary>The highest top of each full block of <see cref="Block"/> strands: layers far below are skipped by blocks.</summary>
+    public double[] BlockTops = [];
 
     public int Count;
 
@@ -39,16 +37,11 @@ internal sealed class DepositBin
 
     public void Add(int strand, StrandStore store, double keepDepth)
     {
-        if (Count > 0 && Strands[Count - 1] == strand) return;
+        if (Count > 0 && Entries[Count - 1].Strand == strand) return;
         if (Count == _compactAt) Compact(store, keepDepth);
-        if (Count == Strands.Length)
-        {
-            Array.Resize(ref Strands, Count * 2);
-            Array.Resize(ref Tops, Count * 2);
-        }
-        ref var added = ref store[strand];
-        added.Users++;
-        Put(Count++, strand, added.Top);
+        if (Count == Entries.Length) Array.Resize(ref Entries, Count * 2);
+        store.Use(strand);
+        Put(Count++, new DepositEntry { Strand = strand, Top = store[strand].Top });
     }
 
     private void Compact(StrandStore store, double keepDepth)
@@ -56,26 +49,38 @@ internal sealed class DepositBin
         var kept = 0;
         for (var i = 0; i < Count; i++)
         {
-            if (Tops[i] >= Top - keepDepth)
+            var entry = Entries[i];
+            if (entry.Top >= Top - keepDepth)
             {
-                Put(kept++, Strands[i], Tops[i]);
+                Put(kept++, entry);
                 continue;
             }
-            Dropped = Math.Max(Dropped, Tops[i]);
-            store.Release(Strands[i]);
+            Dropped = Math.Max(Dropped, entry.Top);
+            store.Release(entry.Strand);
         }
         Count = kept;
         _compactAt = Math.Max(FirstCompaction, kept * 2);
     }
 
-    private void Put(int at, int strand, double top)
+    private void Put(int at, in DepositEntry entry)
     {
-        Strands[at] = strand;
-        Tops[at] = top;
+        Entries[at] = entry;
+        if ((at & (Block - 1)) < Block - 1) return;
         var block = at >> BlockBits;
-        if (block == BlockTops.Length) Array.Resize(ref BlockTops, block * 2);
-        BlockTops[block] = (at & (Block - 1)) == 0 ? top : Math.Max(BlockTops[block], top);
+        if (block >= BlockTops.Length) Array.Resize(ref BlockTops, Math.Max(2, block * 2));
+        var top = entry.Top;
+        for (var i = at - Block + 1; i < at; i++) top = Math.Max(top, Entries[i].Top);
+        BlockTops[block] = top;
     }
+}
+
+/// <summary>A strand in a bin. Its top is beside its number: most strands lie lower than what is asked for.</summary>
+internal struct DepositEntry
+{
+    public double Top;
+
+    /// <summary>Number in the store.</summary>
+    public int Strand;
 }
 
 /// <summary>A cell of a <see cref="Deposit"/>.</summary>
@@ -90,6 +95,7 @@ internal struct DepositCell
     /// <summary>The highest top that is clearly below the highest, mm; negative infinity if there is none.</summary>
     public double Under;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Lay(double top)
     {
         if (top > Top)

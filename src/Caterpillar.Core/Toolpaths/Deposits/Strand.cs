@@ -10,9 +10,6 @@ internal struct Strand
 {
     public double Ax, Ay, Az, Bx, By, Bz, Half;
 
-    // Number of bins that refer to it; 0 if it is free.
-    public int Users;
-
     // A number of the caller, for what it is.
     public int Tag;
 
@@ -135,6 +132,9 @@ internal sealed class StrandStore
     private const int ChunkBits = 12;
     private const int ChunkMask = (1 << ChunkBits) - 1;
     private Strand[][] _chunks = [];
+
+    // Number of bins that refer to each; 0 if it is free.
+    private int[] _users = [];
     private int[] _free = new int[64];
     private int _freeCount;
     private int _next;
@@ -150,15 +150,20 @@ internal sealed class StrandStore
         if (index >> ChunkBits >= _chunks.Length)
         {
             Array.Resize(ref _chunks, Math.Max(4, _chunks.Length * 2));
+            Array.Resize(ref _users, _chunks.Length << ChunkBits);
         }
         _chunks[index >> ChunkBits] ??= new Strand[1 << ChunkBits];
         this[index] = strand;
         return index;
     }
 
+    /// <summary>One bin more refers to a strand.</summary>
+    public void Use(int index) => _users[index]++;
+
+    /// <summary>One bin less refers to it.</summary>
     public void Release(int index)
     {
-        if (--this[index].Users > 0) return;
+        if (--_users[index] > 0) return;
         if (_freeCount == _free.Length) Array.Resize(ref _free, _freeCount * 2);
         _free[_freeCount++] = index;
     }
