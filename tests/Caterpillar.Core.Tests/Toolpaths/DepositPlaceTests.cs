@@ -240,4 +240,38 @@ public class DepositPlaceTests
             Assert.That(to, Is.EqualTo(there[there.Length - 1]).Within(0.001));
         }
     }
+
+    [Test]
+    public void The_cells_of_a_strand_are_those_whose_middles_are_near_it()
+    {
+        var random = new Random(11);
+        for (var round = 0; round < 400; round++)
+        {
+            var a = new Vec3(random.NextDouble() * 6 - 3, random.NextDouble() * 6 - 3, 1);
+            var b = (round % 5) switch
+            {
+                0 => a,
+                1 => new Vec3(a.X + random.NextDouble() * 30 - 15, a.Y, 1),
+                2 => new Vec3(a.X, a.Y + random.NextDouble() * 30 - 15, 1),
+                3 => a + new Vec3(random.NextDouble() - 0.5, random.NextDouble() - 0.5),
+                _ => a + new Vec3(random.NextDouble() * 30 - 15, random.NextDouble() * 30 - 15),
+            };
+            var half = random.NextDouble() * (round % 3 == 0 ? 3 : 0.4);
+            var deposit = new Deposit();
+            deposit.Add(a, b, half);
+            for (var row = -80; row < 80; row++)
+            {
+                for (var column = -80; column < 80; column++)
+                {
+                    var middle = new Vec3((column + 0.5) * 0.25, (row + 0.5) * 0.25);
+                    var distance = Math.Sqrt(FlatSegment.SquareDistance(middle, a, b));
+                    var isDrawn = deposit.CellAt(middle.X, middle.Y).Top == 1;
+                    // Every cell that the strand touches, and none that is more than half a diagonal away.
+                    if (distance < half) Assert.That(isDrawn, $"{round}: {middle} is under the strand from {a} to {b}, {half} wide");
+                    if (distance > half + 0.25 * 0.7073) Assert.That(isDrawn, Is.False, $"{round}: {middle} is beside the strand from {a} to {b}, {half} wide");
+                    if (distance < half + 0.125) Assert.That(isDrawn, $"{round}: {middle} touches the strand from {a} to {b}, {half} wide");
+                }
+            }
+        }
+    }
 }

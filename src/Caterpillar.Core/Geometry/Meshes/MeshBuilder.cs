@@ -7,6 +7,7 @@ namespace Caterpillar.Geometry;
 internal sealed class MeshBuilder
 {
     private readonly VertexWelder _welder;
+    private readonly Vec3[]? _vertices;
     private int[] _triangles;
     private int _used;
 
@@ -16,7 +17,11 @@ internal sealed class MeshBuilder
         _triangles = new int[Math.Max(48, 3L * expectedTriangles <= int.MaxValue ? 3 * expectedTriangles : 48)];
     }
 
-    public int VertexCount => _welder.Count;
+    /// <summary>For triangles of vertices that are welded already.</summary>
+    public MeshBuilder(Vec3[] vertices, int expectedTriangles)
+        : this(0, expectedTriangles) => _vertices = vertices;
+
+    public int VertexCount => _vertices?.Length ?? _welder.Count;
 
     public int TriangleCount => _used / 3;
 
@@ -78,7 +83,7 @@ internal sealed class MeshBuilder
     public TriMesh ToMesh()
     {
         if (_triangles.Length != _used) Array.Resize(ref _triangles, _used);
-        return TriMesh.Own(MeshCleaning.DropUnused(_welder.ToArray(), _triangles), _triangles);
+        return TriMesh.Own(MeshCleaning.DropUnused(_vertices ?? _welder.ToArray(), _triangles), _triangles);
     }
 
     /// <summary>The mesh as read from a file: also without duplicate triangles, with reports of what was dropped and what is open.</summary>

@@ -36,7 +36,7 @@ public static class MeshReader
         var diagnostics = new DiagnosticList();
         try
         {
-            return ReadAll(bytes, name, diagnostics, options.Memory, progress, cancel);
+            return ReadAll(bytes, name, diagnostics, options, progress, cancel);
         }
         catch (DiagnosticException tooMuch)
         {
@@ -67,11 +67,11 @@ public static class MeshReader
     }
 
     private static Result<IReadOnlyList<NamedMesh>> ReadAll(
-        byte[] bytes, string name, DiagnosticList diagnostics, MemoryLimit memory, IProgress<double>? progress, CancellationToken cancel)
+        byte[] bytes, string name, DiagnosticList diagnostics, MeshReadOptions options, IProgress<double>? progress, CancellationToken cancel)
     {
         var meshes = new List<NamedMesh>();
-        var plain = GzipBytes.Unpack(bytes, name, "mesh.packed", diagnostics, memory, cancel);
-        var good = plain is not null && ReadPlain(new MeshSource(plain, name, diagnostics, memory, progress, cancel), meshes);
+        var plain = GzipBytes.Unpack(bytes, name, "mesh.packed", diagnostics, options.Memory, cancel);
+        var good = plain is not null && ReadPlain(new MeshSource(plain, name, diagnostics, options, progress, cancel), meshes);
         if (good && meshes.All(m => m.Mesh.TriangleCount == 0))
         {
             diagnostics.Add(Severity.Error, "mesh.empty", "There are no triangles in the file.", new SourceLocation(name));

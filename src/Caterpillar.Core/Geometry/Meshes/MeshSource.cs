@@ -6,14 +6,13 @@ namespace Caterpillar.Geometry;
 
 /// <summary>The bytes of a mesh file while it is read, with its name for messages, and the diagnostics.</summary>
 internal sealed class MeshSource(
-    byte[] bytes, string name, DiagnosticList diagnostics, MemoryLimit memory, IProgress<double>? progress, CancellationToken cancel)
+    byte[] bytes, string name, DiagnosticList diagnostics, MeshReadOptions options, IProgress<double>? progress, CancellationToken cancel)
 {
     // What a triangle, its half of a vertex and their neighbors take until the mesh is clean.
     private const double BytesPerTriangle = 160;
 
     // What a mesh takes besides.
     private const double BytesPerMesh = 1500;
-
 
     public byte[] Bytes { get; } = bytes;
 
@@ -24,6 +23,9 @@ internal sealed class MeshSource(
     public DiagnosticList Diagnostics { get; } = diagnostics;
 
     public CancellationToken Cancel { get; } = cancel;
+
+    /// <summary>Threads to use.</summary>
+    public int Threads { get; } = options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
 
     /// <summary>Reports progress and stops when canceled; to be called regularly.</summary>
     public void Pulse(long done, long all)
@@ -37,10 +39,10 @@ internal sealed class MeshSource(
     public void Afford(long triangles, long meshes = 1)
     {
         var bytes = Length + triangles * BytesPerTriangle + meshes * BytesPerMesh;
-        if (bytes <= memory.Bytes) return;
+        if (bytes <= options.Memory.Bytes) return;
         var of = triangles > 0 ? $" of {NumberFormatter.Format(triangles)} triangles" : "";
         var items = meshes > 1 ? $"{NumberFormatter.Format(meshes)} meshes{of}" : $"A mesh{of}";
-        memory.Check(bytes, items, new SourceLocation(Name));
+        options.Memory.Check(bytes, items, new SourceLocation(Name));
     }
 
     /// <summary>An error at a byte of a text file; the location is given as line and column.</summary>

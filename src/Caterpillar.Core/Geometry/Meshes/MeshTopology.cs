@@ -1,4 +1,5 @@
 using System;
+using System.Threading.Tasks;
 
 namespace Caterpillar.Geometry;
 
@@ -8,6 +9,8 @@ namespace Caterpillar.Geometry;
 /// </summary>
 internal sealed class MeshTopology
 {
+    private const int VerticesPerPiece = 16_384;
+    private const int MostPieces = 8;
     private readonly int[] _triangles;
 
     public MeshTopology(Vec3[] vertices, int[] triangles)
@@ -15,18 +18,24 @@ internal sealed class MeshTopology
         _triangles = triangles;
         Partner = new int[triangles.Length];
         var (starts, keys) = Bucket(vertices.Length, triangles);
-        for (var v = 0; v < vertices.Length; v++)
+        // The edges of different vertices have nothing in common.
+        var pieces = Math.Max(1, Math.Min(MostPieces, vertices.Length / VerticesPerPiece));
+        var counts = new EdgeCounts[pieces];
+        void PairPiece(int piece)
         {
-            var from = starts[v];
-            var to = starts[v + 1];
-            if (to == from) continue;
-            Sort(keys, from, to);
-            for (int i = from, end; i < to; i = end)
-            {
-                end = i + 1;
-                while (end < to && keys[end] >> 32 == keys[i] >> 32) end++;
-                Pair(vertices, keys, i, end);
-            }
+            int first = (int)((long)vertices.Length * piece / pieces), last = (int)((long)vertices.Length * (piece + 1) / pieces);
+            var count = new EdgeCounts();
+            for (var v = first; v < last; v++) PairEdges(vertices, keys, starts[v], starts[v + 1], ref count);
+            counts[piece] = count;
+        }
+        if (pieces == 1) PairPiece(0);
+        else Parallel.For(0, pieces, PairPiece);
+        foreach (var count in counts)
+        {
+            OpenEdges += count.Open;
+            NonManifoldEdges += count.NonManifold;
+            WindingConflicts += count.Conflicts;
+            IsPaired &= !count.HasUnpaired;
         }
     }
 
@@ -112,14 +121,27 @@ internal sealed class MeshTopology
         }
     }
 
-    private void Pair(Vec3[] vertices, long[] keys, int from, int to)
+    // The edges from one vertex to higher ones.
+    private void PairEdges(Vec3[] vertices, long[] keys, int from, int to, ref EdgeCounts count)
+    {
+        if (to == from) return;
+        Sort(keys, from, to);
+        for (int i = from, end; i < to; i = end)
+        {
+            end = i + 1;
+            while (end < to && keys[end] >> 32 == keys[i] >> 32) end++;
+            Pair(vertices, keys, i, end, ref count);
+        }
+    }
+
+    private void Pair(Vec3[] vertices, long[] keys, int from, int to, ref EdgeCounts count)
     {
         var first = (int)keys[from];
         if (to - from == 1)
         {
             Partner[first] = -1;
-            OpenEdges++;
-            IsPaired = false;
+            count.Open++;
+            count.HasUnpaired = true;
             return;
         }
         if (to - from == 2)
@@ -132,15 +154,21 @@ internal sealed class MeshTopology
                 return;
             }
             Partner[first] = Partner[second] = -1;
-            WindingConflicts++;
-            IsPaired = false;
+            count.Conflicts++;
+            count.HasUnpaired = true;
             return;
         }
-        NonManifoldEdges++;
-        if (!RadialPairing.Pair(vertices, _triangles, keys, from, to, Partner)) IsPaired = false;
+        count.NonManifold++;
+        if (!RadialPairing.Pair(vertices, _triangles, keys, from, to, Partner)) count.HasUnpaired = true;
     }
 
     private bool IsForward(int halfEdge) => _triangles[halfEdge] < _triangles[Next(halfEdge)];
 
     public static int Next(int halfEdge) => halfEdge % 3 == 2 ? halfEdge - 2 : halfEdge + 1;
+
+    private struct EdgeCounts
+    {
+        public int Open, NonManifold, Conflicts;
+        public bool HasUnpaired;
+    }
 }

@@ -46,19 +46,10 @@ internal static class StlReader
 
     private static void ReadFacets(MeshSource source, int count, List<NamedMesh> meshes)
     {
-        var bytes = source.Bytes;
         source.Afford(count);
-        // A closed mesh has about half as many vertices as triangles.
-        var builder = new MeshBuilder(count / 2 + 16, count);
-        for (var i = 0; i < count; i++)
-        {
-            if ((i & 0xFFFF) == 0) source.Pulse(i, count);
-            var at = HeaderBytes + i * FacetBytes + 12;
-            var a = builder.AddVertex(BitConverter.ToSingle(bytes, at), BitConverter.ToSingle(bytes, at + 4), BitConverter.ToSingle(bytes, at + 8));
-            var b = builder.AddVertex(BitConverter.ToSingle(bytes, at + 12), BitConverter.ToSingle(bytes, at + 16), BitConverter.ToSingle(bytes, at + 20));
-            var c = builder.AddVertex(BitConverter.ToSingle(bytes, at + 24), BitConverter.ToSingle(bytes, at + 28), BitConverter.ToSingle(bytes, at + 32));
-            builder.AddTriangle(a, b, c);
-        }
+        var (points, numbers) = new StlCorners(source, HeaderBytes + 12, FacetBytes, count).Weld();
+        var builder = new MeshBuilder(points, count);
+        for (var i = 0; i < numbers.Length; i += 3) builder.AddTriangle(numbers[i], numbers[i + 1], numbers[i + 2]);
         meshes.Add(new NamedMesh(MeshReader.PlainName(source.Name), builder.ToMesh(source.Name, true, source.Diagnostics)));
     }
 }

@@ -17,11 +17,11 @@ public sealed class TriMesh
     private readonly int[] _triangles;
     private readonly Lazy<MeshTopology> _topology;
 
-    private TriMesh(Vec3[] vertices, int[] triangles)
+    private TriMesh(Vec3[] vertices, int[] triangles, Lazy<MeshTopology>? topology = null)
     {
         _vertices = vertices;
         _triangles = triangles;
-        _topology = new Lazy<MeshTopology>(() => new MeshTopology(_vertices, _triangles));
+        _topology = topology ?? new Lazy<MeshTopology>(() => new MeshTopology(_vertices, _triangles));
         Bounds = BoundsOf(vertices);
     }
 
@@ -128,7 +128,18 @@ public sealed class TriMesh
         if (!(Math.Abs(determinant) > 0)) throw new ArgumentException("The map flattens space or is not finite.", nameof(map));
         var builder = new MeshBuilder(_vertices.Length, TriangleCount);
         if (!builder.Append(this, map)) throw new ArgumentException("The map moves a vertex too far out.", nameof(map));
-        return builder.ToMesh();
+        return builder.ToMesh().WithEdgesOf(this);
+    }
+
+    // Which triangles meet along an edge does not depend on where they are, other than for edges of more than two.
+    private TriMesh WithEdgesOf(TriMesh other)
+    {
+        if (!other._topology.IsValueCreated || other.NonManifoldEdgeCount > 0 || _triangles.Length != other._triangles.Length) return this;
+        for (var i = 0; i < _triangles.Length; i++)
+        {
+            if (_triangles[i] != other._triangles[i]) return this;
+        }
+        return new TriMesh(_vertices, other._triangles, other._topology);
     }
 
     /// <summary>The mesh moved by a vector in mm.</summary>

@@ -51,7 +51,8 @@ internal sealed class VertexWelder
         return _points;
     }
 
-    private static ulong Hash(double x, double y, double z)
+    /// <summary>Bits that depend on all coordinates, equal for equal points; −0.0 has to be 0.0.</summary>
+    public static ulong Hash(double x, double y, double z)
     {
         unchecked
         {

@@ -7,6 +7,10 @@ namespace Caterpillar.Slicing;
 /// <summary>The convex outline of a model seen from above, counter-clockwise, mm. Immutable.</summary>
 internal sealed class Footprint
 {
+    // Counter-clockwise.
+    private static readonly Vec3[] Directions =
+        [new(1, 0), new(1, 1), new(0, 1), new(-1, 1), new(-1, 0), new(-1, -1), new(0, -1), new(1, -1)];
+
     private readonly Vec3[] _corners;
 
     private Footprint(Vec3[] corners, double height)
@@ -26,9 +30,40 @@ internal sealed class Footprint
     /// <summary>Andrew's monotone chain over the vertices.</summary>
     public static Footprint Of(TriMesh mesh)
     {
-        var points = new Vec3[mesh.VertexCount];
-        for (var i = 0; i < points.Length; i++) points[i] = mesh.Vertices[i].WithZ(0);
-        return new Footprint(Hull(points), mesh.Bounds.IsEmpty ? 0 : mesh.Bounds.Size.Z);
+        return new Footprint(Hull(Outer(mesh.RawVertices)), mesh.Bounds.IsEmpty ? 0 : mesh.Bounds.Size.Z);
+    }
+
+    // The points that are not clearly inside the octagon of the outermost ones: of a model of many vertices only few have to be sorted (Akl and Toussaint, "A
+    // fast convex hull algorithm", 1978).
+    private static Vec3[] Outer(Vec3[] points)
+    {
+        var corners = new Vec3[8];
+        for (var k = 0; k < corners.Length; k++)
+        {
+            var most = double.NegativeInfinity;
+            var (x, y) = (Directions[k].X, Directions[k].Y);
+            foreach (var p in points)
+            {
+                var reach = p.X * x + p.Y * y;
+                if (!(reach > most)) continue;
+                (most, corners[k]) = (reach, p);
+            }
+        }
+        var outer = new List<Vec3>();
+        foreach (var p in points)
+        {
+            var edges = 0;
+            for (var k = 0; edges >= 0 && k < corners.Length; k++)
+            {
+                var (a, b) = (corners[k], corners[(k + 1) & 7]);
+                if (a.X == b.X && a.Y == b.Y) continue;
+                // Far more than what rounding makes of it.
+                var inside = Turn(a, b, p) > 1e-9 * (Math.Abs(b.X - a.X) + Math.Abs(b.Y - a.Y)) * (1 + Math.Abs(p.X) + Math.Abs(p.Y));
+                edges = inside ? edges + 1 : -1;
+            }
+            if (edges <= 0) outer.Add(p.WithZ(0));
+        }
+        return outer.ToArray();
     }
 
     /// <summary>A rectangle.</summary>
