@@ -81,7 +81,7 @@ internal sealed class SupportBuilder
         if (reach < 1000 && !below.IsEmpty)
         {
             // What leans out too far, and all of the step that it is the edge of.
-            var far = Opened(step.Subtract(below.Offset(reach, JoinStyle.Round, 2, ArcTolerance, engine), engine), Least, engine);
+            var far = ThinParts.Thick(step.Subtract(below.Offset(reach, JoinStyle.Round, 2, ArcTolerance, engine), engine), Least, engine);
             if (!far.IsEmpty) overhang = far.Offset(reach + Least, JoinStyle.Round, 2, ArcTolerance, engine).Intersect(step, engine);
         }
         if (blockers is not null) overhang = overhang.Subtract(blockers[i], engine);
@@ -96,9 +96,9 @@ internal sealed class SupportBuilder
         level.Forbidden = Simple(Region.Union(near.Append(level.Part)), _settings.SupportXyGap, new RegionEngine());
     });
 
-    // Moved outward by a distance and a bit, so that the simplified outline is nowhere nearer.
+    // Moved outward by a distance and a bit, so that simplified outlines, also those of supports, are nowhere nearer.
     private static Region Simple(Region region, double distance, RegionEngine engine)
-        => region.Offset(distance + Coarse, JoinStyle.Round, 2, Coarse / 2, engine).Simplified(Coarse / 2, engine);
+        => region.Offset(distance + 1.5 * Coarse, JoinStyle.Round, 2, Coarse / 2, engine).Simplified(Coarse / 2, engine);
 
 
     // Overhangs are held from the highest level that leaves the gap open.
@@ -151,7 +151,7 @@ internal sealed class SupportBuilder
             support = support.Subtract(_levels[k].Part, engine);
         for (var k = i - 1; k >= 0 && _levels[k].Top > level.Top - level.Thickness - _settings.SupportBottomGap + 1e-6; k--)
             support = support.Subtract(_levels[k].Part, engine);
-        return support;
+        return support.Simplified(Coarse / 2, engine);
     }
 
     // From the bed up: only what lies on the bed, on supports below, or (everywhere) closely above the part.
@@ -181,28 +181,32 @@ internal sealed class SupportBuilder
                     level.Support = support;
                     continue;
                 }
-                support = below.IsEmpty ? Region.Empty : support.Intersect(below.Offset(Lean(level), JoinStyle.Round, 2, Coarse / 2, engine), engine);
+                support = below.IsEmpty ? Region.Empty : support.Intersect(Carried(level, below, engine), engine);
                 if (!grounded[i].IsEmpty) support = support.Union(grounded[i], engine);
             }
-            level.Support = Opened(support, _width / 2, engine);
+            level.Support = ThinParts.Thick(support, _width / 2, engine);
         }
     }
 
-    // How far a strand may reach beyond what is below it.
-    private double Lean(SupportLevel level)
+    // What is below a level, as far as strands may lean out over it; the lattice of a tree also spans what is between its tips.
+    private Region Carried(SupportLevel level, Region below, RegionEngine engine)
     {
-        var roof = _settings.Support == SupportKind.Tree && !RoofOver(level).IsEmpty ? _settings.SupportTipDistance : 0;
-        var angle = Math.Max(45, _settings.Support == SupportKind.Tree ? _settings.SupportBranchAngle : 0);
-        return Math.Max(roof, level.Thickness * Angle.Sin(angle) / Angle.Cos(angle));
+        var tree = _settings.Support == SupportKind.Tree;
+        var angle = Math.Max(45, tree ? _settings.SupportBranchAngle : 0);
+        var leaning = below.Offset(level.Thickness * Angle.Sin(angle) / Angle.Cos(angle), JoinStyle.Round, 2, Coarse / 2, engine);
+        var held = level.Work.Index + _settings.SupportInterfaceLayers;
+        if (!tree || _settings.SupportInterfaceLayers == 0 || held >= _levels.Length || _levels[held].Contact.IsEmpty) return leaning;
+        var span = 0.75 * _settings.SupportTipDistance;
+        var near = below.Intersect(_levels[held].Contact.Offset(_width, JoinStyle.Miter, 2, Coarse, engine), engine);
+        var spanned = near.Offset(span, JoinStyle.Round, 2, Coarse, engine).Offset(-span, JoinStyle.Round, 2, Coarse, engine);
+        return leaning.Union(spanned, engine);
     }
 
-    // The contacts that dense layers up to this one hold.
-    private Region RoofOver(SupportLevel level)
+    // The contacts that so many layers, of which this is the lowest, hold.
+    private Region RoofOver(SupportLevel level, int layers)
     {
-        if (_settings.SupportInterfaceLayers == 0) return Region.Empty;
-        var from = level.Work.Index;
         var roof = Region.Empty;
-        for (var k = from; k < Math.Min(_levels.Length, from + _settings.SupportInterfaceLayers); k++)
+        for (var k = level.Work.Index; k < Math.Min(_levels.Length, level.Work.Index + layers); k++)
             roof = roof.IsEmpty ? _levels[k].Contact : roof.Union(_levels[k].Contact);
         return roof;
     }
@@ -227,14 +231,16 @@ internal sealed class SupportBuilder
         var level = _levels[i];
         if (level.Support.IsEmpty) return;
         var engine = new RegionEngine();
-        var roof = RoofOver(level);
-        if (!roof.IsEmpty) level.Interface = Opened(roof.Intersect(level.Support, engine), _width / 2, engine);
+        var contact = RoofOver(level, _settings.SupportInterfaceLayers);
+        if (_settings.Support == SupportKind.Grid && !contact.IsEmpty)
+        {
+            // So far that the dense lines reach a line or the wall of the grid below on all sides.
+            var reach = _width * 50 / _settings.SupportPercent;
+            contact = contact.Offset(Math.Min(reach, 10 * _width), JoinStyle.Miter, 2, Coarse, engine);
+        }
+        level.Interface = ThinParts.Thick(contact.Intersect(level.Support, engine), _width / 2, engine);
+        if (_settings.Support != SupportKind.Tree) return;
+        var roof = RoofOver(level, TreeSupport.RoofLayers(_settings));
+        level.Lattice = roof.Intersect(level.Support, engine).Subtract(level.Interface, engine);
     });
-
-    private static Region Opened(Region region, double radius, RegionEngine engine)
-    {
-        if (region.IsEmpty) return region;
-        var core = region.Offset(-radius, JoinStyle.Miter, 2, ArcTolerance, engine);
-        return core.IsEmpty ? core : core.Offset(radius, JoinStyle.Miter, 2, ArcTolerance, engine).Intersect(region, engine);
-    }
 }

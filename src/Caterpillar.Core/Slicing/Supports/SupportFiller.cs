@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -12,43 +13,79 @@ internal static class SupportFiller
     private const int FirstIsland = 1_000_000;
     private const double ArcTolerance = 0.02;
 
-    /// <summary>Adds the steps: a wall around each piece and lines in it; dense lines across them near the part.</summary>
+    // mm; nobody sees how closely supports follow their outline.
+    private const double Coarse = 0.03;
+
+    /// <summary>
+    /// Adds the steps: a wall around each piece and lines in it. Near the part there are dense lines across them instead, which rest on the walls below.
+    /// </summary>
     public static void Add(SupportLevel level, PrintSettings settings, LayerTools tools, List<PathStep> steps)
     {
         var engine = tools.Engine;
-        var width = settings.LineWidth;
+        var (rules, width) = (level.Work.Rules, settings.LineWidth);
         // Where a support is thin, a single strand: two walls would lie in each other's place.
-        var builder = new WallBuilder(level.Work.Rules.Walls with { Count = 1, VariableWidth = true }, engine);
+        var builder = new WallBuilder(rules.Walls with { Count = 1, VariableWidth = true, Tolerance = Coarse }, engine);
         var islands = level.Support.Islands;
         for (var i = 0; i < islands.Count; i++)
         {
             var island = islands[i];
             var line = new SupportLine(level, island, FirstIsland + i, steps);
+            var near = island.Intersect(level.Interface.Near(island.Box), engine);
+            var dense = Dense(near);
+            if (!dense.IsEmpty && ThinParts.Thick(island.Subtract(dense, engine), width / 2, engine).IsEmpty) continue;
             var walls = builder.Outline(island);
-            var near = level.Interface.IsEmpty ? Region.Empty : island.Intersect(level.Interface, engine);
             var role = near.Area > island.Area / 2 ? Role.SupportInterface : Role.Support;
-            foreach (var wall in walls.Paths) line.Add(wall.ToPath(level.Top, level.Work.Rules.Walls), role, 0);
-            var inside = walls.Inside;
-            var dense = near.IsEmpty ? near : inside.Intersect(near, engine);
-            if (!dense.IsEmpty) Lines(dense, settings.SupportInterfacePercent, 90, Role.SupportInterface, 2);
+            foreach (var wall in walls.Paths) Wall(wall.ToPath(level.Top, rules.Walls), role);
+            var inside = walls.Inside.IsEmpty ? walls.Inside : walls.Inside.Subtract(dense, engine);
             if (settings.Support == SupportKind.Grid)
+                Fill(Inset(inside, width / 4), rules.Pitch(width) * 100 / settings.SupportPercent, 0, true, Role.Support, 1);
+            // Rows over the tips, which stand in the same places.
+            else if (level.Lattice.Near(island.Box) is { IsEmpty: false } lattice)
+                Fill(Inset(inside.Intersect(lattice, engine), width / 4), settings.SupportTipDistance, 0, false, Role.Support, 1);
+
+            // Lines in all pieces that are wide enough for some.
+            Region Dense(Region near)
             {
-                Lines(dense.IsEmpty ? inside : inside.Subtract(dense, engine), settings.SupportPercent, 0, Role.Support, 1);
+                var filled = Region.Empty;
+                foreach (var piece in near.Islands)
+                {
+                    var area = Inset(piece, width / 2);
+                    if (area.IsEmpty || Inset(area, width / 4).IsEmpty) continue;
+                    Fill(area, rules.Pitch(width) * 100 / settings.SupportInterfacePercent, 90, true, Role.SupportInterface, 2);
+                    filled = filled.Union(piece, engine);
+                }
+                return filled;
             }
 
-            void Lines(Region area, double percent, double angle, Role role, int rank)
+            // Without what is in the place of dense lines.
+            void Wall(PrintPath path, Role role)
             {
-                // Ends keep half a width from the wall.
-                var lines = area.Offset(-width / 4, JoinStyle.Miter, 2, ArcTolerance, engine);
-                if (lines.IsEmpty) return;
-                var spacing = level.Work.Rules.Pitch(width) * 100 / percent;
-                var request = new InfillRequest(lines, InfillPattern.Lines, spacing, width) { Angle = angle, Z = level.Top, Layer = level.Work.Index };
+                if (dense.IsEmpty || path.OnlyBead is not { } bead)
+                {
+                    line.Add(path, role, 0);
+                    return;
+                }
+                foreach (var piece in dense.ClipLines([new Polyline(path.RawPoints, path.IsClosed)], outside: true))
+                {
+                    if (piece.Length >= width) line.Add(PrintPath.Own(Array.ConvertAll(piece.Raw, p => p.WithZ(level.Top)), [bead], piece.IsClosed), role, 0);
+                }
+            }
+
+            void Fill(Region area, double spacing, double angle, bool linked, Role role, int rank)
+            {
+                if (area.IsEmpty) return;
+                var request = new InfillRequest(area, InfillPattern.Lines, spacing, width)
+                {
+                    Angle = angle, Z = level.Top, Layer = level.Work.Index, Linked = linked,
+                };
                 foreach (var found in tools.Infill.Fill(request))
                 {
-                    if (found.Points.Length > 1) line.Add(PrintPath.Own(found.Points, [level.Work.Rules.Bead(width)], found.Closed), role, rank);
+                    if (found.Points.Length > 1) line.Add(PrintPath.Own(found.Points, [rules.Bead(width)], found.Closed), role, rank);
                 }
             }
         }
+
+        Region Inset(Region region, double distance) => region.Offset(-distance, JoinStyle.Miter, 2, ArcTolerance, engine);
     }
 
     private readonly record struct SupportLine(SupportLevel Level, Region Island, int Number, List<PathStep> Steps)

@@ -33,6 +33,9 @@ internal sealed class SupportLevel(LayerWork work)
 
     /// <summary>Part of it that is dense.</summary>
     public Region Interface { get; set; } = Region.Empty;
+
+    /// <summary>Part of it where lines run from tip to tip of trees, so that what is dense rests on something.</summary>
+    public Region Lattice { get; set; } = Region.Empty;
 }
 
 /// <summary>Bodies whose layers are at the same heights, from the bed up.</summary>

@@ -19,6 +19,9 @@ internal sealed class TreeSupport
     private const double Taper = 0.06;
     private const double Joined = 0.15;
 
+    // Least radius, of the line width: a loop fits in.
+    private const double Least = 1.05;
+
     // The nearest edge of the shadow is looked for again after so many levels.
     private const int TargetLevels = 10;
 
@@ -41,6 +44,9 @@ internal sealed class TreeSupport
 
     // A branch where it passes a level.
     private readonly record struct Branch(Vec3 Place, double Depth, int Tips, Vec3? Target = null);
+
+    /// <summary>Layers that hold a contact: the dense ones on a lattice over the tips.</summary>
+    public static int RoofLayers(PrintSettings settings) => settings.SupportInterfaceLayers > 0 ? settings.SupportInterfaceLayers + 1 : 0;
 
     /// <summary>Fills the supports of the levels, without regard to gaps and to what carries them.</summary>
     public void Grow()
@@ -68,7 +74,7 @@ internal sealed class TreeSupport
         {
             var shapes = new List<Region>();
             if (at[i] is { } branches) shapes.Add(Discs(branches));
-            for (var k = i; k < Math.Min(_levels.Length, i + _settings.SupportInterfaceLayers); k++) shapes.Add(_levels[k].Contact);
+            for (var k = i; k < Math.Min(_levels.Length, i + RoofLayers(_settings)); k++) shapes.Add(_levels[k].Contact);
             if (shapes.Count > 0) _levels[i].Support = Region.Union(shapes);
         });
     }
@@ -106,6 +112,12 @@ internal sealed class TreeSupport
             // On the part: the branch ends here.
             if (level.Part.Contains(place.X, place.Y)) continue;
             var next = place;
+            // A tip stays below the layers that rest on it.
+            if (branch.Depth < RoofLayers(_settings) * level.Thickness - 1e-6)
+            {
+                moved.Add(branch with { Depth = branch.Depth + level.Thickness });
+                continue;
+            }
             if (shadow.Contains(place.X, place.Y))
             {
                 // Lower shadows are no larger: a place outside stays outside.
@@ -155,18 +167,29 @@ internal sealed class TreeSupport
         return best;
     }
 
+    // Along the edges, so that the outermost strands of what tips carry have both ends of each span on one, and within.
     private void AddTips(Region ready)
     {
         var spacing = _settings.SupportTipDistance;
         foreach (var island in ready.Islands)
         {
             var count = _branches.Count;
+            var edge = island.Offset(-_width / 2, JoinStyle.Miter, 2, ArcTolerance, _engine);
+            if (edge.IsEmpty) edge = island;
+            foreach (var contour in edge.Contours)
+            {
+                var length = contour.Length;
+                // A small place has its tip in the middle.
+                if (length < spacing) continue;
+                var steps = Math.Ceiling(length / spacing);
+                for (var k = 0; k < steps; k++) AddTip(LoopPlace.AtLength(contour.Raw, length * k / steps).Point);
+            }
             var box = island.Bounds;
             for (var y = Math.Ceiling(box.Min.Y / spacing) * spacing; y <= box.Max.Y; y += spacing)
             {
                 for (var x = Math.Ceiling(box.Min.X / spacing) * spacing; x <= box.Max.X; x += spacing)
                 {
-                    if (island.Contains(x, y)) AddTip(new Vec3(x, y));
+                    if (edge.Contains(x, y)) AddTip(new Vec3(x, y));
                 }
             }
             if (_branches.Count == count && Middle(island) is { } middle) AddTip(middle);
@@ -195,16 +218,16 @@ internal sealed class TreeSupport
 
     private Region Discs(List<Branch> branches)
     {
-        const int Sides = 16;
         var discs = new List<Polyline>(branches.Count);
         foreach (var branch in branches)
         {
-            var radius = Math.Max(_width, Math.Min(
+            var radius = Math.Max(Least * _width, Math.Min(
                 _settings.SupportBranchDiameter / 2, _width * (1 + Joined * Math.Sqrt(branch.Tips - 1)) + Taper * branch.Depth));
-            var points = new Vec3[Sides];
-            for (var k = 0; k < Sides; k++)
+            // Thin branches are round enough with eight.
+            var points = new Vec3[radius < 2 * _width ? 8 : 16];
+            for (var k = 0; k < points.Length; k++)
             {
-                var (sin, cos) = Angle.SinCos(360.0 * k / Sides);
+                var (sin, cos) = Angle.SinCos(360.0 * k / points.Length);
                 points[k] = branch.Place + new Vec3(radius * cos, radius * sin);
             }
             discs.Add(Polyline.Own(points, closed: true));

@@ -43,6 +43,14 @@ internal static class ThinParts
         return thin;
     }
 
+    /// <summary>What of a region is thicker than twice a distance, with its corners; a region without thin places stays what it is.</summary>
+    public static Region Thick(Region region, double half, RegionEngine engine)
+    {
+        if (region.IsEmpty) return region;
+        var thin = Of(region, half, 0, engine, out var thick);
+        return thin.IsEmpty ? region : thick.Intersect(region, engine);
+    }
+
     // A corner of less than 30° is thin at its tip.
     private static bool HasSharpCorner(Region region)
     {

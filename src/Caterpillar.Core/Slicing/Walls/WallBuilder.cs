@@ -18,7 +18,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         var output = new WallOutput(rules);
         if (rules.Count == 0) return output.Result(island);
         if (!rules.VariableWidth) Report(island, rules.OuterWidth / 2, output);
-        else if (!IsThick(island)) return output.Result(Varying(island, output));
+        else if (!IsThick(island, rules.Edge + rules.OuterSpacing + (rules.Count - 0.25) * rules.InnerSpacing)) return output.Result(Varying(island, output));
         return output.Result(Classic(island, output));
     }
 
@@ -26,7 +26,8 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     public WallResult Outline(Region island)
     {
         var output = new WallOutput(rules);
-        if (IsThick(island)) return output.Result(Classic(island, output));
+        // Two sides of a wall that lie in each other by a tenth do no harm here.
+        if (IsThick(island, rules.Edge + 0.9 * rules.OuterSpacing)) return output.Result(Classic(island, output));
         var area = island.Offset(-rules.Edge, JoinStyle.Miter, 4, ArcTolerance, engine);
         if (area.IsEmpty) return output.Result(area);
         return output.Result(new WallLevel(rules, rules.OuterWidth, rules.InnerWidth, engine, _offset).Walls(area, 0, output));
@@ -55,10 +56,9 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     }
 
     // Where no place is so thin that its thickness matters, the walls are plain offsets. There is so much to spare that a coarse outline tells it.
-    private bool IsThick(Region island)
+    private bool IsThick(Region island, double depth)
     {
         const double Coarse = 0.02;
-        var depth = rules.Edge + rules.OuterSpacing + (rules.Count - 1 + 0.75) * rules.InnerSpacing;
         var coarse = island.Simplified(Coarse, engine);
         return ThinParts.Of(coarse, depth, 0.25 * rules.InnerSpacing * rules.InnerSpacing, engine, out _).IsEmpty;
     }

@@ -69,8 +69,11 @@ public class SupportTests
                 Assert.That(layers[k].Region.ClipLines(paths.Select(Line)).Sum(l => l.Length), Is.LessThan(0.01), $"touches what is above {layers[i].Layer.Z}");
             if (i == 0) continue;
             // Below lies a support, up to as far aside as it may lean, or the part as near as the gaps leave it.
-            var roof = paths.Any(p => p.Role == Role.SupportInterface) && kind == SupportKind.Tree ? settings.SupportTipDistance : 0;
-            var below = layers[i - 1].Support.Offset(Math.Max(roof, settings.LayerHeight) + 0.05, JoinStyle.Round);
+            var below = layers[i - 1].Support.Offset(settings.LayerHeight + 0.1, JoinStyle.Round);
+            // The lattice below a roof spans the tips of a tree, and reaches nowhere beyond them.
+            var roofed = kind == SupportKind.Tree && layers.Skip(i).Take(settings.SupportInterfaceLayers + 1)
+                .Any(l => Solids.Paths(l, Role.SupportInterface).Length > 0);
+            if (roofed) below = below.Union(layers[i - 1].Support.Closed(0.75 * settings.SupportTipDistance).Offset(0.1));
             if (place == SupportPlace.Everywhere)
             {
                 for (var k = i - 1; k >= 0 && layers[k].Layer.Z > layers[i]
