@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.Display;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
@@ -7,7 +8,7 @@ using Caterpillar.Turtles;
 
 namespace Caterpillar.GH.Preview;
 
-/// <summary>The head of a printer as rings and edges, its profile, and the turtle that shows where it goes, at any place.</summary>
+/// <summary>The head of a printer as rings and edges, its profile and mesh, and the turtle that shows where it goes, at any place.</summary>
 internal sealed class HeadOutline
 {
     private const int Corners = 24;
@@ -16,6 +17,7 @@ internal sealed class HeadOutline
     private readonly Rg.Line[] _lines;
     private readonly Rg.Line[] _moved;
     private readonly Rg.Point3d[] _profile;
+    private readonly Rg.Mesh _mesh;
 
     public HeadOutline(Printer printer, DocumentUnits units)
     {
@@ -45,6 +47,7 @@ internal sealed class HeadOutline
         _lines = lines.ToArray();
         _moved = new Rg.Line[_lines.Length + 3];
         _profile = profile.ToArray();
+        _mesh = RhinoMesh.FromTriangles(HeadMesh.Of(printer), units);
 
         Rg.Point3d At(HeadPoint ring, int corner)
         {
@@ -70,5 +73,14 @@ internal sealed class HeadOutline
     {
         var by = new Rg.Vector3d(tip.X, tip.Y, tip.Z);
         return PolylineMaker.Of(System.Array.ConvertAll(_profile, p => p + by));
+    }
+
+    /// <summary>Nozzle, head and boxes with the nozzle at a point; null for a head without extent.</summary>
+    public Rg.Mesh? MeshAt(Rg.Point3d tip)
+    {
+        if (_mesh.Faces.Count == 0) return null;
+        var mesh = _mesh.DuplicateMesh();
+        mesh.Translate(new Rg.Vector3d(tip.X, tip.Y, tip.Z));
+        return mesh;
     }
 }

@@ -65,6 +65,30 @@ public sealed class SimulateTests
     }
 
     [Test]
+    public void Positions_are_also_seconds_layers_and_lines()
+    {
+        var goo = TwoLayers();
+        var timeline = Timeline.Of(goo.Value, goo.Setup!);
+        Canvas<SimulateComponent> At(string by, double position)
+            => new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", position).Feed("By", by).Solve();
+        Assert.That(At("Seconds", 1.5).One<double>("Time"), Is.EqualTo(1.5).Within(1e-9));
+        Assert.That(At("Seconds", 1e6).One<double>("Time"), Is.EqualTo(timeline.Duration));
+        Assert.That(At("Layer Number", 1).One<double>("Time"), Is.EqualTo(timeline.AtLayer(1)!.Value.Time));
+        var source = goo.Value[goo.Value.Count - 1].Source;
+        Assert.That(At("Line", source).One<double>("Time"), Is.EqualTo(timeline.AtSource(source)!.Value.Time));
+        foreach (var (by, position) in new[] { ("Layer Number", 2.0), ("Layer Number", -1), ("Line", 1e12), ("Line", -1) })
+            Assert.That(At(by, position).Errors, Has.One.Contains("nothing at this position"), by);
+    }
+
+    [Test]
+    public void The_head_is_a_mesh_above_the_nozzle()
+    {
+        var canvas = new Canvas<SimulateComponent>().Feed("Toolpath", TwoLayers()).Feed("Position", 0.4).Solve();
+        var (tip, box) = (canvas.One<Rg.Plane>("Plane").Origin, canvas.One<Rg.Mesh>("Head Mesh").GetBoundingBox(true));
+        Assert.That((box.Min.Z, box.Max.Z, box.Max.X), Is.EqualTo((tip.Z, tip.Z + 12, tip.X + 20)).Within(1e-6));
+    }
+
+    [Test]
     public void What_is_printed_is_drawn_up_to_the_nozzle()
     {
         var goo = TwoLayers();

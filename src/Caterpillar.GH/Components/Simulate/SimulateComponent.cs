@@ -21,6 +21,9 @@ public enum PositionBy
     Time,
     Length,
     Layer,
+    Seconds,
+    LayerNumber,
+    Line,
 }
 
 /// <summary>Shows the machine at a moment of a print.</summary>
@@ -39,8 +42,10 @@ public sealed class SimulateComponent() : CaterpillarComponent(
     {
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to simulate, planned or decoded.");
         SetupPorts.Printer(ports);
-        ports.Number("Position", "t", "Position in the print, from 0 to 1.", 1);
-        ports.Choice("By", "B", "What the position counts: time, length of the path, or layers.", PositionBy.Time);
+        ports.Number("Position", "t", "Position in the print: from 0 to 1, or as By says.", 1);
+        ports.Choice("By", "B", "What the position counts. From 0 to 1: time, length of the path or layers; else seconds, the number of a layer as in the "
+            + "file, "
+            + "or the line of a file, from 1, or step of a design, from 0.", PositionBy.Time);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -52,14 +57,15 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         ports.Integer("Line", "L", "Line number in the file, from 1, or number of the step, from 0; -1 if there is none.");
         ports.Add(new Param_Curve { Hidden = true }, "Head", "H", "Outline of the head above the nozzle, in document units.");
         ports.Text("State", "S", "What the machine does, in words.");
+        ports.Add(new Param_Mesh { Hidden = true }, "Head Mesh", "HM", "Nozzle and head with its boxes, in document units; null for a head without extent.");
     }
 
     private protected override void Solve(Run run)
     {
         var goo = run.Get<ToolpathGoo>(0);
         var position = run.Finite(2);
-        if (position is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
         var by = run.Choice<PositionBy>(3);
+        if (by <= PositionBy.Layer && position is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
         var toolpath = goo.Value;
         if (toolpath.Count == 0) throw new InputProblem("The toolpath has no moves.");
         var setup = run.Cached([goo.Value, goo.Setup, goo.DecodedGCode, run.Maybe<Printer>(1)], () => SetupPorts.Of(run, goo, run.Maybe<Printer>(1)));
@@ -82,6 +88,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         run.Set(4, state.Source);
         run.Set(5, outline.ProfileAt(tip));
         run.Set(6, Words(timeline, state));
+        run.Set(7, outline.MeshAt(tip));
         run.Summarize($"{NumberFormatter.Format(100 * (timeline.Duration > 0 ? state.Time / timeline.Duration : 1), 1)} %");
     }
 
@@ -89,6 +96,8 @@ public sealed class SimulateComponent() : CaterpillarComponent(
     {
         if (by == PositionBy.Time) return timeline.AtFraction(position);
         if (by == PositionBy.Length) return timeline.AtLength(position);
+        if (by == PositionBy.Seconds) return timeline.At(position);
+        if (by != PositionBy.Layer) return AtNumber(timeline, position, by) ?? throw new InputProblem("The print has nothing at this position.");
         var layers = timeline.Toolpath.Layers.Count;
         if (layers == 0 || position >= 1) return timeline.AtFraction(position);
         // Within a layer by time.
@@ -96,6 +105,18 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         var from = timeline.AtLayer(layer)?.Time ?? 0;
         var to = layer + 1 < layers ? timeline.AtLayer(layer + 1)?.Time ?? timeline.Duration : timeline.Duration;
         return timeline.At(from + (position * layers - layer) * (to - from));
+    }
+
+    // The beginning of a layer or of a line.
+    private static MachineState? AtNumber(Timeline timeline, double position, PositionBy by)
+    {
+        var number = (int)Math.Floor(Math.Max(Math.Min(position, int.MaxValue), -1));
+        if (by == PositionBy.Line) return number >= 0 ? timeline.AtSource(number) : null;
+        for (var i = 0; i < timeline.Toolpath.Layers.Count; i++)
+        {
+            if (timeline.Toolpath.Layers[i].Index == number && timeline.AtLayer(i) is { } state) return state;
+        }
+        return null;
     }
 
     private static Rg.Curve? Current(Timeline timeline, MachineState state, DocumentUnits units)

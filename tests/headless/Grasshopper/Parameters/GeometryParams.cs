@@ -93,13 +93,23 @@ namespace Grasshopper.Kernel.Parameters
         protected override GH_GetterResult Prompt_Plural(ref List<GH_Curve> values) => GH_GetterResult.cancel;
     }
 
-    public class Param_Mesh : GH_PersistentGeometryParam<GH_Mesh>
+    public class Param_Mesh : GH_PersistentGeometryParam<GH_Mesh>, IGH_PreviewObject
     {
         public Param_Mesh() : base("Mesh", "Mesh", "Contains a collection of polygon meshes", "Params", "Geometry")
         {
         }
 
         public override Guid ComponentGuid => new Guid("1e936df3-0eea-4246-8549-514cb8862b7a");
+
+        public bool Hidden { get; set; }
+
+        public bool IsPreviewCapable => true;
+
+        public BoundingBox ClippingBox => Preview_ComputeClippingBox();
+
+        public void DrawViewportWires(IGH_PreviewArgs args) => Preview_DrawWires(args);
+
+        public void DrawViewportMeshes(IGH_PreviewArgs args) => Preview_DrawMeshes(args);
 
         protected override GH_GetterResult Prompt_Singular(ref GH_Mesh value) => GH_GetterResult.cancel;
 

@@ -1,0 +1,61 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Display;
+
+/// <summary>Nozzle and head of a printer as closed surfaces.</summary>
+public static class HeadMesh
+{
+    private const int Corners = 24;
+
+    /// <summary>
+    /// The outline of the head around its axis and its boxes, mm, with the tip of the nozzle at the origin; normals point outward. Parts without height are
+    /// left out.
+    /// </summary>
+    public static TriMesh Of(Printer printer)
+    {
+        if (printer is null) throw new ArgumentNullException(nameof(printer));
+        var points = new List<Vec3>();
+        var triangles = new List<int>();
+        var outline = printer.HeadOutline;
+        if (outline.Count > 1)
+        {
+            // From the middle of the tip over the rings to the middle of the top.
+            points.Add(new Vec3(0, 0, outline[0].Height));
+            foreach (var ring in outline) AddRing(points, ring);
+            points.Add(new Vec3(0, 0, outline[outline.Count - 1].Height));
+            for (var k = 0; k < Corners; k++)
+            {
+                int here = 1 + k, next = 1 + (k + 1) % Corners;
+                triangles.AddRange([0, next, here]);
+                for (var i = 1; i < outline.Count; i++, here += Corners, next += Corners)
+                    triangles.AddRange([here, next, next + Corners, here, next + Corners, here + Corners]);
+                triangles.AddRange([here, next, points.Count - 1]);
+            }
+        }
+        foreach (var box in printer.HeadBoxes) AddBox(points, triangles, box);
+        return TriMesh.Create(points, triangles);
+    }
+
+    private static void AddRing(List<Vec3> points, HeadPoint ring)
+    {
+        for (var k = 0; k < Corners; k++)
+        {
+            var (sin, cos) = Angle.SinCos(360.0 * k / Corners);
+            points.Add(new Vec3(ring.Radius * cos, ring.Radius * sin, ring.Height));
+        }
+    }
+
+    // Corner k: the highest X, Y and Z by its bits.
+    private static void AddBox(List<Vec3> points, List<int> triangles, Bounds box)
+    {
+        var first = points.Count;
+        for (var k = 0; k < 8; k++)
+            points.Add(new Vec3((k & 1) == 0 ? box.Min.X : box.Max.X, (k & 2) == 0 ? box.Min.Y : box.Max.Y, (k & 4) == 0 ? box.Min.Z : box.Max.Z));
+        foreach (var (a, b, c, d) in new[] { (0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6) })
+            triangles.AddRange([first + a, first + b, first + c, first + a, first + c, first + d]);
+    }
+}
