@@ -42,10 +42,10 @@ internal static class EditCheck
         }
         var (a, b) = (ToolpathTotals.Of(wanted), ToolpathTotals.Of(read));
         if (Math.Abs(a.PrintLength - b.PrintLength) > Share * a.PrintLength + Position)
-            findings.Add(CheckCodes.FilePosition, -1, () => $"The file prints {NumberFormatter.Format(b.PrintLength, 2)} mm; the edit asks for "
+            findings.Add(CheckCodes.FilePosition, () => null, () => $"The file prints {NumberFormatter.Format(b.PrintLength, 2)} mm; the edit asks for "
                 + $"{NumberFormatter.Format(a.PrintLength, 2)} mm.");
         if (Math.Abs(a.DepositedE - b.DepositedE) > Share * a.DepositedE + Position)
-            findings.Add(CheckCodes.FileExtrusion, -1, () => $"The file extrudes {NumberFormatter.Format(b.DepositedE, 3)}; the edit asks for "
+            findings.Add(CheckCodes.FileExtrusion, () => null, () => $"The file extrudes {NumberFormatter.Format(b.DepositedE, 3)}; the edit asks for "
                 + $"{NumberFormatter.Format(a.DepositedE, 3)}.");
     }
 

@@ -31,7 +31,7 @@ internal sealed class QueueLookAhead(int queue) : LookAhead
 
     public override int Plan(Segment[] run, int count, bool ends)
     {
-        if (!ends && (_window > count || count - _window < LeastStretch)) return 0;
+        if (!ends && count - _window < LeastStretch) return 0;
         if (_window >= count) WholeQueue(run, count);
         else Windows(run, count, ends);
         var done = ends ? count : count - _window;
@@ -117,13 +117,11 @@ internal sealed class CruiseLookAhead : LookAhead
     {
         Enter(run, count);
         var done = ends ? count : FinalCount(run, count);
-        if (done > 0)
-        {
-            if (done < count) Brake(run, done, run[done].Start2, run[done].Slow2);
-            else Brake(run, done, 0, 0);
-            Cruise(run, done);
-        }
+        if (done < count) Brake(run, done, run[done].Start2, run[done].Slow2);
+        else Brake(run, done, 0, 0);
+        Cruise(run, done);
         // The next run begins at rest, whatever was before.
+        if (ends) _tryAt = FirstTry;
         _entered -= done;
         return done;
     }

@@ -30,9 +30,6 @@ internal sealed class MotionPlanner
     private StraightMove _before;
     private int _nextEvent;
     private int _tool;
-
-    // Homings before the present move: their travel takes no time of its own.
-    private int _homes;
     private WaitTimes _waits;
     private int _afterLast;
 
@@ -78,30 +75,26 @@ internal sealed class MotionPlanner
         var nextEvent = NextEvent();
         for (var i = 0; i < columns.Count; i++)
         {
-            if ((i & 4095) == 0) cancel.ThrowIfCancellationRequested();
+            cancel.ThrowIfCancellationRequested();
             // Whatever waits in the run comes before this move.
             _out.First[first + i] = _out.Count + _count;
+            var homes = false;
             if (first + i >= nextEvent)
             {
                 Events(first + i);
                 nextEvent = NextEvent();
+                homes = _toolpath.HomeOf(_toolpath[first + i]) is not null;
             }
             var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
             var e = columns.E[i] * _filamentPerE[Math.Min(Math.Max((int)columns.Tool[i], 0), _filamentPerE.Length - 1)];
             var speed = columns.Speed[i];
             var kind = columns.Kind[i];
-            if (kind == MoveKind.Travel && e == 0 && _homes > 0 && _toolpath.HomeOf(_toolpath[first + i]) is not null)
+            if (e == 0 && kind is MoveKind.Retract or MoveKind.Restore) (e, speed) = _retraction.Move(kind);
+            // The travel of a homing takes no time of its own.
+            if (!homes)
             {
-                _homes--;
-            }
-            else if (columns.ArcMoves.Length > 0 && columns.TryGetArc(i, out var arc))
-            {
-                Arc(arc, at, end, e, speed);
-            }
-            else
-            {
-                if (e == 0 && kind is MoveKind.Retract or MoveKind.Restore) (e, speed) = _retraction.Move(kind);
-                Line(at, end, e, speed);
+                if (columns.TryGetArc(i, out var arc)) Arc(arc, at, end, e, speed);
+                else Line(at, end, e, speed);
             }
             at = end;
         }
@@ -111,7 +104,6 @@ internal sealed class MotionPlanner
 
     private void Events(int move)
     {
-        _homes = 0;
         for (; _nextEvent < _toolpath.Events.Count && _toolpath.Events[_nextEvent].Move <= move; _nextEvent++) Event(_toolpath.Events[_nextEvent].Event);
     }
 
@@ -126,7 +118,6 @@ internal sealed class MotionPlanner
                 Stop();
                 break;
             case HomeEvent:
-                _homes++;
                 _waits = _waits with { Homing = _waits.Homing + Wait(_printer.HomingTime) };
                 break;
             case ToolEvent tool when tool.Tool != _tool:

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Threading;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -29,18 +28,14 @@ internal sealed class PathIndex
     private readonly List<double> _fans = [];
     private readonly List<int> _fanMoves = [];
 
-    public PathIndex(Toolpath toolpath, CancellationToken cancel)
+    public PathIndex(Toolpath toolpath)
     {
         _toolpath = toolpath;
         _sums = new PathSums[toolpath.Blocks.Count][];
         _layerStarts = new int[toolpath.Layers.Count];
         for (var i = 0; i < _layerStarts.Length; i++) _layerStarts[i] = toolpath.Count;
         var before = -1;
-        for (var block = 0; block < _sums.Length; block++)
-        {
-            cancel.ThrowIfCancellationRequested();
-            before = Scan(block, before);
-        }
+        for (var block = 0; block < _sums.Length; block++) before = Scan(block, before);
         foreach (var (move, what) in toolpath.Events)
         {
             if (what is not FanEvent fan) continue;

@@ -54,7 +54,7 @@ public sealed class Timeline
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         var plan = MotionPlanner.Plan(toolpath, setup, progress, cancel);
-        return new Timeline(toolpath, setup, plan, new PathIndex(toolpath, cancel));
+        return new Timeline(toolpath, setup, plan, new PathIndex(toolpath));
     }
 
     /// <summary>

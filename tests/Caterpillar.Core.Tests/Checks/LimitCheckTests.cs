@@ -153,10 +153,11 @@ public class LimitCheckTests
         var cooled = Run(Generic, b =>
         {
             Print(b, new Vec3(20, 10, 0.2));
-            b.AddEvent(new NozzleTemperatureEvent(0));
+            b.AddEvent(new NozzleTemperatureEvent(150.4));
             Print(b, new Vec3(30, 10, 0.2));
         }).Single();
         Assert.That((cooled.Code, cooled.Source!.Move), Is.EqualTo(("limit.cold_extrusion", 1)));
+        Assert.That(cooled.Message, Is.EqualTo("A move extrudes at 150 °C; Generic printer needs 170 °C."));
         var clay = new PrintSetup(new Printer { MinExtrusionTemperature = 0 }, new Material { NozzleTemperature = 0 }, new PrintSettings());
         Assert.That(Run(clay, b => Print(b, new Vec3(20, 10, 0.2))), Is.Empty);
     }

@@ -39,6 +39,24 @@ public class LookAheadTests
         Assert.That(after.Select(s => (s.Start2, s.Peak2, s.End2)), Is.EqualTo(alone.Select(s => (s.Start2, s.Peak2, s.End2))));
     }
 
+    // While a run speeds up for long nothing is final; after that few segments wait again.
+    [Test]
+    public void A_long_rise_holds_segments_only_while_it_lasts()
+    {
+        var rise = Enumerable.Range(0, 5000)
+            .Select(i => new Segment { Length = 0.1, Acceleration = 1000, Speed2 = 1e6, Entry2 = i > 0 ? 1e6 : 0, SlowGain = 100 });
+        var random = Run(new Random(5), 20_000, 0.5).Select((s, i) => s with { Entry2 = i > 0 ? s.Entry2 : s.Speed2 });
+        var run = rise.Concat(random).ToArray();
+        var once = (Segment[])run.Clone();
+        new CruiseLookAhead().Plan(once, once.Length, ends: true);
+        var (parts, most) = InParts(new CruiseLookAhead(), run, 256);
+        Assert.That(most, Is.InRange(5000, 10_500));
+        Assert.That(parts.Select(s => (s.Start2, s.Peak2, s.End2)), Is.EqualTo(once.Select(s => (s.Start2, s.Peak2, s.End2))));
+        var planner = new CruiseLookAhead();
+        InParts(planner, rise.ToArray(), 256);
+        Assert.That(InParts(planner, random.ToArray(), 256).Most, Is.LessThan(4000), "the run before is over");
+    }
+
     // As the planner does: segments are added, and what is final leaves.
     private static (List<Segment> Segments, int Most) InParts(CruiseLookAhead planner, Segment[] run, int step)
     {

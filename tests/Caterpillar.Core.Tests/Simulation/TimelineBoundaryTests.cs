@@ -138,6 +138,21 @@ public class TimelineBoundaryTests
         Assert.That(s.Layers.Select(l => (l.Layer, l.Length, l.Volume)), Is.EqualTo(new[] { (0, 300.0, (double?)3.0), (3, 100, 1), (4, 200, 2) }));
     }
 
+    // One homing before the first move, whose travel takes no time; the same travel later does.
+    [Test]
+    public void Only_the_travel_of_a_homing_takes_no_time()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(100, 0));
+        builder.AddEvent(new HomeEvent(true, true, true));
+        builder.Add(Vec3.Zero, 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        builder.Add(new Vec3(100, 0), 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, 1);
+        builder.AddEvent(new FanEvent(1));
+        builder.Add(Vec3.Zero, 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, 2);
+        var timeline = Timeline.Of(builder.Build([new ToolpathTool(1)]), new PrintSetup { Printer = Rigid with { HomingTime = 5 } });
+        Assert.That(timeline.EndOf(0), Is.EqualTo(5).Within(1e-9));
+        Assert.That((timeline.EndOf(1) - 5, timeline.Duration - timeline.EndOf(1)), Is.EqualTo((1.1, 1.1)).Within(1e-9));
+    }
+
     [Test]
     public void Nothing_deposited_has_no_greatest_flow()
     {
@@ -147,6 +162,7 @@ public class TimelineBoundaryTests
         var timeline = Timeline.Of(builder.Build([new ToolpathTool(1)]), new PrintSetup { Printer = Rigid });
         var s = PrintStatistics.Of(timeline);
         Assert.That((s.GreatestFlow, s.GreatestFlowMove, s.PrintLength), Is.EqualTo(((double?)null, -1, 100.0)));
+        Assert.That(new PrintStatistics().GreatestFlowMove, Is.EqualTo(-1));
         using var cancel = new CancellationTokenSource();
         cancel.Cancel();
         Assert.That(() => PrintStatistics.Of(timeline, cancel.Token), Throws.InstanceOf<OperationCanceledException>());
