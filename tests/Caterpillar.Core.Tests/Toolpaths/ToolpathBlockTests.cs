@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -80,6 +81,32 @@ public class ToolpathBlockTests
         var columns = builder.Build([]).Blocks[0].Columns;
         Assert.That((columns.A![0], columns.B![0], columns.C![0], columns.Line![0]), Is.EqualTo((0.0, 0.0, 0.0, 0)));
         Assert.That((columns.A[1], columns.B[1], columns.C[1], columns.Line[1]), Is.EqualTo((1.0, 2.0, 3.0, 5)));
+    }
+
+    // Ten strands of one step, each of another line of the script, in two layers.
+    [Test]
+    public void Edits_of_a_design_keep_the_line_of_the_script_of_each_move()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        foreach (var z in new[] { 0.2, 0.4 }) builder.AddLayer(new Layer(z < 0.3 ? 0 : 1, z, 0.2));
+        for (var i = 0; i < 10; i++)
+        {
+            builder.Line = 20 + i;
+            var (sin, cos) = Angle.SinCos(i);
+            builder.Add(new Vec3(50 * cos, 50 * sin, i < 8 ? 0.2 : 0.4), 1, 1, 20, MoveKind.Print, i == 5 ? Role.Infill : Role.OuterWall, i < 8 ? 0 : 1, 0, 0);
+        }
+        var toolpath = builder.Build([new ToolpathTool(2.4)], [new SourceLocation("a.turtle", 3)]);
+        int?[] Lines(Toolpath edited)
+            => Enumerable.Range(0, edited.Count).Where(i => edited[i].Kind == MoveKind.Print).Select(i => edited.PlaceOf(i)?.Line).ToArray();
+        var all = Enumerable.Range(20, 10).Select(i => (int?)i).ToArray();
+        Assert.That(Lines(toolpath), Is.EqualTo(all));
+        var infill = new MoveFilter { Roles = new HashSet<Role> { Role.Infill } };
+        Assert.That(Lines(toolpath.Remove(infill)), Is.EqualTo(all.Where(l => l != 25)));
+        Assert.That(Lines(toolpath.Deform(infill, p => p + new Vec3(0, 0, 1))), Is.Ordered.And.SupersetOf(all).And.SubsetOf(all));
+        Assert.That(Lines(toolpath.PauseAtLayer(1, new Pause()).OrThrow()), Is.EqualTo(all));
+        var fitted = toolpath.FitArcs(new ArcFitOptions(), 0.5);
+        Assert.That(fitted.Count, Is.LessThan(10));
+        Assert.That(Lines(fitted), Is.Ordered.And.SubsetOf(all));
     }
 
     [Test]

@@ -26,6 +26,9 @@ internal sealed class BlockEditor
         if (_turns) _builder.SetRotary(_a, _b, _c);
     }
 
+    /// <summary>What is added from now on comes from a move of these columns: from its line of the script.</summary>
+    public void From(ToolpathColumns columns, int i) => _builder.Line = columns.Line?[i] ?? 0;
+
     /// <summary>Sets the rotary axes of the last move from a move of these columns.</summary>
     public void Turn(ToolpathColumns columns, int i)
     {

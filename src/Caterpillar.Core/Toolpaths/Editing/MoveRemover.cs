@@ -47,6 +47,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
 
     private void Step(Move move, int block, int i)
     {
+        _editor!.From(toolpath.Blocks[block].Columns, i);
         if (toolpath.HomeOf(move) is { } home)
         {
             Events(move.Index);

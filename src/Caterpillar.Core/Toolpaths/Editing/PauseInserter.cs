@@ -35,6 +35,7 @@ public static class PauseInserter
         for (var i = 0; i < columns.Count; i++)
         {
             var move = toolpath[toolpath.FirstOf(block) + i];
+            editor.From(columns, i);
             if (move.Index == before.Index) made = Moves(toolpath, before, pause, editor);
             editor.Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source, move.Arc);
             editor.Turn(columns, i);

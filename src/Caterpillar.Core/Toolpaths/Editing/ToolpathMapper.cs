@@ -44,6 +44,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
             _editor = BlockEditor.After(toolpath, block);
             for (var i = first; i < first + count; i++)
             {
+                _editor.From(toolpath.Blocks[block].Columns, i - first);
                 Step(toolpath[i]);
                 _editor.Turn(toolpath.Blocks[block].Columns, i - first);
             }

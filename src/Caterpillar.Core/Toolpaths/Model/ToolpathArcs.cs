@@ -46,6 +46,7 @@ public static class ToolpathArcs
                         e += columns.E[k];
                         deposited += columns.Deposited[k];
                     }
+                    editor.From(columns, i);
                     editor.Add(points[fit.End], e, deposited, columns.Speed[i], MoveKind.Print, columns.Role[i], columns.Layer[i], columns.Tool[i],
                         columns.Source[i], fit.Arc);
                     i = fit.End;
@@ -94,6 +95,7 @@ public static class ToolpathArcs
 
     private static void Add(BlockEditor editor, ToolpathColumns c, Vec3[] points, int i)
     {
+        editor.From(c, i);
         editor.Add(points[i + 1], c.E[i], c.Deposited[i], c.Speed[i], c.Kind[i], c.Role[i], c.Layer[i], c.Tool[i], c.Source[i], c.TryGetArc(i, out var arc)
             ? arc : null);
         editor.Turn(c, i);
