@@ -56,18 +56,22 @@ internal sealed class WriteOptions
         return ExitCode.Done;
     }
 
-    /// <summary>The same, returning details of the file; one larger than <paramref name="maxBytes"/> is not written.</summary>
+    /// <summary>
+    /// The same, returning details of the file; one larger than <paramref name="maxBytes"/> is not written. Where the toolpath is the plan of a pipeline, that
+    /// writes it.
+    /// </summary>
     /// <exception cref="CliException">A check refused, or the file would be too large.</exception>
     public WrittenFile WriteGCode(ParseResult arguments, Session session, Toolpath toolpath, PrintSetup setup, string file,
-        double maxBytes = double.PositiveInfinity)
+        double maxBytes = double.PositiveInfinity, PrintPipeline? pipeline = null)
     {
         WrittenGCode? written = null;
         IReadOnlyList<Diagnostic> findings = [];
         session.Write(file, (stream, isDraft) => BinaryGCode.WriteAs(file, stream, text =>
         {
             var reason = arguments.GetValue(_reason);
-            Result<WrittenGCode> Write(IProgress<double>? progress) => isDraft
-                ? SafeWriter.WriteDraft(toolpath, setup, text, reason, progress, session.Cancel)
+            Result<WrittenGCode> Write(IProgress<double>? progress) => pipeline is not null
+                ? pipeline.Write(text, isDraft, reason, progress)
+                : isDraft ? SafeWriter.WriteDraft(toolpath, setup, text, reason, progress, session.Cancel)
                 : SafeWriter.Write(toolpath, setup, text, reason, progress, session.Cancel);
             // A progress bar and the G-code would mix on a terminal.
             var result = file == "-" ? Write(null) : session.WithProgress("Writing", Write);

@@ -4,6 +4,7 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Checks;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
@@ -69,23 +70,40 @@ internal sealed class SliceVerb : Verb
         _curved.Check(arguments);
         var setup = _setup.Resolve(arguments, session);
         var curved = _curved.IsGiven(arguments) ? new CurvedSlicing(_curved, arguments, setup, arguments.GetValue(_threads), session) : null;
-        var (plan, layers) = Planned(files, arguments, setup, curved, session);
-        var written = _write.WriteGCode(arguments, session, curved?.Tilted(plan.Toolpath) ?? plan.Toolpath, curved?.Setup ?? setup, output);
+        using var pipeline = curved is null ? new PrintPipeline(setup, new PlanOptions { Memory = session.Memory }, session.Cancel) : null;
+        var (plan, layers) = Planned(files, arguments, setup, curved, pipeline, session);
+        var written = _write.WriteGCode(arguments, session, curved?.Tilted(plan.Toolpath) ?? plan.Toolpath, curved?.Setup ?? setup, output, pipeline: pipeline);
         if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson(files, output, [new("layers", layers)], plan, written)));
         return ExitCode.Done;
     }
 
-    // The memory of each stage is free for the next one: models can be large.
-    private (Plan Plan, int Layers) Planned(string[] files, ParseResult arguments, PrintSetup setup, CurvedSlicing? curved, Session session)
+    private (Plan Plan, int Layers) Planned(
+        string[] files, ParseResult arguments, PrintSetup setup, CurvedSlicing? curved, PrintPipeline? pipeline, Session session)
     {
-        var (steps, layers) = Sliced(files, arguments, setup, curved, session);
+        var (read, models) = Models(files, arguments, ref setup, session);
+        if (pipeline is not null)
+        {
+            var layers = Sliced(models, setup, arguments, pipeline, session);
+            return (session.ValueOrFail(session.WithProgress("Planning", _ => pipeline.Finish())), layers);
+        }
+        var (steps, count) = curved!.Run(read, models);
         var options = new PlanOptions { Memory = session.Memory };
-        var plan = session.WithProgress("Planning", progress => Planner.PlanWithReport(steps, curved?.Setup ?? setup, options, progress, session.Cancel));
-        return (session.ValueOrFail(plan), layers);
+        var plan = session.WithProgress("Planning", progress => Planner.PlanWithReport(steps, curved.Setup, options, progress, session.Cancel));
+        return (session.ValueOrFail(plan), count);
     }
 
-    private (IReadOnlyList<Step> Steps, int Layers) Sliced(
-        string[] files, ParseResult arguments, PrintSetup setup, CurvedSlicing? curved, Session session)
+    // Lower layers are planned and checked while higher ones are sliced.
+    private int Sliced(SliceModel[] models, PrintSetup setup, ParseResult arguments, PrintPipeline pipeline, Session session)
+    {
+        var options = new SliceOptions
+        {
+            Threads = arguments.GetValue(_threads), Memory = session.Memory, Follow = layers => pipeline.Add([.. layers.SelectMany(l => l.Steps)]),
+        };
+        var sliced = session.WithProgress("Slicing", progress => PlanarSlicer.SliceEach(models, setup.Settings, options, progress, session.Cancel));
+        return session.ValueOrFail(sliced).Layers.Count;
+    }
+
+    private (IReadOnlyList<NamedMesh> Read, SliceModel[] Models) Models(string[] files, ParseResult arguments, ref PrintSetup setup, Session session)
     {
         setup = _infill.Resolve(arguments, setup);
         var own = _own.Resolve(arguments, setup, session);
@@ -98,11 +116,6 @@ internal sealed class SliceVerb : Verb
         var placed = _placing.Placed(read, settings.Select(s => s.ModelUse == ModelUse.Part).ToArray(), arguments, setup, session);
         settings = InfillCurveOptions.With(settings, curves, placed[0].Mesh.Bounds.Min - read[0].Mesh.Bounds.Min);
         // Copies follow in the order of the originals.
-        var models = placed.Select((m, i) => new SliceModel(m, settings[i % settings.Count])).ToArray();
-        if (curved is not null) return curved.Run(read, models);
-        var options = new SliceOptions { Threads = arguments.GetValue(_threads), Memory = session.Memory };
-        var result = session.ValueOrFail(session.WithProgress("Slicing",
-            progress => PlanarSlicer.SliceEach(models, setup.Settings, options, progress, session.Cancel)));
-        return (result.ToSteps(), result.Layers.Count);
+        return (read, placed.Select((m, i) => new SliceModel(m, settings[i % settings.Count])).ToArray());
     }
 }

@@ -25,13 +25,14 @@ internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> 
     public static void Run(Toolpath toolpath, IMoveCheck[] checks, IProgress<double>? progress, CancellationToken cancel)
     {
         var run = new CheckRun(checks, toolpath.Tools, cancel);
-        foreach (var block in BlocksOf(toolpath, 0, 0)) run.Block(block, at => progress?.Report(at / (double)toolpath.Count));
+        foreach (var block in BlocksOf(toolpath, 0)) run.Block(block, at => progress?.Report(at / (double)toolpath.Count));
         run.End(toolpath);
     }
 
-    /// <summary>The blocks of a toolpath from one on, and its events from one on.</summary>
-    public static IEnumerable<DecodedBlock> BlocksOf(Toolpath toolpath, int block, int next)
+    /// <summary>The blocks of a toolpath from one on, with their events.</summary>
+    public static IEnumerable<DecodedBlock> BlocksOf(Toolpath toolpath, int block)
     {
+        var next = block > 0 && block < toolpath.Blocks.Count ? toolpath.FirstEventOf(toolpath.FirstOf(block)) : 0;
         var thicknesses = toolpath.Layers.Select(l => l.Thickness).ToArray();
         for (; block < toolpath.Blocks.Count; block++)
         {

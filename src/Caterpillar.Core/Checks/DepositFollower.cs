@@ -16,8 +16,7 @@ namespace Caterpillar.Checks;
 /// </summary>
 internal sealed class DepositFollower : IDisposable
 {
-    private readonly BlockingCollection<DecodedBlock> _queue = [];
-    private readonly List<DecodedBlock> _shown = [];
+    private readonly BlockingCollection<DecodedBlock> _queue;
     private readonly CancellationToken _cancel;
     private readonly CancellationTokenSource _stop;
     private readonly IReadOnlyList<ToolpathTool> _tools;
@@ -26,73 +25,82 @@ internal sealed class DepositFollower : IDisposable
     private Task? _work;
     private bool _isLate;
     private int _blocks;
-    private int _events;
     private volatile IProgress<double>? _progress;
+    private volatile bool _namesPlaces;
     private Toolpath? _whole;
 
-    /// <param name="plan">What is written; its tools are those of what is read.</param>
+    // Where its findings are; with what has been shown, where lines are known at once.
+    private readonly List<DecodedBlock> _shown = [];
+    private WrittenPlaces? _places;
+
+    /// <param name="tools">The tools of what is read.</param>
     /// <param name="setup">The printer, material and settings.</param>
-    /// <param name="lines">The lines of the plan, which are being written.</param>
+    /// <param name="waiting">Number of blocks that wait at most; whoever brings more waits, too.</param>
     /// <param name="cancel">Cancels.</param>
-    public DepositFollower(Toolpath plan, PrintSetup setup, WrittenLines lines, CancellationToken cancel)
+    public DepositFollower(IReadOnlyList<ToolpathTool> tools, PrintSetup setup, int waiting, CancellationToken cancel)
     {
         _cancel = cancel;
         _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
-        _tools = plan.Tools;
-        var places = new WrittenPlaces(plan, LineOf, lines, setup.Printer);
-        _findings = new Findings(setup.Printer, places.Of, places.Of);
+        _queue = new BlockingCollection<DecodedBlock>(waiting);
+        _tools = tools;
         _setup = setup;
+        _findings = new Findings(setup.Printer, PlaceOf, what => _places!.Of(what));
     }
 
-    /// <summary>A block that is full; in order, on the thread that reads.</summary>
-    public void Take(DecodedBlock block)
+    /// <summary>The file is that of a plan, whose lines are being taken down. Without this, findings that name other places are left to the end.</summary>
+    public void Locate(Toolpath plan, WrittenLines lines) => _places = new WrittenPlaces(plan, LineOf, lines, _setup.Printer);
+
+    /// <summary>A block that is full; in order, on the thread that reads. False where it has to wait for the whole file.</summary>
+    public bool Take(DecodedBlock block)
     {
         // As long as the file does not say how thick its layers are, all of it must be known.
         _isLate |= block.Thicknesses is null;
-        if (_isLate) return;
+        if (_isLate) return false;
+        _work ??= OwnThread.Run(Work);
         _blocks++;
-        _events += block.Events.Length;
-        _queue.Add(block);
-        _work ??= Task.Factory.StartNew(Work, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+        Put(block);
+        return true;
     }
 
-    /// <summary>What was found in the whole file; null where nothing was checked so far, or by other tools.</summary>
-    public IReadOnlyList<Diagnostic>? Finish(Toolpath read, IProgress<double>? progress)
+    /// <summary>What was found in the whole file; null where nothing was checked so far, by other tools, or without places that had to be named.</summary>
+    public IReadOnlyList<Diagnostic>? Finish(Toolpath read, WrittenPlaces places, IProgress<double>? progress)
     {
         if (_work is null || !read.Tools.SequenceEqual(_tools)) return null;
-        _progress = progress;
-        _whole = read;
-        foreach (var block in CheckRun.BlocksOf(read, _blocks, _events)) _queue.Add(block);
+        (_progress, _whole) = (progress, read);
+        foreach (var block in CheckRun.BlocksOf(read, _blocks)) Put(block);
         _queue.CompleteAdding();
-        ((IAsyncResult)_work).AsyncWaitHandle.WaitOne();
+        OwnThread.Wait(_work);
         _cancel.ThrowIfCancellationRequested();
         _work.GetAwaiter().GetResult();
+        if (_namesPlaces) return null;
+        _places = places;
         return _findings.ToList();
     }
+
+    /// <summary>Nothing more is checked.</summary>
+    public void Stop() => _stop.Cancel();
 
     /// <summary>Stops where it is not finished, and waits for that.</summary>
     public void Dispose()
     {
-        _stop.Cancel();
+        Stop();
         _queue.CompleteAdding();
-        if (_work is not null) ((IAsyncResult)_work).AsyncWaitHandle.WaitOne();
+        if (_work is not null) OwnThread.Wait(_work);
         _queue.Dispose();
         _stop.Dispose();
     }
 
-    private void Work()
+    private void Put(DecodedBlock block)
     {
-        var run = new CheckRun([new DepositCheck(_setup, _findings)], _tools, _stop.Token);
-        foreach (var block in _queue.GetConsumingEnumerable())
+        while (!_work!.IsCompleted && !_stop.IsCancellationRequested && !_queue.TryAdd(block, 20))
         {
-            _shown.Add(block);
-            run.Block(block, at =>
-            {
-                if (_progress is { } progress && _whole is { } whole) progress.Report(at / (double)whole.Count);
-            });
         }
-        _stop.Token.ThrowIfCancellationRequested();
-        run.End(_whole!);
+    }
+
+    private SourceLocation? PlaceOf(int move)
+    {
+        if (_places is null) _namesPlaces = true;
+        return _places?.Of(move);
     }
 
     private int? LineOf(int move)
@@ -103,5 +111,21 @@ internal sealed class DepositFollower : IDisposable
             if (at >= 0) return at < _shown[i].Columns.Count ? _shown[i].Columns.Source[at] : null;
         }
         return null;
+    }
+
+    private void Work()
+    {
+        var run = new CheckRun([new DepositCheck(_setup, _findings)], _tools, _stop.Token);
+        var keeps = _places is not null;
+        foreach (var block in _queue.GetConsumingEnumerable())
+        {
+            if (keeps) _shown.Add(block);
+            run.Block(block, at =>
+            {
+                if (_progress is { } progress && _whole is { } whole) progress.Report(at / (double)whole.Count);
+            });
+        }
+        _stop.Token.ThrowIfCancellationRequested();
+        run.End(_whole!);
     }
 }

@@ -16,7 +16,8 @@ internal sealed class Findings
     private const double Worse = 1.02;
     private readonly Dictionary<string, Severity?> _severities = new(StringComparer.Ordinal);
     private readonly DiagnosticList _list = new();
-    private readonly Dictionary<string, (double Size, Diagnostic? Finding)> _worst = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, Func<SourceLocation?>> _places = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, (double Size, Diagnostic? Finding, Func<SourceLocation?>? Place)> _worst = new(StringComparer.Ordinal);
     private readonly Func<int, SourceLocation?> _place;
     private readonly Func<MoveEvent, SourceLocation?> _placeOfEvent;
 
@@ -51,13 +52,14 @@ internal sealed class Findings
         if (_severities[code] is not { } severity) return;
         if (!_list.Contains(code, severity))
         {
-            _list.Add(severity, code, message(), place());
-            if (size > 0) _worst[code] = (size, null);
+            _list.Add(severity, code, message());
+            _places.Add(code, place);
+            if (size > 0) _worst[code] = (size, null, null);
             return;
         }
         _list.Add(severity, code, "");
         if (size > 0 && _worst.TryGetValue(code, out var worst) && size > worst.Size * Worse)
-            _worst[code] = (size, new Diagnostic(severity, code, message(), place()));
+            _worst[code] = (size, new Diagnostic(severity, code, message()), place);
     }
 
     /// <summary>The place of a move.</summary>
@@ -66,12 +68,15 @@ internal sealed class Findings
     /// <summary>The place of an event.</summary>
     public SourceLocation? PlaceOfEvent(MoveEvent what) => _placeOfEvent(what);
 
+    /// <summary>All findings. Their places are asked for now: the lines of a file may be known only in the end.</summary>
     public IReadOnlyList<Diagnostic> ToList()
     {
         var list = _list.ToList().ToArray();
         for (var i = 0; i < list.Length; i++)
         {
-            if (_worst.TryGetValue(list[i].Code, out var worst) && worst.Finding is not null) list[i] = list[i] with { Worst = worst.Finding };
+            list[i] = list[i] with { Source = _places[list[i].Code]() };
+            if (_worst.TryGetValue(list[i].Code, out var worst) && worst.Finding is not null)
+                list[i] = list[i] with { Worst = worst.Finding with { Source = worst.Place!() } };
         }
         return list;
     }

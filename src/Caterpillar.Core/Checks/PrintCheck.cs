@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
-using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
@@ -52,10 +51,13 @@ public static class PrintCheck
         return CheckScope.HeatsItself(toolpath) ? setup with { Material = setup.Material with { NozzleTemperature = 0 } } : setup;
     }
 
-    /// <summary>Runs all checks; those of what is printed on a thread of their own, or by one that follows and has begun already.</summary>
+    /// <summary>
+    /// Runs all checks; those of what is printed on a thread of their own, where <paramref name="strands"/>, who may have begun before, does not know already
+    /// what they find.
+    /// </summary>
     internal static IReadOnlyList<Diagnostic> Run(
         Toolpath toolpath, PrintSetup setup, CheckScope scope, Func<Findings> findings, IProgress<double>? progress, CancellationToken cancel,
-        DepositFollower? follower = null)
+        Func<Toolpath, IProgress<double>?, IReadOnlyList<Diagnostic>?>? strands = null)
     {
         var (limits, prints) = (findings(), findings());
         IMoveCheck[] ofLimits =
@@ -63,24 +65,22 @@ public static class PrintCheck
             new PositionCheck(setup.Printer, limits), new RateCheck(toolpath, setup, limits), new HeatCheck(setup, scope, limits),
             new StationaryCheck(setup.Printer, limits), new FileCheck(toolpath, setup.Printer, scope, limits), new GapCheck(limits),
         ];
-        IReadOnlyList<Diagnostic>? strands = null;
+        var checking = OwnThread.Run(() =>
+        {
+            if (strands?.Invoke(toolpath, progress) is { } known) return known;
+            CheckRun.Run(toolpath, [new DepositCheck(setup, prints)], progress, cancel);
+            return prints.ToList();
+        });
         try
         {
-            Parallel.Invoke(
-                () => CheckRun.Run(toolpath, ofLimits, null, cancel),
-                () =>
-                {
-                    strands = follower?.Finish(toolpath, progress);
-                    if (strands is null) CheckRun.Run(toolpath, [new DepositCheck(setup, prints)], progress, cancel);
-                });
+            CheckRun.Run(toolpath, ofLimits, null, cancel);
         }
-        catch (AggregateException several)
+        finally
         {
-            // The first problem is the one to tell of; a cancel above all.
-            throw several.Flatten().InnerExceptions.FirstOrDefault(e => e is OperationCanceledException) ?? several.GetBaseException();
+            OwnThread.Wait(checking);
         }
         progress?.Report(1);
-        return [.. limits.ToList(), .. strands ?? prints.ToList()];
+        return [.. limits.ToList(), .. OwnThread.Join(checking)];
     }
 
     /// <summary>The toolpath of a file with the filament of the material for the tools whose filament it does not state.</summary>

@@ -18,19 +18,19 @@ internal static class ProgressLines
     public static (Toolpath Toolpath, double? Seconds) Add(Toolpath toolpath, PrintSetup setup, CancellationToken cancel)
     {
         if (!setup.Printer.ProgressLines) return (toolpath, null);
-        var timeline = Timeline.Of(toolpath, setup, null, cancel);
-        if (!(timeline.Duration > 0)) return (toolpath, null);
-        return (setup.Printer.Dialect.Progress == ProgressCommand.None ? toolpath : toolpath.WithEvents(Events(toolpath, timeline)), timeline.Duration);
+        var motion = MotionPlanner.Plan(toolpath, setup, null, cancel).Motion;
+        if (!(motion.TotalTime > 0)) return (toolpath, null);
+        return (setup.Printer.Dialect.Progress == ProgressCommand.None ? toolpath : toolpath.WithEvents(Events(toolpath, motion)), motion.TotalTime);
     }
 
-    private static List<MoveEvent> Events(Toolpath toolpath, Timeline timeline)
+    private static List<MoveEvent> Events(Toolpath toolpath, MotionColumns motion)
     {
         var all = new List<MoveEvent>();
         var next = 0;
         var shown = ((int, int)?)null;
         for (var move = 0; move <= toolpath.Count; move++)
         {
-            var now = move == toolpath.Count ? (Percent: 100, Minutes: 0) : At(timeline, timeline.StartOf(move));
+            var now = move == toolpath.Count ? (Percent: 100, Minutes: 0) : At(motion.TotalTime, motion.StartTime(motion.First[move]));
             // Before what happens at the move: a tool, a dwell.
             if (now != shown)
             {
@@ -43,6 +43,6 @@ internal static class ProgressLines
     }
 
     // Whole percents that are over; minutes to the nearest.
-    private static (int Percent, int Minutes) At(Timeline timeline, double time)
-        => ((int)Math.Floor(100 * time / timeline.Duration), (int)Math.Floor((timeline.Duration - time) / 60 + 0.5));
+    private static (int Percent, int Minutes) At(double all, double time)
+        => ((int)Math.Floor(100 * time / all), (int)Math.Floor((all - time) / 60 + 0.5));
 }

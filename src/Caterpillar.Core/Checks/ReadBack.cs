@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Threading;
-using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.GCode;
@@ -18,40 +17,52 @@ namespace Caterpillar.Checks;
 internal static class ReadBack
 {
     /// <summary>Writes to a stream, if there is one, and returns what was found; with the number of lines and bytes.</summary>
+    /// <param name="plan">What is written.</param>
+    /// <param name="setup">The printer, material and settings.</param>
+    /// <param name="format">The format of the file.</param>
+    /// <param name="stream">The file; null where it is checked only.</param>
+    /// <param name="early">Has checked the plan while it was made; null for nobody.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
     public static (IReadOnlyList<Diagnostic> Findings, long Lines, long Bytes) Write(
-        Toolpath plan, PrintSetup setup, GCodeFormat format, Stream? stream, IProgress<double>? progress, CancellationToken cancel)
+        Toolpath plan, PrintSetup setup, GCodeFormat format, Stream? stream, EarlyCheck? early, IProgress<double>? progress, CancellationToken cancel)
     {
         var lines = new WrittenLines(plan.Count);
         var writer = new GCodeWriter(plan, format) { Written = lines };
-        using var strands = new DepositFollower(plan, setup, lines, cancel);
-        var file = Read(setup, writer, stream, strands.Take, progress.Part(0, 0.5), cancel);
+        using var strands = new DepositFollower(plan.Tools, setup, int.MaxValue, cancel);
+        strands.Locate(plan, lines);
+        early?.End();
+        var file = Read(setup, writer, stream, block => _ = early is null && strands.Take(block), progress.Part(0, 0.5), cancel);
         var read = file.Toolpath.Tools.Count <= plan.Tools.Count ? file.Toolpath.WithTools(plan.Tools) : file.Toolpath;
         var places = new WrittenPlaces(plan, move => move < 0 || move >= read.Count ? null : read[move].Source, lines, setup.Printer);
         Findings Make() => new(setup.Printer, places.Of, places.Of);
         var compared = Make();
-        var comparing = Task.Run(() =>
+        var comparing = OwnThread.Run(() =>
         {
             RawModes.Run(plan, format, compared, places.OfEvent);
             PlanComparison.Run(plan, read, format, lines, compared);
-        }, CancellationToken.None);
+        });
         IReadOnlyList<Diagnostic> checks;
         try
         {
-            checks = PrintCheck.Run(read, setup, CheckScope.OfWritten(file, setup), Make, progress.Part(0.5, 1), cancel, strands);
+            checks = PrintCheck.Run(read, setup, CheckScope.OfWritten(file, setup), Make, progress.Part(0.5, 1), cancel,
+                (toolpath, heard) => early is null ? strands.Finish(toolpath, places, heard) : early.Finish(toolpath, places, heard));
         }
         finally
         {
-            comparing.Wait(CancellationToken.None);
+            OwnThread.Wait(comparing);
         }
+        comparing.GetAwaiter().GetResult();
         return ([.. compared.ToList(), .. checks], writer.Lines, writer.Bytes);
     }
 
     private static DecodedGCode Read(
         PrintSetup setup, GCodeWriter writer, Stream? stream, Action<DecodedBlock> follow, IProgress<double>? progress, CancellationToken cancel)
     {
-        var options = new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter, Follow = follow };
+        var options = new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter, Follow = follow,
+            BlockSize = ToolpathBlock.FollowedSize };
         using var pipe = new BytePipe();
-        var reading = Task.Run(() =>
+        var reading = OwnThread.Run(() =>
         {
             try
             {
@@ -61,7 +72,7 @@ internal static class ReadBack
             {
                 pipe.Stop();
             }
-        }, CancellationToken.None);
+        });
         try
         {
             using var both = new PipedStream(stream, pipe);
@@ -71,8 +82,8 @@ internal static class ReadBack
         {
             pipe.Complete();
             // Its own problem counts only where writing had none.
-            ((IAsyncResult)reading).AsyncWaitHandle.WaitOne();
+            OwnThread.Wait(reading);
         }
-        return reading.GetAwaiter().GetResult().OrThrow();
+        return OwnThread.Join(reading).OrThrow();
     }
 }

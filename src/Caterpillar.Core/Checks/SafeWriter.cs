@@ -59,7 +59,7 @@ public static class SafeWriter
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     public static Result<WrittenGCode> Write(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
-        => Write(toolpath, setup, stream, reason, false, progress, cancel);
+        => Write(toolpath, setup, stream, reason, false, null, progress, cancel);
 
     /// <summary>
     /// Checks a toolpath while it is written to a stream, as text, in one pass: for temporary files. Where it is refused, what was written must be thrown
@@ -68,10 +68,11 @@ public static class SafeWriter
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     public static Result<WrittenGCode> WriteDraft(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
-        => Write(toolpath, setup, stream, reason, true, progress, cancel);
+        => Write(toolpath, setup, stream, reason, true, null, progress, cancel);
 
-    private static Result<WrittenGCode> Write(
-        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason, bool isDraft, IProgress<double>? progress, CancellationToken cancel)
+    internal static Result<WrittenGCode> Write(
+        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason, bool isDraft, EarlyCheck? early, IProgress<double>? progress,
+        CancellationToken cancel)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
@@ -90,7 +91,7 @@ public static class SafeWriter
         var isOverridden = WriteGuard.IsReason(reason);
         var direct = isDraft && (!isOverridden || stream.CanSeek);
         var start = direct && isOverridden ? stream.Position : 0;
-        var (findings, lines, bytes) = ReadBack.Write(timed, setup, plain, direct ? stream : null, progress.Part(0, direct ? 1 : 0.7), cancel);
+        var (findings, lines, bytes) = ReadBack.Write(timed, setup, plain, direct ? stream : null, early, progress.Part(0, direct ? 1 : 0.7), cancel);
         var guard = new WriteGuard(findings, reason);
         if (guard.Refuses) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
         if (!direct || guard.Overridden > 0)

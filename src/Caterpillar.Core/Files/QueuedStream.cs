@@ -1,7 +1,6 @@
-using System;
 using System.IO;
-using System.Threading;
 using System.Threading.Tasks;
+using Caterpillar.Basics;
 
 namespace Caterpillar.Files;
 
@@ -16,7 +15,7 @@ internal sealed class QueuedStream(Stream target) : WriteStream
 
     public override void Write(byte[] buffer, int offset, int count)
     {
-        _writing ??= Task.Run(Pass, CancellationToken.None);
+        _writing ??= OwnThread.Run(Pass);
         if (_writing.IsFaulted) _writing.GetAwaiter().GetResult();
         _pipe.Write(buffer, offset, count);
     }
@@ -34,7 +33,7 @@ internal sealed class QueuedStream(Stream target) : WriteStream
         {
             _pipe.Complete();
             // Whoever wants to know of its problem has asked before.
-            if (_writing is IAsyncResult writing) writing.AsyncWaitHandle.WaitOne();
+            if (_writing is not null) OwnThread.Wait(_writing);
             _pipe.Dispose();
         }
         base.Dispose(disposing);

@@ -17,17 +17,24 @@ internal sealed class MoveEmitter
     private readonly ToolpathBuilder _builder;
     private readonly PlanRules _rules;
     private readonly PlanReport _counts;
+    private readonly ToolpathTool[] _tools;
     private readonly double[] _retracted;
     private readonly Dictionary<Layer, int> _layers = [];
     private Layer? _layer;
     private int _layerIndex = -1;
+    private int _nextFollowed;
 
     public MoveEmitter(PlanRules rules, PlanOptions options, PlanReport counts)
     {
         var start = options.Start;
         _rules = rules;
         _counts = counts;
-        _builder = new ToolpathBuilder(MoveSource.Steps, start) { Memory = options.Memory };
+        _tools = Array.ConvertAll(rules.Tools, t => new ToolpathTool(t.VolumePerE));
+        _builder = options.Follow is not { } follow ? new ToolpathBuilder(MoveSource.Steps, start) { Memory = options.Memory }
+            : new ToolpathBuilder(MoveSource.Steps, start)
+            {
+                Memory = options.Memory, BlockSize = ToolpathBlock.FollowedSize, Filled = () => GiveOn(follow),
+            };
         _retracted = new double[rules.Tools.Length];
         IsPlaced = start is not null;
     }
@@ -63,7 +70,7 @@ internal sealed class MoveEmitter
     }
 
     public Toolpath Build(IReadOnlyList<SourceLocation?>? places)
-        => _builder.Build(Array.ConvertAll(_rules.Tools, t => new ToolpathTool(t.VolumePerE)), places);
+        => _builder.Build(_tools, places);
 
     public void Event(PrinterEvent what) => _builder.AddEvent(what, Source);
 
@@ -154,6 +161,14 @@ internal sealed class MoveEmitter
     {
         _builder.AddEvent(what, Source);
         Add(Position, 0, 0, 0, MoveKind.Dwell, Role.Unspecified);
+    }
+
+    // The longer it is the rarer: each time takes a copy of the lists of blocks, layers and events.
+    private void GiveOn(Action<Toolpath> follow)
+    {
+        if (_builder.Count < _nextFollowed) return;
+        _nextFollowed = _builder.Count + _builder.Count / 16;
+        follow(_builder.SoFar(_tools));
     }
 
     private double Fill(double e)

@@ -7,51 +7,97 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 
-/// <summary>Planning with resolved rules: checks the steps, sorts them, writes the moves.</summary>
-internal static class PlanRun
+/// <summary>
+/// Planning with resolved rules: checks the steps, sorts them, writes the moves. Steps come in one batch or in several, each a whole number of layers, from
+/// below; several give the plan that all of them at once would.
+/// </summary>
+internal sealed class PlanRun
 {
+    private readonly PlanRules _rules;
+    private readonly PlanOptions _options;
+    private readonly SortOptions _sort;
+    private readonly StepPlanner _planner;
+    private readonly PlanReport _counts = new();
+    private readonly DiagnosticList _diagnostics = new();
+    private readonly CancellationToken _cancel;
+    private Vec3? _at;
+    private Step? _lastGiven;
+    private PrintPath? _lastPath;
+    private int _steps;
+    private double _moves;
+
+    /// <param name="rules">The rules.</param>
+    /// <param name="options">The options of the caller.</param>
+    /// <param name="returns">Whether turtles may return to where they branched off.</param>
+    /// <param name="cancel">Cancels.</param>
+    public PlanRun(PlanRules rules, PlanOptions options, bool returns, CancellationToken cancel)
+    {
+        (_rules, _options, _cancel, _at) = (rules, options, cancel, options.Start);
+        _sort = rules.AddsNothing ? new SortOptions(SortRule.None) : options.Sort;
+        _planner = new StepPlanner(rules, options, returns, _counts, _diagnostics);
+    }
+
+    /// <summary>Plans all steps at once.</summary>
     public static Result<Plan> Run(IReadOnlyList<Step> steps, PlanRules rules, PlanOptions options, IProgress<double>? progress, CancellationToken cancel)
     {
-        var diagnostics = new DiagnosticList();
-        for (var i = 0; i < steps.Count; i++) CheckTool(steps[i], i, rules.Tools.Length, diagnostics);
-        if (diagnostics.HasErrors) return new Result<Plan>(null, diagnostics.ToList());
-        if (steps.Count == 0) diagnostics.Add(Severity.Warning, "plan.empty", "There is nothing to plan.");
-
-        if (TooMuch(steps, options.Memory) is { } tooMuch)
-        {
-            diagnostics.Add(tooMuch);
-            return new Result<Plan>(null, diagnostics.ToList());
-        }
-        var sort = rules.AddsNothing ? new SortOptions(SortRule.None) : options.Sort with { Start = options.Start };
-        var ordered = StepOrder.Find(steps, sort, progress.Part(0, 0.5), cancel);
-        var counts = new PlanReport();
-        for (var i = 1; i < ordered.Length; i++)
-        {
-            if (ordered[i - 1].Path is { } before && ordered[i].Path is { } after) counts.SortedTravel += before.End.DistanceTo(after.Start);
-            if (steps[i - 1] is PathStep a && steps[i] is PathStep b) counts.UnsortedTravel += a.Path.End.DistanceTo(b.Path.Start);
-        }
-        var toolpath = new StepPlanner(rules, ordered, options, counts, diagnostics).Run(progress.Part(0.5, 1), cancel);
-        if (counts.EmptySegments > 0)
-            diagnostics.Add(Severity.Remark, "plan.repeated_point", "A path repeats a point; the segment without length is dropped.", null,
-                counts.EmptySegments);
+        var returns = false;
+        foreach (var step in steps) returns |= step is TravelStep { Intent: TravelIntent.Return };
+        var run = new PlanRun(rules, options, returns, cancel);
+        run.Add(steps, progress);
         progress?.Report(1);
-        return new Result<Plan>(new Plan(toolpath, counts), diagnostics.ToList());
+        return run.Finish();
+    }
+
+    /// <summary>Plans the next steps; none once there is an error.</summary>
+    public void Add(IReadOnlyList<Step> steps, IProgress<double>? progress)
+    {
+        for (var i = 0; i < steps.Count; i++) CheckTool(steps[i], _steps + i);
+        if (_diagnostics.HasErrors) return;
+        if (TooMuch(steps) is { } tooMuch)
+        {
+            _diagnostics.Add(tooMuch);
+            return;
+        }
+        var ordered = StepOrder.Find(steps, _sort with { Start = _at }, progress.Part(0, 0.5), _cancel);
+        for (var i = 0; i < ordered.Length; i++)
+        {
+            if (_steps > 0) ordered[i] = new OrderedStep(ordered[i].Step, ordered[i].Path, _steps + ordered[i].Source);
+            var path = ordered[i].Path;
+            if (_lastPath is not null && path is not null) _counts.SortedTravel += _lastPath.End.DistanceTo(path.Start);
+            if (_lastGiven is PathStep before && steps[i] is PathStep after) _counts.UnsortedTravel += before.Path.End.DistanceTo(after.Path.Start);
+            (_lastPath, _lastGiven) = (path, steps[i]);
+            _at = path?.End ?? (ordered[i].Step is TravelStep travel ? travel.Points[travel.Points.Count - 1] : _at);
+        }
+        _steps += ordered.Length;
+        _planner.Add(ordered, progress.Part(0.5, 1), _cancel);
+    }
+
+    /// <summary>The plan of all steps; none if there was an error.</summary>
+    public Result<Plan> Finish()
+    {
+        if (_diagnostics.HasErrors) return new Result<Plan>(null, _diagnostics.ToList());
+        if (_steps == 0) _diagnostics.Add(Severity.Warning, "plan.empty", "There is nothing to plan.");
+        var toolpath = _planner.Build();
+        if (_counts.EmptySegments > 0)
+            _diagnostics.Add(Severity.Remark, "plan.repeated_point", "A path repeats a point; the segment without length is dropped.", null,
+                _counts.EmptySegments);
+        return new Result<Plan>(new Plan(toolpath, _counts), _diagnostics.ToList());
     }
 
     // Every segment becomes a move.
-    private static Diagnostic? TooMuch(IReadOnlyList<Step> steps, MemoryLimit memory)
+    private Diagnostic? TooMuch(IReadOnlyList<Step> steps)
     {
-        double moves = 0;
-        foreach (var step in steps) moves += step is PathStep path ? path.Path.RawPoints.Length : 1;
-        return memory.Refuse(moves * ToolpathBlock.BytesPerMove, $"A toolpath of {NumberFormatter.Format(moves, 0)} moves");
+        foreach (var step in steps) _moves += step is PathStep path ? path.Path.RawPoints.Length : 1;
+        return _options.Memory.Refuse(_moves * ToolpathBlock.BytesPerMove, $"A toolpath of {NumberFormatter.Format(_moves, 0)} moves");
     }
 
-    private static void CheckTool(Step step, int index, int tools, DiagnosticList diagnostics)
+    private void CheckTool(Step step, int index)
     {
         if (step is null) throw new ArgumentException("A step is null.", nameof(step));
         var tool = step switch { PathStep p => p.Path.Tool, EventStep { Event: ToolEvent e } => e.Tool, _ => 0 };
+        var tools = _rules.Tools.Length;
         if (tool >= 0 && tool < tools) return;
-        diagnostics.Add(
+        _diagnostics.Add(
             Severity.Error, "plan.unknown_tool",
                 $"Tool {NumberFormatter.Format(tool)} is requested, but the printer has {NumberFormatter.Format(tools)}, counted from 0.",
             new SourceLocation(Step: index));

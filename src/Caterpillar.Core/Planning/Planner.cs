@@ -37,9 +37,7 @@ public static class Planner
     {
         if (steps is null) throw new ArgumentNullException(nameof(steps));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
-        options ??= new PlanOptions();
-        if (options.Obstacle is null && setup.PrintedOn is { } existing) options = options with { Obstacle = existing };
-        if (!setup.Settings.SortPaths) options = options with { Sort = options.Sort with { Rule = SortRule.None } };
+        options = OptionsFor(setup, options);
         try
         {
             return PlanRun.Run(steps, Rules(setup, options.Policy), options, progress, cancel);
@@ -48,6 +46,20 @@ public static class Planner
         {
             return new Result<Plan>(null, tooMuch.Diagnostics);
         }
+    }
+
+    /// <summary>Planning of steps that come batch by batch, each a whole number of layers and from below, without travels of a turtle.</summary>
+    internal static PlanRun Begin(PrintSetup setup, PlanOptions? options, CancellationToken cancel)
+    {
+        options = OptionsFor(setup, options);
+        return new PlanRun(Rules(setup, options.Policy), options, false, cancel);
+    }
+
+    private static PlanOptions OptionsFor(PrintSetup setup, PlanOptions? options)
+    {
+        options ??= new PlanOptions();
+        if (options.Obstacle is null && setup.PrintedOn is { } existing) options = options with { Obstacle = existing };
+        return setup.Settings.SortPaths ? options : options with { Sort = options.Sort with { Rule = SortRule.None } };
     }
 
     internal static PlanRules Rules(PrintSetup setup, PlanPolicy policy)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -7,11 +8,10 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 
-/// <summary>Goes through ordered steps once and writes their moves.</summary>
+/// <summary>Goes through ordered steps once, batch by batch, and writes their moves.</summary>
 internal sealed class StepPlanner
 {
     private readonly PlanRules _rules;
-    private readonly OrderedStep[] _steps;
     private readonly DiagnosticList _diagnostics;
     private readonly MoveEmitter _emitter;
     private readonly TravelPlanner _travel;
@@ -21,19 +21,22 @@ internal sealed class StepPlanner
     private readonly Deposit? _deposit;
     private readonly ReturnPath? _returnPath;
     private readonly SlowedRoles _slowed = new();
-    private readonly LayerClock? _clock;
+    private readonly List<SourceLocation?> _places = [];
+
+    // The steps of this batch, and their layers; the layers of the batch before.
+    private OrderedStep[] _steps = [];
+    private LayerClock? _clock;
 
     // True after retraction for a drawn travel, until something is printed.
     private bool _prepared;
 
-    public StepPlanner(PlanRules rules, OrderedStep[] steps, PlanOptions options, PlanReport counts, DiagnosticList diagnostics)
+    public StepPlanner(PlanRules rules, PlanOptions options, bool returns, PlanReport counts, DiagnosticList diagnostics)
     {
         _rules = rules;
-        _steps = steps;
         _diagnostics = diagnostics;
         _counts = counts;
         _emitter = new MoveEmitter(rules, options, counts);
-        var returns = !rules.AddsNothing && Array.Exists(steps, s => s.Step is TravelStep { Intent: TravelIntent.Return });
+        returns &= !rules.AddsNothing;
         if (returns) _returnPath = new ReturnPath();
         if (returns || (rules.Lift == LiftRule.Corridor && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);
         var obstacle = rules.AddsNothing ? null : options.Obstacle;
@@ -45,11 +48,15 @@ internal sealed class StepPlanner
         _travel = new TravelPlanner(rules, _emitter, counts, _deposit) { RisesFirst = obstacle is not null };
         _printer = new PathPrinter(rules, _emitter, counts, _deposit, _slowed);
         _overrides = new OverrideState(rules, _emitter);
-        if (rules.LayerWait != LayerWait.None || rules.FanTime > 0) _clock = new LayerClock(steps, rules);
     }
 
-    public Toolpath Run(IProgress<double>? progress, CancellationToken cancel)
+    /// <summary>Writes the moves of the next steps.</summary>
+    public void Add(OrderedStep[] steps, IProgress<double>? progress, CancellationToken cancel)
     {
+        var below = _clock;
+        _steps = steps;
+        if (_rules.LayerWait != LayerWait.None || _rules.FanTime > 0) _clock = new LayerClock(steps, _rules);
+        NotePlaces();
         for (var i = 0; i < _steps.Length; i++)
         {
             if ((i & 255) == 0)
@@ -62,7 +69,8 @@ internal sealed class StepPlanner
             switch (_steps[i].Step)
             {
                 case PathStep step:
-                    if (_clock is not null && _clock.Changes(i)) WaitFor(i - 1);
+                    if (i == 0 && below is not null) WaitFor(below, below.Count - 1);
+                    else if (_clock is not null && _clock.Changes(i)) WaitFor(_clock, i - 1);
                     Path(_steps[i].Path!, step.Region, _clock?.TimeOf(i) ?? double.PositiveInfinity,
                         ReferenceEquals(_steps[i].Path, step.Path) ? step.Lines : null);
                     break;
@@ -70,6 +78,11 @@ internal sealed class StepPlanner
                 case EventStep step: Event(step.Event); break;
             }
         }
+    }
+
+    /// <summary>The moves of all steps, with what was noticed.</summary>
+    public Toolpath Build()
+    {
         _slowed.Report(_rules.MaxFlow, _diagnostics);
         if (_overrides.CouldNotRevert)
             _diagnostics.Add(Severity.Remark, "plan.override_kept",
@@ -80,15 +93,13 @@ internal sealed class StepPlanner
                 Severity.Warning, "plan.printed_retracted",
                     "Paths start while filament is retracted: their first E only restores it. Extrude the retracted length before printing.");
         }
-        return _emitter.Build(Places());
+        return _emitter.Build(_places.Exists(p => p is not null) ? _places : null);
     }
 
-    private SourceLocation?[]? Places()
+    private void NotePlaces()
     {
-        if (!Array.Exists(_steps, s => s.Step.Source is not null)) return null;
-        var places = new SourceLocation?[_steps.Length];
-        foreach (var step in _steps) places[step.Source] = step.Step.Source;
-        return places;
+        foreach (var step in _steps) _places.Add(null);
+        foreach (var step in _steps) _places[step.Source] = step.Step.Source;
     }
 
     private void Path(PrintPath path, Region? inside, double layerTime, int[]? lines)
@@ -112,10 +123,10 @@ internal sealed class StepPlanner
     }
 
     // Time that a finished layer lacks for cooling: the head waits above it, or beside it.
-    private void WaitFor(int last)
+    private void WaitFor(LayerClock clock, int last)
     {
         const double Aside = 10;
-        var missing = _rules.MinLayerTime - _clock!.TimeOf(last);
+        var missing = _rules.MinLayerTime - clock.TimeOf(last);
         if (_rules.LayerWait == LayerWait.None || !(missing > 0) || !_emitter.IsPlaced) return;
         _travel.RetractFor(double.PositiveInfinity);
         var at = _emitter.Position;
@@ -123,7 +134,7 @@ internal sealed class StepPlanner
         if (up.Z <= _rules.Reach.Max.Z) _emitter.Travel(up, _rules.LiftSpeed);
         if (_rules.LayerWait == LayerWait.Away)
         {
-            var box = _clock.BoxOf(last);
+            var box = clock.BoxOf(last);
             double left = box.Min.X - Aside, right = box.Max.X + Aside;
             var x = left >= _rules.Reach.Min.X ? left : right <= _rules.Reach.Max.X ? right : at.X;
             _emitter.Travel(_emitter.Position with { X = x }, _rules.TravelSpeed);

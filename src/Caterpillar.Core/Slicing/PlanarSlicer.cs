@@ -91,8 +91,9 @@ public static class PlanarSlicer
             ? bodies.OrderBy(b => b.Model.Mesh.Bounds.Max.Z).ThenBy(b => b.Number).SelectMany(b => b.Layers).ToArray()
             : bodies.SelectMany(b => b.Layers).OrderBy(l => l.Plan.Top).ThenBy(l => l.Body.Number).ToArray();
         var parallel = new ParallelOptions { CancellationToken = cancel, MaxDegreeOfParallelism = threads > 0 ? threads : -1 };
-        var kept = Finish(affordable.Watch(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1))), ordered, common, problems,
-            layers => PrintSupports.Add(layers, ordered, bodies, helpers, common, parallel));
+        var finish = new LayerFinish(ordered, bodies, common, problems, options.Follow);
+        foreach (var layer in affordable.Watch(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1)))) finish.Add(layer);
+        var kept = finish.End(layers => PrintSupports.Add(layers, ordered, bodies, helpers, common, parallel));
         foreach (var body in bodies) ThinPlaces.Report(body, findings);
         if (kept.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.nothing", Nothing(models, ordered));
@@ -107,48 +108,6 @@ public static class PlanarSlicer
             return "Nothing to print: the settings ask for no walls, no infill and no top or bottom layers.";
         var width = NumberFormatter.Format(models[0].Settings.LineWidth, 3);
         return $"Nothing to print: no contour of the models is as wide as a line ({width} mm), or the settings leave out all that they would hold.";
-    }
-
-    // What depends on the layers before, or on all objects on the bed.
-    private static SlicedLayer[] Finish(
-        IEnumerable<SlicedLayer> layers, LayerWork[] works, PrintSettings settings, DiagnosticList problems, Action<List<SlicedLayer>> supports)
-    {
-        var vases = new Dictionary<Body, (VaseSpiral Spiral, int Last)>();
-        var seams = new Dictionary<Body, SeamPlacer>();
-        var all = new List<SlicedLayer>();
-        foreach (var layer in layers)
-        {
-            var work = works[all.Count];
-            if (!seams.TryGetValue(work.Body, out var placer)) seams.Add(work.Body, placer = new SeamPlacer(work.Body));
-            var finished = placer.Next(work, layer);
-            if (work.VaseLoop is not null)
-            {
-                if (!vases.TryGetValue(work.Body, out var vase)) vase = (new VaseSpiral(), 0);
-                finished = vase.Spiral.Next(work, layer);
-                vases[work.Body] = (vase.Spiral, finished.Steps.Count > 0 ? all.Count : vase.Last);
-            }
-            all.Add(finished);
-        }
-        foreach (var body in vases.Keys.OrderBy(b => b.Number)) EndVase(vases[body].Spiral, vases[body].Last, body, all, problems);
-        supports(all);
-        var kept = all.FindAll(l => l.Steps.Count > 0);
-        if (kept.Count == 0) return [];
-        // All objects that stand as low as the first layer, which are those that the loops go around together.
-        var low = kept.Where(l => l.Layer.Z <= kept[0].Layer.Z + 1e-9);
-        var covered = Region.Union(low.Select(l => l.Region).Concat(low.Select(l => l.Support)));
-        if (settings.RaftLayers > 0) kept.InsertRange(0, Raft.Below(covered, settings));
-        kept[0] = Adhesion.Around(kept[0], settings.RaftLayers > 0 ? kept[0].Region : covered, settings);
-        var ready = kept.ToArray();
-        LayerTime.Apply(ready, settings, problems);
-        return ready;
-    }
-
-    private static void EndVase(VaseSpiral spiral, int last, Body body, List<SlicedLayer> kept, DiagnosticList problems)
-    {
-        if (spiral.Finish() is { } end) kept[last] = end;
-        if (spiral.Divided == 0) return;
-        problems.Add(Severity.Warning, "slice.vase_divided",
-            "A vase has one wall: of layers in several pieces only the largest is printed.", body.Source, spiral.Divided);
     }
 
     private static void Cut(

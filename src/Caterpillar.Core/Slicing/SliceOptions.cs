@@ -14,6 +14,12 @@ public sealed record SliceOptions
     /// <summary>How much memory the layers may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
+    /// <summary>
+    /// Gets the layers as soon as they are finished, those of a height together and from below, on a thread of the slicer; the layers of the result are then
+    /// without steps. Where a layer depends on later ones (supports, objects printed one after the other) all come at the end.
+    /// </summary>
+    public Action<IReadOnlyList<SlicedLayer>>? Follow { get; init; }
+
     /// <summary>Lines of the infill for a layer of a height, where the pattern is that of the user's curves; mm.</summary>
     internal Func<double, IReadOnlyList<Polyline>>? InfillCurves { get; init; }
 

@@ -2,6 +2,7 @@ using System;
 using Caterpillar.Basics;
 using Caterpillar.Dialects;
 using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
@@ -35,6 +36,15 @@ public sealed record DecodeOptions
 
     /// <summary>Gets each block of moves as soon as it is full, on the thread that reads; not the last one.</summary>
     internal Action<DecodedBlock>? Follow { get; init; }
+
+    /// <summary>Number of moves in a block.</summary>
+    internal int BlockSize { get; init; } = ToolpathBlock.Capacity;
+
+    /// <summary>Number of bytes that are read at a time.</summary>
+    internal int ChunkSize { get; init; } = 1024 * 1024;
+
+    /// <summary>False where full blocks are followed only: the toolpath is then without them.</summary>
+    internal bool KeepsBlocks { get; init; } = true;
 
     internal int Degree => Threads > 0 ? Threads : Math.Max(Environment.ProcessorCount, 1);
 }

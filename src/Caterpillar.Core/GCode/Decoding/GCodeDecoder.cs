@@ -102,7 +102,7 @@ public static class GCodeDecoder
         CancellationToken cancel)
     {
         var tail = source.Tail();
-        using var chunks = ChunkReader.Read(source.Text, 1024 * 1024, cancel).GetEnumerator();
+        using var chunks = ChunkReader.Read(source.Text, options.ChunkSize, cancel).GetEnumerator();
         var head = new List<GCodeChunk>();
         var seen = 0L;
         IEnumerable<GCodeChunk> Head()
@@ -149,7 +149,7 @@ public static class GCodeDecoder
         var given = axis;
         axis = axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
-        interpreter.Machine.Moves.Follow = options.Follow;
+        interpreter.Machine.Moves.Begin(options);
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched))
         {

@@ -6,7 +6,9 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>Collects moves into the columns of blocks, without a call for each value.</summary>
-internal sealed class MoveColumns
+/// <param name="blockSize">Number of moves in a block.</param>
+/// <param name="keepsBlocks">False where full blocks are only handed out.</param>
+internal sealed class MoveColumns(int blockSize = ToolpathBlock.Capacity, bool keepsBlocks = true)
 {
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<int> _arcMoves = [];
@@ -25,14 +27,14 @@ internal sealed class MoveColumns
     /// <summary>Makes space for more moves; returns the block that is full, if one is.</summary>
     public ToolpathColumns? Grow()
     {
-        if (Columns.Capacity < ToolpathBlock.Capacity)
+        if (Columns.Capacity < blockSize)
         {
-            Columns = Columns.Copy(Math.Min(Columns.Capacity * 4, ToolpathBlock.Capacity));
+            Columns = Columns.Copy(Math.Min(Columns.Capacity * 4, blockSize));
             return null;
         }
         var full = Columns;
         Seal();
-        Columns = new ToolpathColumns(ToolpathBlock.Capacity);
+        Columns = new ToolpathColumns(blockSize);
         return full;
     }
 
@@ -85,7 +87,7 @@ internal sealed class MoveColumns
             if (Columns.Count < Columns.Capacity / 2) Columns = Columns.Copy(Columns.Count);
             Seal();
         }
-        if (_turns.Count > 0) FillTurns();
+        if (_turns.Count > 0 && keepsBlocks) FillTurns();
         return _blocks;
     }
 
@@ -133,7 +135,7 @@ internal sealed class MoveColumns
         Columns.Arcs = _arcs.ToArray();
         _arcMoves.Clear();
         _arcs.Clear();
-        _blocks.Add(new ToolpathBlock(Columns));
+        if (keepsBlocks) _blocks.Add(new ToolpathBlock(Columns));
         _sealed += Columns.Count;
         Columns = new ToolpathColumns(0);
     }

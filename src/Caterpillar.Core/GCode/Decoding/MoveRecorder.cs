@@ -19,7 +19,8 @@ internal sealed class MoveRecorder
     private readonly Extruders _extruders;
     private readonly LineDiagnostics _diagnostics;
     private readonly DecodeCounters _counters;
-    private readonly MoveColumns _moves = new();
+    private MoveColumns _moves = new();
+    private Action<DecodedBlock>? _follow;
     private readonly List<MoveEvent> _events = [];
     private readonly bool _balance;
     private readonly bool _switched;
@@ -41,9 +42,6 @@ internal sealed class MoveRecorder
     }
 
     public LayerCollector Layers { get; } = new();
-
-    /// <summary>Gets each block as soon as it is full.</summary>
-    public Action<DecodedBlock>? Follow { get; set; }
 
     /// <summary>The role of the strands from here on.</summary>
     public Role Role { get; set; }
@@ -70,6 +68,13 @@ internal sealed class MoveRecorder
     {
         _moves.Clear();
         _events.Clear();
+    }
+
+    /// <summary>Who gets each block as soon as it is full, and what becomes of it.</summary>
+    public void Begin(DecodeOptions options)
+    {
+        _follow = options.Follow;
+        _moves = new MoveColumns(options.BlockSize, options.KeepsBlocks);
     }
 
     /// <summary>The finished toolpath.</summary>
@@ -254,7 +259,7 @@ internal sealed class MoveRecorder
         head.X = x;
         head.Y = y;
         head.Z = z;
-        if (_moves.IsFull && _moves.Grow() is { } full) Follow?.Invoke(Followed(full));
+        if (_moves.IsFull && _moves.Grow() is { } full) _follow?.Invoke(Followed(full));
         var c = _moves.Columns;
         var i = c.Count++;
         c.X[i] = x + head.ShiftX;

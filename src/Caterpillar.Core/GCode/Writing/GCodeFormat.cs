@@ -60,8 +60,8 @@ public sealed record GCodeFormat
     /// <summary>Lines after the last move.</summary>
     public IReadOnlyList<string> End { get; init; } = [];
 
-    /// <summary>Lines at the beginning of each layer but the first, by the number of the layer in <c>Toolpath.Layers</c>; null for none.</summary>
-    public Func<int, IReadOnlyList<string>>? LayerLines { get; init; }
+    /// <summary>Lines at the beginning of each layer but the first, by the layer; null for none.</summary>
+    public Func<Layer, IReadOnlyList<string>>? LayerLines { get; init; }
 
     /// <summary>Lines for a change of the tool, from one number to another; null or none for the tool command alone.</summary>
     public Func<int, int, IReadOnlyList<string>>? ToolLines { get; init; }

@@ -176,7 +176,7 @@ public sealed partial class GCodeWriter
                 _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
                 if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
             }
-            if (_layers++ > 0 && _format.LayerLines?.Invoke(number) is { Count: > 0 } lines) Raw(lines);
+            if (_layers++ > 0 && _format.LayerLines?.Invoke(layer) is { Count: > 0 } lines) Raw(lines);
         }
         if (_format.Comments) Object(layer.Object);
     }

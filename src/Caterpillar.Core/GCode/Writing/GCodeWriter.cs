@@ -22,7 +22,7 @@ public sealed partial class GCodeWriter
     private const double LargestSum = 1000;
     private const double LargestExact = 1e8;
 
-    private readonly Toolpath _toolpath;
+    private Toolpath _toolpath;
     private readonly GCodeFormat _format;
     private readonly DialectRules _rules;
     private readonly LineBuffer _out;
@@ -134,6 +134,9 @@ public sealed partial class GCodeWriter
         }
         Flush(stream);
     }
+
+    /// <summary>Goes on with a toolpath that begins as the one so far and is longer.</summary>
+    internal void GoOn(Toolpath longer) => _toolpath = longer;
 
     /// <summary>What happens after the last move, and the end code.</summary>
     public void WriteEnd(Stream stream)

@@ -24,26 +24,11 @@ public static class SetupFormat
         var layers = Template(printer, "layer_template", printer.LayerTemplate, problems);
         var tools = Template(printer, "tool_change_template", printer.ToolChangeTemplate, problems);
         // Layer and tool templates are tried once with the values of the first, so that an error is found before anything is written.
-        if (layers is not null && toolpath.Layers.Count > 0) problems.AddRange(layers.Render(OfLayer(values, toolpath, 0)).Diagnostics);
+        if (layers is not null && toolpath.Layers.Count > 0) problems.AddRange(layers.Render(OfLayer(values, toolpath.Layers[0])).Diagnostics);
         if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
         if (LayerRounding.Check(toolpath, printer.DecimalsXyz, new SourceLocation(printer.Name, Key: "decimals_xyz")) is { } rounded) problems.Add(rounded);
         if (problems.HasErrors) return new Result<GCodeFormat>(null, problems.ToList());
-        var format = new GCodeFormat
-        {
-            Dialect = printer.Dialect,
-            RelativeE = printer.ExtrusionMode == ExtrusionMode.Relative,
-            RelativeXyz = printer.RelativeXyz,
-            DecimalsXyz = printer.DecimalsXyz,
-            DecimalsE = printer.DecimalsE,
-            DecimalsF = printer.DecimalsF,
-            FirmwareRetraction = printer.FirmwareRetraction,
-            HasE = printer.ExtrusionUnit != ExtrusionUnit.None,
-            Header = Header(setup),
-            Start = start,
-            End = end,
-            LayerLines = layers is null ? null : layer => layers.Render(OfLayer(values, toolpath, layer)).Value ?? [],
-            ToolLines = tools is null ? null : (from, to) => tools.Render(values.With("tool", to).With("previous_tool", from)).Value ?? [],
-        };
+        var format = Format(setup, values, layers, tools) with { Start = start, End = end };
         if (format.LacksAmounts(toolpath))
         {
             problems.Add(Severity.Error, "gcode.no_amounts", "The toolpath prints without any amount of E, and " + printer.Dialect.Title
@@ -54,6 +39,39 @@ public static class SetupFormat
             problems.Add(Severity.Warning, "gcode.amounts_lost", printer.Dialect.Title
                 + " only switches its extruder on and off (M101, M103): amounts of E and retractions are not written.");
         return new Result<GCodeFormat>(format, problems.ToList());
+    }
+
+    /// <summary>The same format without end code, for a toolpath that is not known yet; null where a template needs to know it.</summary>
+    internal static GCodeFormat? OfUnknown(PrintSetup setup)
+    {
+        var printer = setup.Printer;
+        var problems = new DiagnosticList();
+        var values = TemplateValues.Of(setup);
+        var start = Lines(printer, "start_template", printer.StartTemplate, values, problems);
+        var layers = Template(printer, "layer_template", printer.LayerTemplate, problems);
+        var tools = Template(printer, "tool_change_template", printer.ToolChangeTemplate, problems);
+        if (layers is not null) problems.AddRange(layers.Render(OfLayer(values, new Layer(0, 0, 0, ""))).Diagnostics);
+        if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
+        return problems.HasErrors ? null : Format(setup, values, layers, tools) with { Start = start };
+    }
+
+    private static GCodeFormat Format(PrintSetup setup, TemplateValues values, Template? layers, Template? tools)
+    {
+        var printer = setup.Printer;
+        return new GCodeFormat
+        {
+            Dialect = printer.Dialect,
+            RelativeE = printer.ExtrusionMode == ExtrusionMode.Relative,
+            RelativeXyz = printer.RelativeXyz,
+            DecimalsXyz = printer.DecimalsXyz,
+            DecimalsE = printer.DecimalsE,
+            DecimalsF = printer.DecimalsF,
+            FirmwareRetraction = printer.FirmwareRetraction,
+            HasE = printer.ExtrusionUnit != ExtrusionUnit.None,
+            Header = Header(setup),
+            LayerLines = layers is null ? null : layer => layers.Render(OfLayer(values, layer)).Value ?? [],
+            ToolLines = tools is null ? null : (from, to) => tools.Render(values.With("tool", to).With("previous_tool", from)).Value ?? [],
+        };
     }
 
     // The unit of E is stated as slicers state it, so that the strands can be measured in the file.
@@ -69,8 +87,7 @@ public static class SetupFormat
         };
     }
 
-    private static TemplateValues OfLayer(TemplateValues values, Toolpath toolpath, int layer)
-        => values.With("layer", toolpath.Layers[layer].Index).With("layer_z_mm", toolpath.Layers[layer].Z);
+    private static TemplateValues OfLayer(TemplateValues values, Layer layer) => values.With("layer", layer.Index).With("layer_z_mm", layer.Z);
 
     private static IReadOnlyList<string> Lines(Printer printer, string key, IReadOnlyList<string> lines, TemplateValues values, DiagnosticList problems)
     {

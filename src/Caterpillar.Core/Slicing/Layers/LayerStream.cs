@@ -12,7 +12,7 @@ namespace Caterpillar.Slicing;
 /// </summary>
 internal sealed class LayerStream
 {
-    private const int Block = 48;
+    private const int Block = 16;
     private readonly LayerWork[] _layers;
     private readonly int[] _needed;
     private readonly ParallelOptions _options;

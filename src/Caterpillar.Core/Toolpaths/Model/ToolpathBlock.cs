@@ -12,6 +12,9 @@ public sealed class ToolpathBlock
     /// <summary>Maximum number of moves in one block.</summary>
     public const int Capacity = 65536;
 
+    /// <summary>The same where others wait for each block.</summary>
+    internal const int FollowedSize = 4096;
+
     /// <summary>What a move takes in memory, with its share of arcs and lists.</summary>
     public const int BytesPerMove = 72;
 

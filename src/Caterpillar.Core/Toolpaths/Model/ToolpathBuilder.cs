@@ -34,6 +34,12 @@ public sealed class ToolpathBuilder
     /// <summary>How much memory the moves may take.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
+    /// <summary>Number of moves in a block.</summary>
+    internal int BlockSize { get; init; } = ToolpathBlock.Capacity;
+
+    /// <summary>Hears of each block that is full, before the next move is added.</summary>
+    internal Action? Filled { get; init; }
+
     /// <summary>Number of moves so far.</summary>
     public int Count => _sealed + _columns.Count;
 
@@ -100,17 +106,21 @@ public sealed class ToolpathBuilder
         return new Toolpath(_blocks, _layers, _events, tools, Start, _source, places);
     }
 
+    /// <summary>The toolpath as far as its blocks are full. Later ones begin with the same moves, layers and events.</summary>
+    internal Toolpath SoFar(IEnumerable<ToolpathTool> tools) => new(_blocks, _layers, _events, tools, Start, _source);
+
     private void Grow()
     {
-        if (_columns.Capacity < ToolpathBlock.Capacity)
+        if (_columns.Capacity < BlockSize)
         {
-            _columns = _columns.Copy(Math.Min(_columns.Capacity * 4, ToolpathBlock.Capacity));
+            _columns = _columns.Copy(Math.Min(_columns.Capacity * 4, BlockSize));
             return;
         }
-        Memory.Check((double)(Count + ToolpathBlock.Capacity) * ToolpathBlock.BytesPerMove, "A toolpath of more than " + NumberFormatter.Format(Count)
+        Memory.Check((double)(Count + BlockSize) * ToolpathBlock.BytesPerMove, "A toolpath of more than " + NumberFormatter.Format(Count)
             + " moves");
         Seal();
-        _columns = new ToolpathColumns(ToolpathBlock.Capacity);
+        _columns = new ToolpathColumns(BlockSize);
+        Filled?.Invoke();
     }
 
     private void Seal()

@@ -1,0 +1,49 @@
+using System;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>
+/// A number of 64 bits for all that checks see of a block but its lines: blocks that have the same are the same moves. Only for one run of a program.
+/// </summary>
+internal static class MoveDigest
+{
+    // Odd, with bits all over: multiplying by it and turning spreads every bit over all others.
+    private const ulong Factor = 0x9E3779B97F4A7C15;
+
+    public static ulong Of(DecodedBlock block)
+    {
+        var c = block.Columns;
+        var start = block.Start ?? Vec3.Zero;
+        var sum = Mix(Mix(Mix(Mix((ulong)(uint)c.Count, start.X), start.Y), start.Z), block.Start is null ? 0UL : 1);
+        for (var i = 0; i < c.Count; i++)
+        {
+            var layer = block.Layers[i];
+            sum = Mix(Mix(Mix(sum, c.X[i]), c.Y[i]), c.Z[i]);
+            sum = Mix(Mix(Mix(sum, c.E[i]), c.Deposited[i]), c.Speed[i]);
+            sum = Mix(sum, layer >= 0 ? block.Thicknesses![layer] : 0);
+            sum = Mix(sum, (ulong)(byte)c.Kind[i] | ((ulong)(byte)c.Role[i] << 8) | ((ulong)(ushort)c.Tool[i] << 16));
+        }
+        for (var i = 0; i < c.Arcs.Length; i++)
+        {
+            var arc = c.Arcs[i];
+            sum = Mix(Mix(Mix(Mix(sum, arc.Center.X), arc.Center.Y), arc.Center.Z), arc.Sweep);
+            sum = Mix(sum, (ulong)(uint)c.ArcMoves[i] | ((ulong)(byte)arc.Plane << 32));
+        }
+        foreach (var entry in block.Events)
+        {
+            if (entry.Event is HomeEvent home) sum = Mix(Mix(sum, (ulong)(uint)entry.Move), (ulong)(uint)home.GetHashCode());
+        }
+        return sum;
+    }
+
+    private static ulong Mix(ulong sum, double value) => Mix(sum, (ulong)BitConverter.DoubleToInt64Bits(value));
+
+    private static ulong Mix(ulong sum, ulong value)
+    {
+        sum = (sum ^ value) * Factor;
+        return sum ^ (sum >> 29);
+    }
+}

@@ -1,0 +1,107 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>
+/// Plans a print while the steps of higher layers are still being made, and checks what it prints while it is still being planned. The plan is that of
+/// <see cref="Planner"/>, the file that of <see cref="SafeWriter"/>. To be used by one thread.
+/// </summary>
+public sealed class PrintPipeline : IDisposable
+{
+    // Batches that wait to be planned, at most: their steps take more memory than their moves.
+    private const int Waiting = 64;
+    private readonly BlockingCollection<IReadOnlyList<Step>> _batches = new(Waiting);
+    private readonly CancellationToken _cancel;
+    private readonly CancellationTokenSource _stop;
+    private readonly PrintSetup _setup;
+    private readonly Task<Result<Plan>> _planning;
+    private EarlyCheck? _early;
+
+    /// <param name="setup">The printer, material and settings.</param>
+    /// <param name="options">Options of planning.</param>
+    /// <param name="cancel">Cancels.</param>
+    public PrintPipeline(PrintSetup setup, PlanOptions? options = null, CancellationToken cancel = default)
+    {
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        _setup = setup;
+        _cancel = cancel;
+        _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
+        _planning = OwnThread.Run(() => Plan(setup, options));
+    }
+
+    /// <summary>
+    /// The paths of the next layers, as slicers make them; paths are sorted among those that are given together. Waits while many are not planned yet.
+    /// </summary>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public void Add(IReadOnlyList<Step> steps)
+    {
+        if (steps is null) throw new ArgumentNullException(nameof(steps));
+        _cancel.ThrowIfCancellationRequested();
+        while (!_planning.IsCompleted && !_batches.TryAdd(steps, 20, _cancel))
+        {
+        }
+    }
+
+    /// <summary>The plan of all steps, or none and what is wrong with them.</summary>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public Result<Plan> Finish()
+    {
+        _batches.CompleteAdding();
+        return OwnThread.Join(_planning);
+    }
+
+    /// <summary>Checks and writes the plan as <see cref="SafeWriter"/> does.</summary>
+    /// <param name="stream">Where to write.</param>
+    /// <param name="isDraft">True where what was written is thrown away if it is refused.</param>
+    /// <param name="reason">Why findings of the checks are to be ignored; null where they are not.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <exception cref="InvalidOperationException">There is no plan.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public Result<WrittenGCode> Write(Stream stream, bool isDraft, string? reason = null, IProgress<double>? progress = null)
+    {
+        if (stream is null) throw new ArgumentNullException(nameof(stream));
+        var plan = Finish().Value ?? throw new InvalidOperationException("There is no plan.");
+        return SafeWriter.Write(plan.Toolpath, _setup, stream, reason, isDraft, _early, progress, _cancel);
+    }
+
+    /// <summary>Stops what is not finished, and waits for that.</summary>
+    public void Dispose()
+    {
+        _stop.Cancel();
+        _batches.CompleteAdding();
+        OwnThread.Wait(_planning);
+        _early?.Dispose();
+        _batches.Dispose();
+        _stop.Dispose();
+    }
+
+    private Result<Plan> Plan(PrintSetup setup, PlanOptions? options)
+    {
+        try
+        {
+            var run = Planner.Begin(setup, (options ?? new PlanOptions()) with { Follow = Follow }, _stop.Token);
+            foreach (var steps in _batches.GetConsumingEnumerable()) run.Add(steps, null);
+            _stop.Token.ThrowIfCancellationRequested();
+            return run.Finish();
+        }
+        catch (DiagnosticException tooMuch)
+        {
+            return new Result<Plan>(null, tooMuch.Diagnostics);
+        }
+    }
+
+    private void Follow(Toolpath soFar)
+    {
+        if (soFar.Blocks.Count == 1) _early = EarlyCheck.Begin(_setup, soFar.Tools, _cancel);
+        _early?.Take(soFar);
+    }
+}

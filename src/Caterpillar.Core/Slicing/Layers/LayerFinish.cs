@@ -1,0 +1,126 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// What depends on the layers before, or on all objects on the bed: seams, vases, supports, raft, skirt and the least time of a layer. Layers are given on
+/// height by height, at once where nothing above them can change them.
+/// </summary>
+internal sealed class LayerFinish
+{
+    private const double SameHeight = 1e-9;
+    private readonly LayerWork[] _works;
+    private readonly PrintSettings _settings;
+    private readonly DiagnosticList _problems;
+    private readonly Action<IReadOnlyList<SlicedLayer>>? _follow;
+    private readonly Dictionary<Body, (VaseSpiral Spiral, int Last)> _vases = [];
+    private readonly Dictionary<Body, SeamPlacer> _seams = [];
+    private readonly LayerTime _time;
+    private readonly bool _waits;
+
+    // All layers, null once they are given on where nothing has to wait for the last one.
+    private readonly List<SlicedLayer?> _all = [];
+    private int _given;
+
+    // Those of the height that is being collected, and all that are finished.
+    private readonly List<SlicedLayer> _level = [];
+    private readonly List<SlicedLayer> _finished = [];
+    private int _count;
+
+    /// <param name="works">The layers in their order, as they are sliced.</param>
+    /// <param name="bodies">What is printed.</param>
+    /// <param name="settings">The settings of the print.</param>
+    /// <param name="problems">Gets what is noticed.</param>
+    /// <param name="follow">Gets finished layers; null for nobody.</param>
+    public LayerFinish(
+        LayerWork[] works, IReadOnlyList<Body> bodies, PrintSettings settings, DiagnosticList problems, Action<IReadOnlyList<SlicedLayer>>? follow)
+    {
+        (_works, _settings, _problems, _follow) = (works, settings, problems, follow);
+        _time = new LayerTime(settings);
+        // The skirt goes around all that stands on the bed.
+        _waits = follow is null || (bodies.Count > 1 && settings.PrintSequence == PrintSequence.ByObject)
+            || works.Any(w => w.Rules.Settings.Support != SupportKind.None);
+    }
+
+    /// <summary>The next layer.</summary>
+    public void Add(SlicedLayer layer)
+    {
+        var work = _works[_count++];
+        if (!_seams.TryGetValue(work.Body, out var placer)) _seams.Add(work.Body, placer = new SeamPlacer(work.Body));
+        var finished = placer.Next(work, layer);
+        if (work.VaseLoop is not null)
+        {
+            if (!_vases.TryGetValue(work.Body, out var vase)) vase = (new VaseSpiral(), 0);
+            finished = vase.Spiral.Next(work, layer);
+            _vases[work.Body] = (vase.Spiral, finished.Steps.Count > 0 ? _all.Count : vase.Last);
+        }
+        _all.Add(finished);
+        if (_waits) return;
+        // The highest layer of a vase may yet become its end.
+        var open = _all.Count;
+        foreach (var vase in _vases.Values) open = Math.Min(open, vase.Last);
+        for (; _given < open; _given++)
+        {
+            Keep(_all[_given]!);
+            _all[_given] = null;
+        }
+    }
+
+    /// <summary>All finished layers that print something.</summary>
+    /// <param name="supports">Adds supports to all layers.</param>
+    public SlicedLayer[] End(Action<List<SlicedLayer>> supports)
+    {
+        foreach (var body in _vases.Keys.OrderBy(b => b.Number)) EndVase(_vases[body].Spiral, _vases[body].Last, body);
+        if (_waits) supports(_all!);
+        for (; _given < _all.Count; _given++) Keep(_all[_given]!);
+        GiveOn();
+        _time.Report(_problems);
+        return _finished.ToArray();
+    }
+
+    private void Keep(SlicedLayer layer)
+    {
+        if (layer.Steps.Count == 0) return;
+        if (_level.Count > 0 && Math.Abs(layer.Layer.Z - _level[0].Layer.Z) >= SameHeight) GiveOn();
+        _level.Add(layer);
+    }
+
+    private void GiveOn()
+    {
+        if (_level.Count == 0) return;
+        if (_finished.Count == 0) Begin();
+        GiveOn(_level.ToArray());
+        _level.Clear();
+    }
+
+    private void GiveOn(SlicedLayer[] level)
+    {
+        _time.Apply(level);
+        _follow?.Invoke(level);
+        foreach (var layer in level) _finished.Add(_follow is null ? layer : layer with { Steps = [] });
+    }
+
+    // Below the first layers and around them.
+    private void Begin()
+    {
+        var bottom = _level[0].Layer.Z + SameHeight;
+        // All objects that stand as low as the first layer, which are those that the loops go around together.
+        var low = (_waits ? _all.Select(l => l!).Where(l => l.Steps.Count > 0 && l.Layer.Z <= bottom) : _level).ToArray();
+        var covered = Region.Union(low.Select(l => l.Region).Concat(low.Select(l => l.Support)));
+        if (_settings.RaftLayers == 0) _level[0] = Adhesion.Around(_level[0], covered, _settings);
+        else foreach (var layer in Raft.Below(covered, _settings)) GiveOn([_finished.Count > 0 ? layer : Adhesion.Around(layer, layer.Region, _settings)]);
+    }
+
+    private void EndVase(VaseSpiral spiral, int last, Body body)
+    {
+        if (spiral.Finish() is { } end) _all[last] = end;
+        if (spiral.Divided == 0) return;
+        _problems.Add(Severity.Warning, "slice.vase_divided",
+            "A vase has one wall: of layers in several pieces only the largest is printed.", body.Source, spiral.Divided);
+    }
+}
