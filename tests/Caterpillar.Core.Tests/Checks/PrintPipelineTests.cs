@@ -118,7 +118,8 @@ public sealed class PrintPipelineTests
         Assert.That(After(_ => { }), Is.EqualTo(before));
         Action<ToolpathColumns>[] changes =
         [
-            c => c.X[7] = Math.BitIncrement(c.X[7]), c => c.Y[7] = -c.Y[7], c => c.Z[7]++, c => c.E[7] = 1e-5, c => c.Deposited[7] = 1e-5, c => c.Speed[7]++,
+            c => c.X[7] = BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(c.X[7]) + 1), c => c.Y[7] = -c.Y[7],
+            c => c.Z[7]++, c => c.E[7] = 1e-5, c => c.Deposited[7] = 1e-5, c => c.Speed[7]++,
             c => c.Kind[7] = MoveKind.Wipe, c => c.Role[7] = Role.Skirt, c => c.Tool[7] = 1, c => c.Count--,
             c => (c.Y[7], c.Y[11]) = (c.Y[11], c.Y[7]), c => (c.ArcMoves, c.Arcs) = ([7], [new Arc(Vec3.Zero, 90)]),
         ];
