@@ -30,6 +30,10 @@ internal static class InfillPictures
         const string Rings = "sin(180 * hypot(x - 110, y - 110) / spacing + 4 * z) - 0.3 * sin(6 * atan2(y - 110, x - 110))";
         Draw(folder, "Formula", plain with { InfillPattern = InfillPattern.Formula, InfillFormula = Rings, InfillPercent = 20 });
         Draw(folder, "Solid", plain with { InfillPercent = 100 });
+        Draw(folder, "Monotonic", plain with { InfillPattern = InfillPattern.Monotonic, InfillPercent = 20 });
+        // Trees stand only where they hold up a skin.
+        Draw(folder, "Lightning", plain with { InfillPattern = InfillPattern.Lightning, InfillPercent = 20, TopLayers = 3 });
+        Draw(folder, "Curves", plain with { InfillPattern = InfillPattern.Curves, InfillCurves = InfillPoint.Of(Spirals()) });
     }
 
     private static void Draw(string folder, string name, PrintSettings settings)
@@ -43,6 +47,13 @@ internal static class InfillPictures
         File.WriteAllBytes(Path.Combine(folder, file), bytes);
         Console.WriteLine($"{file}: {bytes.Length} bytes");
     }
+
+    // Twelve spirals around the shaft, as a user may draw them.
+    private static IEnumerable<Polyline> Spirals() => Enumerable.Range(0, 12).Select(k => new Polyline(Enumerable.Range(0, 45).Select(i =>
+    {
+        var (sin, cos) = Angle.SinCos(30.0 * k + 2 * i);
+        return new Vec3(110 + (4 + 0.3 * i) * cos, 110 + (4 + 0.3 * i) * sin);
+    }).ToArray()));
 
     // A star around a shaft, in the middle of the bed.
     private static TriMesh Star()

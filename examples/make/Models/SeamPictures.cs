@@ -23,7 +23,9 @@ internal static class SeamPictures
             MinLayerTime = 0, LayerHeight = 0.4, FirstLayerHeight = 0.4, WallCount = 1, InfillPercent = 0, TopLayers = 0, BottomLayers = 0, TopThickness = 0,
             BottomThickness = 0,
         };
-        foreach (var position in new[] { SeamPosition.Aligned, SeamPosition.Corner, SeamPosition.Rear, SeamPosition.Point, SeamPosition.Random })
+        SeamPosition[] positions =
+            [SeamPosition.Aligned, SeamPosition.Corner, SeamPosition.Rear, SeamPosition.Point, SeamPosition.Random, SeamPosition.Nearest];
+        foreach (var position in positions)
             Draw(folder, position.ToString().ToLowerInvariant(), plain with { SeamPosition = position, SeamPoint = new Vec3(130, 115) });
         var marks = Enumerable.Range(0, 15).Select(i => new SeamMark(new Vec3(109 - 0.4 * i, 103 + 0.4 * i, i), 4));
         Draw(folder, "painted", plain with { SeamPosition = SeamPosition.Rear, SeamMarks = new ValueList<SeamMark>(marks.Where((_, i) => i > 3)) });
@@ -34,12 +36,14 @@ internal static class SeamPictures
         var setup = new PrintSetup { Settings = settings };
         var mesh = SlicingPictures.Lofted([(0, Ring(0)), (14, Ring(25))]).Moved(new Vec3(100, 100));
         var sliced = PlanarSlicer.Slice([new NamedMesh(name, mesh)], settings).Value ?? throw new InvalidOperationException(name);
-        var steps = new List<Step>();
-        foreach (var step in sliced.Layers.SelectMany(l => l.Steps))
+        var paths = sliced.Layers.SelectMany(l => l.Steps).Cast<Step>().ToArray();
+        // Which place is nearest is known once the travels are planned. One loop for each layer.
+        var planned = Planner.Plan(paths, setup).Value ?? throw new InvalidOperationException(name);
+        var starts = planned.Moves().Where(m => m.Kind == MoveKind.Print).GroupBy(m => m.Layer).Select(l => (l.First().Start, Layer: l.Key));
+        var steps = new List<Step>(paths);
+        foreach (var (at, layer) in starts)
         {
-            steps.Add(new PathStep(step.Path));
-            var at = step.Path.Start;
-            var knob = new PrintPath([at - new Vec3(0.05, 0), at + new Vec3(0.05, 0)], [new Bead(0.45, 0.4)]).With(Role.Bridge, step.Path.Layer);
+            var knob = new PrintPath([at - new Vec3(0.05, 0), at + new Vec3(0.05, 0)], [new Bead(0.45, 0.4)]).With(Role.Bridge, sliced.Layers[layer].Layer);
             steps.Add(new PathStep(knob));
         }
         var toolpath = Planner.Plan(steps, setup).Value ?? throw new InvalidOperationException(name);

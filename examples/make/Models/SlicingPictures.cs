@@ -34,6 +34,7 @@ internal static class SlicingPictures
         Draw(folder, "vase", Revolved((8, 0), (12, 6), (13, 10), (10, 18), (12, 24)), vase, 0, 999, Slanted);
         Draw(folder, "rough", Revolved((8, 0), (8, 10)), plain with { FuzzySkin = 0.25, LayerHeight = 0.3 }, 0, 25, Slanted);
         Draw(folder, "thick_infill", Revolved((10, 0), (10, 6)), plain with { InfillEvery = 3 }, 0, 17, Slanted);
+        Draw(folder, "thin_walls", Wedges(), plain with { WallCount = 2, InfillPercent = 100, TopLayers = 0, BottomLayers = 0 }, 4, 4, Top);
         var mushroom = Revolved((4, 0), (4, 12), (14, 14), (14, 17));
         Draw(folder, "support_grid", mushroom, plain with { Support = SupportKind.Grid }, 0, 66, new View(-60, 12));
         Draw(folder, "support_tree", mushroom, plain with { Support = SupportKind.Tree }, 0, 66, new View(-60, 12));
@@ -52,6 +53,18 @@ internal static class SlicingPictures
 
     /// <summary>A slab on two walls.</summary>
     private static TriMesh Table() => TriMesh.Merge([Block(0, 0, 5, 5, 24), Block(0, 25, 5, 30, 24), Block(5, 0, 7, 30, 24)]);
+
+    /// <summary>Four spokes that taper from 3 to 0.3 mm.</summary>
+    private static TriMesh Wedges()
+    {
+        Vec3[] Spoke(double turn)
+        {
+            var (sin, cos) = Angle.SinCos(turn);
+            Vec3 At(double along, double aside) => new(along * cos - aside * sin, along * sin + aside * cos);
+            return [At(1, -1.5), At(12, -0.15), At(12, 0.15), At(1, 1.5)];
+        }
+        return TriMesh.Merge(Enumerable.Range(0, 4).Select(k => Lofted([(0, Spoke(90 * k)), (2, Spoke(90 * k))])));
+    }
 
     // From z0 to z1, y0 to y1, x from 0 to a width.
     private static TriMesh Block(double z0, double y0, double z1, double y1, double width)
