@@ -39,7 +39,7 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
 
     private void Report(int move, Vec3 end)
     {
-        if (end.Z < -Tolerance && printer.CanReach(end.WithZ(0), Tolerance))
+        if (end.Z < 0 && printer.CanReach(end.WithZ(0), Tolerance))
             findings.Add(CheckCodes.Below, move, () => $"A move goes to Z {NumberFormatter.Format(end.Z, 3)} mm, below the bed.");
         else
             findings.Add(CheckCodes.Outside, move, () => $"A move goes to {end}, outside the build volume of {printer.Title}: "
@@ -85,7 +85,7 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
         min += Tolerance;
         max -= Tolerance;
         var d = b - a;
-        if (d == 0) return a > min && a < max;
+        // Where it does not move the parts are infinite, or no number on an edge.
         low = Math.Max(low, Math.Min((min - a) / d, (max - a) / d));
         high = Math.Min(high, Math.Max((min - a) / d, (max - a) / d));
         return low < high;

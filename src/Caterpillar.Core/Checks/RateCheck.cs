@@ -49,7 +49,7 @@ internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings fi
     public void Move(in CheckedMove move)
     {
         if (move.Tool >= _printer.ToolCount) ReportTool(move);
-        if (!move.StartKnown || !(move.Speed > 0)) return;
+        if (!move.StartKnown) return;
         var filament = move.E * _filamentPerE[Math.Min(Math.Max(move.Tool, 0), _filamentPerE.Length - 1)];
         var most = _shares.MaxSpeed(move, filament, _limits);
         // Travels are slowed down without harm; a strand printed more slowly is not the one that was asked for.

@@ -115,7 +115,7 @@ internal sealed class StrandCheck
         Break();
         var slender = _highest / Math.Sqrt(_standing);
         if (_standing > 0 && slender > Slenderest)
-            _findings.Add(CheckCodes.FirstLayer, -1,
+            _findings.Add(CheckCodes.FirstLayer, () => null,
                 () => $"A print of {Number(_highest)} mm height stands on {NumberFormatter.Format(_standing, 0)} mm²: give it "
                 + "a brim.");
     }

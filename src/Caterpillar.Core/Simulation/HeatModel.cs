@@ -35,7 +35,7 @@ internal sealed class HeaterCurve(double rate)
         if (i < 0) return HeatModel.Ambient;
         if (rate == 0) return _to[i];
         var change = _to[i] - _from[i];
-        var most = rate * Math.Max(time - _times[i], 0);
+        var most = rate * (time - _times[i]);
         return Math.Abs(change) <= most ? _to[i] : _from[i] + Math.Sign(change) * most;
     }
 

@@ -18,16 +18,18 @@ internal sealed class MotionColumns
     public double[] Acceleration;
     public int Count;
 
+    // For waits and chords of arcs.
+    private const int Spare = 64;
     private double _time;
 
     public MotionColumns(int moves)
     {
         First = new int[moves + 1];
-        EndTime = new double[moves + 64];
-        Start = new double[moves + 64];
-        Peak = new double[moves + 64];
-        End = new double[moves + 64];
-        Acceleration = new double[moves + 64];
+        EndTime = new double[moves + Spare];
+        Start = new double[moves + Spare];
+        Peak = new double[moves + Spare];
+        End = new double[moves + Spare];
+        Acceleration = new double[moves + Spare];
     }
 
     public double TotalTime => _time;
@@ -51,7 +53,7 @@ internal sealed class MotionColumns
 
     private void Grow()
     {
-        var size = checked(Count + Count / 2 + 64);
+        var size = checked(Count + Count / 2 + Spare);
         Array.Resize(ref EndTime, size);
         Array.Resize(ref Start, size);
         Array.Resize(ref Peak, size);

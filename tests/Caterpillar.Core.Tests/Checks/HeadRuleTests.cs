@@ -83,6 +83,33 @@ public class HeadRuleTests
         Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.HeadHits).Single().Count, Is.EqualTo(2));
     }
 
+    // A clip from 50 to 62 mm along X and from 100 to 110 along Y; the tip is 1 mm wide, and a cell more is looked at.
+    [TestCase(49.2, 105, 0)]
+    [TestCase(49.6, 105, 1)]
+    [TestCase(62.4, 105, 1)]
+    [TestCase(62.8, 105, 0)]
+    [TestCase(56, 99.2, 0)]
+    [TestCase(56, 99.6, 1)]
+    [TestCase(56, 110.4, 1)]
+    [TestCase(56, 110.8, 0)]
+    public void A_clip_ends_at_its_sides(double x, double y, int found)
+    {
+        var setup = SmallPrint.Setup(
+            p => p with { HeadOutline = new(new HeadPoint(0.5, 0)), Clips = new(new Bounds(new Vec3(50, 100, 0), new Vec3(62, 110, 5))) });
+        Assert.That(SmallPrint.Find(new SmallPrint(x, y, 20).Go(x, y, 4.9).Build(), setup, CheckCodes.ClipHit).Length, Is.EqualTo(found));
+    }
+
+    // Narrower along X than its strands would be.
+    [TestCase(49.2, 0)]
+    [TestCase(50.1, 1)]
+    [TestCase(51, 0)]
+    public void A_clip_may_be_thin(double x, int found)
+    {
+        var setup = SmallPrint.Setup(
+            p => p with { HeadOutline = new(new HeadPoint(0.5, 0)), Clips = new(new Bounds(new Vec3(50, 100, 0), new Vec3(50.2, 110, 5))) });
+        Assert.That(SmallPrint.Find(new SmallPrint(x, 105, 20).Go(x, 105, 4.9).Build(), setup, CheckCodes.ClipHit).Length, Is.EqualTo(found));
+    }
+
     [Test]
     public void Each_of_several_boxes_and_beams_is_looked_at()
     {

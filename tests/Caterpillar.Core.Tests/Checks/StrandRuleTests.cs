@@ -150,6 +150,36 @@ public class StrandRuleTests
         Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Unsupported).Sum(d => d.Count), Is.EqualTo(hanging));
     }
 
+    // 10 mm over another strand, a detour, and 30 mm over it again.
+    [Test]
+    public void Doubled_strands_are_named_by_the_first_of_their_run()
+    {
+        var print = new SmallPrint(50, 50, 0.2).Print(150, 50, 0.2).Go(150, 50, 5).Go(50, 50, 5).Go(50, 50, 0.2).Print(60, 50, 0.2).Print(60, 55, 0.2)
+            .Print(70, 55, 0.2).Print(70, 50, 0.2).Print(100, 50, 0.2);
+        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Doubled).Single().Source!.Move, Is.EqualTo(8));
+        // The same after a travel.
+        print.Go(100, 50, 5).Go(120, 50, 5).Go(120, 50, 0.2).Print(145, 50, 0.2);
+        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Doubled).Single().Count, Is.EqualTo(2));
+    }
+
+    // 0.02 mm² by a nozzle of 0.4 mm are 0.05 mm high: half of that decides.
+    [TestCase(0.02, 1)]
+    [TestCase(0.03, 0)]
+    public void Thin_strands_above_each_other_are_not_doubled(double above, int found)
+    {
+        var print = new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2, 0.02).Go(100, 50, 5).Go(50, 50, 5).Go(50, 50, 0.2 + above)
+            .Print(100, 50, 0.2 + above, 0.02);
+        Assert.That(Count(print, CheckCodes.Doubled), Is.EqualTo(found));
+    }
+
+    [TestCase(2e6, 20)]
+    [TestCase(20, 2e6)]
+    public void What_is_a_kilometer_away_is_not_looked_at(double from, double to)
+    {
+        var print = new SmallPrint(from, 10, 4).Print(to, 10, 4).Go(30, 30, 4);
+        Assert.That(SmallPrint.Find(print.Build(), Setup, "strand."), Is.Empty);
+    }
+
     [Test]
     public void Strands_in_the_air_are_named_by_the_first_of_them()
     {
