@@ -64,7 +64,7 @@ internal sealed class StrandCheck
         var count = (int)Math.Min(Math.Max(Math.Ceiling(move.Length / SampleStep), 1), MostSamples);
         var step = move.Length / count;
         var reach = 2 * Math.Max(nominal, _printer.NozzleDiameter / 2) + Touch;
-        var gap = 0.0;
+        var gap = double.NaN;
         var tight = double.PositiveInfinity;
         for (var k = 0; k < count; k++)
         {

@@ -220,17 +220,19 @@ public class CheckBoundaryTests
         Assert.That((source.Step, source.Move), Is.EqualTo(((int?)0, (int?)0)));
     }
 
-    // The file has one move where the edit has two: a thousandth of the material may be lost.
-    [TestCase("E199.9", 0)]
-    [TestCase("E199.5", 1)]
-    public void An_edit_that_joins_moves_keeps_their_material(string e, int found)
+    // The file has one move where the edit has two: a thousandth of length and material may be lost.
+    [TestCase("X200 E199.9", 0, 0)]
+    [TestCase("X200 E199.5", 1, 0)]
+    [TestCase("X199.9 E200", 0, 0)]
+    [TestCase("X199.7 E200", 0, 1)]
+    public void An_edit_that_joins_moves_keeps_their_material(string strand, int amounts, int lengths)
     {
         const string Start = "G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\n";
         var wanted = SmallPrint.Decode(Encoding.ASCII.GetBytes(Start + "G1 X100 E100 F60\nG1 X200 E100\nM104 S0\n"), Setup);
-        var joined = GCodeDocument.FromText(Start + $"G1 X200 {e} F60\nM104 S0\n");
+        var joined = GCodeDocument.FromText(Start + $"G1 {strand} F60\nM104 S0\n");
         var findings = EditCheck.Run(wanted, wanted.Toolpath, joined, Setup, null, default);
-        Assert.That(findings.Count(d => d.Code == CheckCodes.FileExtrusion), Is.EqualTo(found));
-        Assert.That(findings.Count(d => d.Code == CheckCodes.FilePosition), Is.Zero);
+        Assert.That(findings.Count(d => d.Code == CheckCodes.FileExtrusion), Is.EqualTo(amounts));
+        Assert.That(findings.Count(d => d.Code == CheckCodes.FilePosition), Is.EqualTo(lengths));
     }
 
     [Test]

@@ -170,6 +170,17 @@ public class CollisionFreeOrderTests
         Assert.That(found, Is.EqualTo(turned ? new[] { 0.2, 1 } : new[] { 1, 0.2 }));
     }
 
+    // Travels are 1 mm above all paths and above the object that is printed on.
+    [TestCase(0, 1.2)]
+    [TestCase(12, 13)]
+    public void Travels_are_above_everything(double onto, double height)
+    {
+        var plate = TriMesh.Create([new(150, 150, onto), new(160, 150, onto), new(160, 160, onto)], [0, 1, 2]);
+        var setup = onto > 0 ? Setup with { PrintedOn = plate } : Setup;
+        var steps = CollisionFreeOrder.Find([Line(50, 50, 70, 50, 0.2)], setup).OrThrow();
+        Assert.That(((TravelStep)steps[0]).Points, Is.EqualTo(new[] { new Vec3(50, 50, height), new Vec3(50, 50, 0.2) }));
+    }
+
     [Test]
     public void Two_that_block_each_other_are_named()
     {

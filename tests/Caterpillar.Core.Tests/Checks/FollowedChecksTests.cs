@@ -33,12 +33,14 @@ public sealed class FollowedChecksTests
         Assert.That(written.Diagnostics.Where(IsOfPrints).Select(Told), Is.EqualTo(expected));
     }
 
-    [Test]
-    public void A_long_print_is_canceled_with_the_callers_own_token()
+    // While it is written, and while it is checked.
+    [TestCase(0.3)]
+    [TestCase(0.6)]
+    public void A_long_print_is_canceled_with_the_callers_own_token(double share)
     {
         var toolpath = Long(0.2);
         using var source = new CancellationTokenSource();
-        var progress = new CancelAt(0.6, source);
+        var progress = new CancelAt(share, source);
 
         var thrown = Assert.Catch<OperationCanceledException>(() => SafeWriter.WriteDraft(toolpath, Setup, new MemoryStream(), null, progress, source.Token))!;
 

@@ -84,6 +84,19 @@ public class PlanComparisonTests
         Assert.That(Compare(plan, text => text.Replace("Z7.125", "Z7.2")).Select(d => d.Source!.Move), Is.EqualTo(new int?[] { 70_000 }));
     }
 
+    // The plan has more decimals than the file: it may stray by a unit and what rounding takes, not by 1.3 units.
+    [TestCase(0.5, 0)]
+    [TestCase(0.499997, 1)]
+    public void E_may_not_stray_by_more_than_one_unit(double e, int found)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
+        builder.Add(new Vec3(20, 10, 0.2), e, e, 20, MoveKind.Print, Role.Unspecified, -1, 0, 0);
+        var plan = builder.Build([new ToolpathTool(SmallPrint.FilamentArea)]);
+        Assert.That(Compare(plan, text => text), Is.Empty);
+        Assert.That(Compare(plan, text => text.Replace(" E0.5", " E0.50001")).Select(d => d.Code),
+            Is.EqualTo(Enumerable.Repeat(CheckCodes.FileExtrusion, found)));
+    }
+
     [Test]
     public void Material_that_is_missing_once_is_told_once()
     {

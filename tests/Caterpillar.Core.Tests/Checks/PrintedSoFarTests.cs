@@ -39,6 +39,25 @@ public class PrintedSoFarTests
         Assert.That((Top(printed, 0.3), Top(printed, 1.2)), Is.EqualTo((1, 0)));
     }
 
+    // As many as fit into the fresh end, and several times as many; now and then it is asked for.
+    [TestCase(1)]
+    [TestCase(7)]
+    [TestCase(100_000)]
+    public void Tiny_strands_are_fresh_as_long_as_one(int often)
+    {
+        var printed = new PrintedSoFar(SmallPrint.Setup(), null);
+        for (var i = 0; i < 1000; i++)
+        {
+            printed.Add(Move(new Vec3(0.01 * i, 0, 1), new Vec3(0.01 * (i + 1), 0, 1), 0.1), 1);
+            if (i % often == 0) printed.Advance(0);
+        }
+        printed.Advance(0);
+        foreach (var x in new[] { 0.0, 0.5, 2, 4, 8.5 }) Assert.That(Top(printed, x), Is.EqualTo(1), $"{x}");
+        Assert.That(Top(printed, 9), Is.Zero);
+        printed.Advance(2);
+        Assert.That(Top(printed, 9.9), Is.EqualTo(1));
+    }
+
     [Test]
     public void Motion_without_material_makes_a_strand_old()
     {
