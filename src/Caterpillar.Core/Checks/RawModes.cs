@@ -45,7 +45,7 @@ internal static class RawModes
             var state = this;
             var end = line.IndexOf(';', 0);
             var code = (end < 0 ? line : line.Substring(0, end)).ToUpperInvariant();
-            for (var i = 0; i + 1 < code.Length; i++)
+            for (var i = 0; i < code.Length; i++)
             {
                 if (code[i] == '(')
                 {

@@ -213,6 +213,14 @@ public class CheckBoundaryTests
     }
 
     [Test]
+    public void What_is_set_after_the_last_move_is_found_too()
+    {
+        var print = new SmallPrint().Print(30, 10, 0.2).Event(new AccelerationEvent(90_000)).Build();
+        var found = SafeWriter.ToDocument(print, Setup).Diagnostics.Single(d => d.Code == CheckCodes.Acceleration);
+        Assert.That((found.Count, found.Source?.Move), Is.EqualTo((1, (int?)null)));
+    }
+
+    [Test]
     public void The_first_step_of_a_design_is_named_where_it_is_a_command()
     {
         var print = new SmallPrint().Event(new NozzleTemperatureEvent(500)).Print(30, 10, 0.2).Build();
