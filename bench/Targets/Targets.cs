@@ -142,7 +142,7 @@ internal static class Targets
         yield return new Target("all checks of a million moves, collisions among them", "s", 2, Time(() => PrintCheck.Run(toolpath, new PrintSetup())));
     }
 
-    // Processor time by itself: decoding and comparing, one thread, against writing.
+    // Processor time by itself: decoding and comparing, one thread, against writing. And the time for which one waits longer, as both go on at once.
     private static IEnumerable<Target> Guard()
     {
         var toolpath = Samples.Print(1_000_000);
@@ -159,6 +159,13 @@ internal static class Targets
         yield return new Target("read-back of a million moves (decoded, compared) against half of writing them", "s", writing / 2, decoding + comparing,
             string.Create(CultureInfo.InvariantCulture,
                 $"writing {writing:0.000} s, decoding {decoding:0.000} s, comparing {comparing:0.000} s, one thread each"));
+        var both = Time(() =>
+        {
+            var file = ReadBack.Read(setup, new GCodeWriter(toolpath, format) { Written = lines }, null, _ => { }, null, default);
+            PlanComparison.Run(toolpath, file.Toolpath, format, lines, new Findings(setup.Printer, toolpath));
+        });
+        yield return new Target("time that reading back adds to writing them, both at once", "s", writing / 2, both - writing,
+            string.Create(CultureInfo.InvariantCulture, $"written, read and compared in {both:0.000} s"));
     }
 
     private static IEnumerable<Target> Meshes(string program, string folder, string work)

@@ -18,7 +18,7 @@ namespace Caterpillar.Checks;
 public sealed class PrintPipeline : IDisposable
 {
     // Batches that wait to be planned, at most: their steps take more memory than their moves.
-    private const int Waiting = 64;
+    private const int Waiting = 16;
     private readonly BlockingCollection<IReadOnlyList<Step>> _batches = new(Waiting);
     private readonly CancellationToken _cancel;
     private readonly CancellationTokenSource _stop;

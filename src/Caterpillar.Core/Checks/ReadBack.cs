@@ -16,6 +16,9 @@ namespace Caterpillar.Checks;
 /// </summary>
 internal static class ReadBack
 {
+    // Small, so that reading ends soon after writing and few lines are in memory.
+    private const int ChunkSize = 256 * 1024;
+
     /// <summary>Writes to a stream, if there is one, and returns what was found; with the number of lines and bytes.</summary>
     /// <param name="plan">What is written.</param>
     /// <param name="setup">The printer, material and settings.</param>
@@ -56,11 +59,17 @@ internal static class ReadBack
         return ([.. compared.ToList(), .. checks], writer.Lines, writer.Bytes);
     }
 
-    private static DecodedGCode Read(
+    /// <summary>Writes, and reads at the same time what is written; <paramref name="follow"/> gets each block that has been read.</summary>
+    internal static DecodedGCode Read(
         PrintSetup setup, GCodeWriter writer, Stream? stream, Action<DecodedBlock> follow, IProgress<double>? progress, CancellationToken cancel)
     {
-        var options = new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter, Follow = follow,
-            BlockSize = ToolpathBlock.FollowedSize };
+        var options = new DecodeOptions
+        {
+            Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter, Follow = follow,
+            BlockSize = ToolpathBlock.FollowedSize, ChunkSize = ChunkSize,
+            // Another one writes.
+            Threads = Math.Max(Environment.ProcessorCount - 1, 1),
+        };
         using var pipe = new BytePipe();
         var reading = OwnThread.Run(() =>
         {

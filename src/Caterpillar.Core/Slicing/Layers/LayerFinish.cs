@@ -23,9 +23,12 @@ internal sealed class LayerFinish
     private readonly LayerTime _time;
     private readonly bool _waits;
 
-    // All layers, null once they are given on where nothing has to wait for the last one.
+    // All layers, null once they are given on.
     private readonly List<SlicedLayer?> _all = [];
     private int _given;
+
+    // What stands on the bed, where all layers are known; else those of the lowest height.
+    private List<SlicedLayer>? _low;
 
     // Those of the height that is being collected, and all that are finished.
     private readonly List<SlicedLayer> _level = [];
@@ -64,11 +67,7 @@ internal sealed class LayerFinish
         // The highest layer of a vase may yet become its end.
         var open = _all.Count;
         foreach (var vase in _vases.Values) open = Math.Min(open, vase.Last);
-        for (; _given < open; _given++)
-        {
-            Keep(_all[_given]!);
-            _all[_given] = null;
-        }
+        Release(open);
     }
 
     /// <summary>All finished layers that print something.</summary>
@@ -76,21 +75,34 @@ internal sealed class LayerFinish
     public SlicedLayer[] End(Action<List<SlicedLayer>> supports)
     {
         foreach (var body in _vases.Keys.OrderBy(b => b.Number)) EndVase(_vases[body].Spiral, _vases[body].Last, body);
-        if (_waits) supports(_all!);
-        for (; _given < _all.Count; _given++) Keep(_all[_given]!);
-        GiveOn();
+        if (_waits)
+        {
+            supports(_all!);
+            _low = Low();
+        }
+        Release(_all.Count);
+        EndLevel();
         _time.Report(_problems);
         return _finished.ToArray();
+    }
+
+    private void Release(int end)
+    {
+        for (; _given < end; _given++)
+        {
+            Keep(_all[_given]!);
+            _all[_given] = null;
+        }
     }
 
     private void Keep(SlicedLayer layer)
     {
         if (layer.Steps.Count == 0) return;
-        if (_level.Count > 0 && Math.Abs(layer.Layer.Z - _level[0].Layer.Z) >= SameHeight) GiveOn();
+        if (_level.Count > 0 && Math.Abs(layer.Layer.Z - _level[0].Layer.Z) >= SameHeight) EndLevel();
         _level.Add(layer);
     }
 
-    private void GiveOn()
+    private void EndLevel()
     {
         if (_level.Count == 0) return;
         if (_finished.Count == 0) Begin();
@@ -102,16 +114,22 @@ internal sealed class LayerFinish
     {
         _time.Apply(level);
         _follow?.Invoke(level);
-        foreach (var layer in level) _finished.Add(_follow is null ? layer : layer with { Steps = [] });
+        foreach (var layer in level) _finished.Add(_follow is null ? layer : layer with { Steps = [], Chains = [] });
+    }
+
+    // All objects that stand as low as the first layer, which are those that the loops go around together.
+    private List<SlicedLayer> Low()
+    {
+        var printed = _all.Select(l => l!).Where(l => l.Steps.Count > 0).ToList();
+        return printed.FindAll(l => l.Layer.Z <= printed[0].Layer.Z + SameHeight);
     }
 
     // Below the first layers and around them.
     private void Begin()
     {
-        var bottom = _level[0].Layer.Z + SameHeight;
-        // All objects that stand as low as the first layer, which are those that the loops go around together.
-        var low = (_waits ? _all.Select(l => l!).Where(l => l.Steps.Count > 0 && l.Layer.Z <= bottom) : _level).ToArray();
+        var low = _low ?? _level;
         var covered = Region.Union(low.Select(l => l.Region).Concat(low.Select(l => l.Support)));
+        _low = null;
         if (_settings.RaftLayers == 0) _level[0] = Adhesion.Around(_level[0], covered, _settings);
         else foreach (var layer in Raft.Below(covered, _settings)) GiveOn([_finished.Count > 0 ? layer : Adhesion.Around(layer, layer.Region, _settings)]);
     }
