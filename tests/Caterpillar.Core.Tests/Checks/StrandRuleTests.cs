@@ -41,11 +41,13 @@ public class StrandRuleTests
         Assert.That(Count(print, CheckCodes.Unsupported), Is.EqualTo(2), "the lower one of those above, and the one below them");
     }
 
-    // Strands without a layer: twice the thicker of the layers, and a tenth.
+    // Strands without a layer: twice the thicker of the layers or half a nozzle, and a tenth.
     [TestCase(0.1, 0.3, 0.69, 0)]
     [TestCase(0.1, 0.3, 0.71, 1)]
     [TestCase(0.3, 0.1, 0.69, 0)]
     [TestCase(0.3, 0.1, 0.71, 1)]
+    [TestCase(0.1, 0.1, 0.49, 0)]
+    [TestCase(0.1, 0.1, 0.51, 1)]
     public void Without_layers_the_thicker_of_the_settings_counts(double layer, double first, double z, int hanging)
     {
         var setup = Setup with { Settings = new PrintSettings { LayerHeight = layer, FirstLayerHeight = first } };
@@ -85,6 +87,7 @@ public class StrandRuleTests
     // 5.1 mm³ are 4.03 mm wide in a gap of a nozzle; higher up nothing is squeezed.
     [TestCase(0.4, 1)]
     [TestCase(0.401, 0)]
+    [TestCase(0, 0)]
     public void A_blob_is_squeezed_in_a_gap_of_up_to_a_nozzle(double z, int found)
     {
         var print = new SmallPrint(50, 50, 0.2).Print(70, 50, 0.2).Go(100, 100, z).Prime(5.1);
