@@ -109,6 +109,9 @@ public sealed partial class Deposit
 
     private bool MeetsBin(DepositBin bin, int column, int row, double z, ref HeadQuery query, ref int tag)
     {
+        // Nothing in the bin is touched farther away.
+        var (a, b) = (query.From, query.To);
+        var reach = query.Head.Reach(bin.Top - Math.Min(a.Z, b.Z) - query.Tolerance);
         for (var block = (bin.Count - 1) >> DepositBin.BlockBits; block >= 0; block--)
         {
             var first = block << DepositBin.BlockBits;
@@ -117,7 +120,8 @@ public sealed partial class Deposit
             {
                 if (!(bin.Entries[i].Top > z)) continue;
                 ref var strand = ref _store[bin.Entries[i].Strand];
-                var hits = Meets(strand, query.From, query.To, ref query);
+                if (strand.IsBeyond(a, b, reach + strand.Half)) continue;
+                var hits = Meets(strand, a, b, ref query);
                 if (hits || (query.Digs && tag < 0)) tag = strand.Tag;
                 if (hits) return true;
             }

@@ -44,8 +44,8 @@ internal struct Strand
         return true;
     }
 
-    // Their rectangles are farther apart: cheaper than to clip.
-    private readonly bool IsBeyond(in Vec3 a, in Vec3 b, double reach)
+    /// <summary>True where its axis and a segment are clearly farther apart: their rectangles are, which is cheaper to tell than to clip.</summary>
+    public readonly bool IsBeyond(in Vec3 a, in Vec3 b, double reach)
         => Math.Abs(Ax + Bx - a.X - b.X) > Math.Abs(Bx - Ax) + Math.Abs(b.X - a.X) + 2 * reach
         || Math.Abs(Ay + By - a.Y - b.Y) > Math.Abs(By - Ay) + Math.Abs(b.Y - a.Y) + 2 * reach;
 
