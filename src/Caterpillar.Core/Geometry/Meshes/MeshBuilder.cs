@@ -17,9 +17,15 @@ internal sealed class MeshBuilder
         _triangles = new int[Math.Max(48, 3L * expectedTriangles <= int.MaxValue ? 3 * expectedTriangles : 48)];
     }
 
-    /// <summary>For triangles of vertices that are welded already.</summary>
-    public MeshBuilder(Vec3[] vertices, int expectedTriangles)
-        : this(0, expectedTriangles) => _vertices = vertices;
+    /// <summary>
+    /// For triangles of vertices that are welded already. They may be added in the order in which they are in <paramref name="corners"/>, whose memory is used
+    /// for them.
+    /// </summary>
+    public MeshBuilder(Vec3[] vertices, int[] corners)
+    {
+        _welder = new VertexWelder(0);
+        (_vertices, _triangles) = (vertices, corners);
+    }
 
     public int VertexCount => _vertices?.Length ?? _welder.Count;
 

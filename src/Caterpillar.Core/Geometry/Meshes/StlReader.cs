@@ -48,7 +48,7 @@ internal static class StlReader
     {
         source.Afford(count);
         var (points, numbers) = new StlCorners(source, HeaderBytes + 12, FacetBytes, count).Weld();
-        var builder = new MeshBuilder(points, count);
+        var builder = new MeshBuilder(points, numbers);
         for (var i = 0; i < numbers.Length; i += 3) builder.AddTriangle(numbers[i], numbers[i + 1], numbers[i + 2]);
         meshes.Add(new NamedMesh(MeshReader.PlainName(source.Name), builder.ToMesh(source.Name, true, source.Diagnostics)));
     }
