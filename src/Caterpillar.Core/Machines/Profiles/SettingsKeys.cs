@@ -122,7 +122,7 @@ internal static class SettingsKeys
 
     public static readonly ProfileKey<PrintSettings, double> StopDistance = K.Number(
         "stop_distance_mm", 0, 1000, s => s.StopDistance, (s, v) => s with { StopDistance = v },
-        "The extruder stops this far before the end of a path.");
+        "The extruder stops this far before the end of a path (coasting).");
 
     public static readonly ProfileKey<PrintSettings, bool> SortPaths = K.Boolean(
         "sort_paths", s => s.SortPaths, (s, v) => s with { SortPaths = v },

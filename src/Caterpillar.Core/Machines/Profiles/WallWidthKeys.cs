@@ -3,7 +3,7 @@ using K = Caterpillar.Machines.Keys<Caterpillar.Machines.PrintSettings>;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Keys of print settings: how wide walls are.</summary>
+/// <summary>Keys of print settings: how wide walls are, and whether they have arcs.</summary>
 internal static class WallWidthKeys
 {
     public static readonly ProfileKey<PrintSettings, bool> VariableWallWidth = K.Boolean(
@@ -19,5 +19,9 @@ internal static class WallWidthKeys
         "max_wall_width_mm", 0.01, 1000, s => s.MaxWallWidth, (s, v) => s with { MaxWallWidth = v },
         "Width of the widest wall where widths vary; 0 for 180 % of the line width.");
 
-    public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All = [VariableWallWidth, MinWallWidth, MaxWallWidth];
+    public static readonly ProfileKey<PrintSettings, double> WallArcTolerance = K.NumberOrZero(
+        "wall_arc_tolerance_mm", 0.001, 1, s => s.WallArcTolerance, (s, v) => s with { WallArcTolerance = v },
+        "Walls of planar layers become arcs (G2, G3) where they stay within this distance of one; 0 for straight segments only.");
+
+    public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All = [VariableWallWidth, MinWallWidth, MaxWallWidth, WallArcTolerance];
 }

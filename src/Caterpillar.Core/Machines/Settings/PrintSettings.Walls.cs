@@ -1,6 +1,6 @@
 namespace Caterpillar.Machines;
 
-// How wide walls are.
+// How wide walls are, and whether they have arcs.
 public sealed partial record PrintSettings
 {
     /// <summary>
@@ -13,4 +13,10 @@ public sealed partial record PrintSettings
 
     /// <summary>Width of the widest wall where widths vary, mm; 0 for 180 % of the line width.</summary>
     public double MaxWallWidth { get; init => field = WallWidthKeys.MaxWallWidth.Check(value); }
+
+    /// <summary>
+    /// Runs of straight segments of planar walls that stay within this distance of an arc become that arc, mm; 0 for straight segments only. No arc crosses a
+    /// change of width or flow, or a seam; spiral vases have none.
+    /// </summary>
+    public double WallArcTolerance { get; init => field = WallWidthKeys.WallArcTolerance.Check(value); }
 }

@@ -71,7 +71,7 @@ public static class CurvedSlicer
             flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field)));
         }
         var common = OnField(setup.Settings, field);
-        if (common != setup.Settings && (setup.Settings.SkirtLoops > 0 || setup.Settings.BrimWidth > 0 || setup.Settings.RaftLayers > 0))
+        if (setup.Settings.RaftLayers > 0 || (!field.StartsLevel && (setup.Settings.SkirtLoops > 0 || setup.Settings.BrimWidth > 0)))
             problems.Add(Severity.Remark, "curved.no_loops", "Curved layers that do not begin level have no skirt and no brim, and none have a raft.");
         var limits = new GapLimits(field, part, setup.Settings, MaxGap(setup));
         var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions
@@ -186,8 +186,12 @@ public static class CurvedSlicer
     private static double MaxGap(PrintSetup setup) => setup.Settings.CurvedMaxGap > 0 ? setup.Settings.CurvedMaxGap
         : Math.Max(setup.Printer.NozzleDiameter * 0.75, Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight));
 
-    private static PrintSettings OnField(PrintSettings settings, LayerField field) => field.StartsLevel ? settings with { RaftLayers = 0 }
-        : settings with { RaftLayers = 0, SkirtLoops = 0, BrimWidth = 0 };
+    // Bent arcs are none.
+    private static PrintSettings OnField(PrintSettings settings, LayerField field)
+    {
+        settings = settings with { RaftLayers = 0, WallArcTolerance = 0 };
+        return field.StartsLevel ? settings : settings with { SkirtLoops = 0, BrimWidth = 0 };
+    }
 
     private static void CheckCover(LayerField field, PartColumns part, CurvedOptions options, DiagnosticList problems)
     {

@@ -62,6 +62,10 @@ internal sealed class LayerFinish
             finished = vase.Spiral.Next(work, layer);
             _vases[work.Body] = (vase.Spiral, finished.Steps.Count > 0 ? _all.Count : vase.Last);
         }
+        else
+        {
+            finished = WallArcs.Fit(finished, work.Rules.Settings.WallArcTolerance);
+        }
         _all.Add(finished);
         if (_waits) return;
         // The highest layer of a vase may yet become its end.

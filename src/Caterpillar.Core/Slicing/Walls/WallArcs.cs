@@ -1,0 +1,23 @@
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Arcs in the walls of a layer, where they are wanted.</summary>
+internal static class WallArcs
+{
+    /// <summary>Replaces runs of straight segments of walls that stay within a tolerance in mm of an arc; 0 leaves the layer as it is.</summary>
+    public static SlicedLayer Fit(SlicedLayer layer, double tolerance)
+    {
+        if (!(tolerance > 0)) return layer;
+        var options = new ArcFitOptions { Tolerance = tolerance };
+        var steps = new List<PathStep>(layer.Steps.Count);
+        foreach (var step in layer.Steps)
+        {
+            var isWall = step.Path.Role is Role.OuterWall or Role.InnerWall or Role.OverhangWall or Role.GapFill;
+            steps.Add(isWall ? step.With(PathArcs.Fit(step.Path, options)) : step);
+        }
+        return layer with { Steps = steps };
+    }
+}
