@@ -1,0 +1,35 @@
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Simulation;
+using NUnit.Framework;
+using Segment = Caterpillar.Simulation.Segment;
+
+namespace Caterpillar.Tests.Simulation;
+
+/// <summary>Slow moves, directions close to the vertical, and when a long run is divided.</summary>
+public class MotionDetailTests
+{
+    [Test]
+    public void A_move_slower_than_1_mm_per_second_cruises()
+    {
+        // Half a second up and half a second down at 1 mm/s², which are 0.25 mm; the rest at 0.5 mm/s.
+        var t = Trapezoid.Over(10, 0, 0.25, 0, 1);
+        Assert.That(t, Is.EqualTo(new Trapezoid(0, 0.5, 0, 1, 1 + 9.75 / 0.5)));
+    }
+
+    [Test]
+    public void A_move_without_length_and_speed_takes_no_time() => Assert.That(Trapezoid.Over(0, 0, 0, 0, 1).Duration, Is.Zero);
+
+    [TestCase(1.2e-9, true)]
+    [TestCase(0.9e-9, false)]
+    public void A_motion_straight_up_has_the_axes_of_the_world(double y, bool turned)
+        => Assert.That(new MachineState { Direction = new Vec3(0, y, 1) }.Frame.X, Is.EqualTo(turned ? Vec3.UnitY : Vec3.UnitX));
+
+    // All segments enter at 95 mm²/s² at most, and the slower profile changes that by 10 for each: ten segments before the end nothing can change any more.
+    [Test]
+    public void A_run_is_divided_as_close_to_its_end_as_it_can_be_braked()
+    {
+        var run = Enumerable.Repeat(new Segment { Length = 1, Acceleration = 10, Speed2 = 95, Entry2 = 95, SlowGain = 10 }, 2000).ToArray();
+        Assert.That(new CruiseLookAhead().Plan(run, run.Length, ends: false), Is.EqualTo(2000 - 10));
+    }
+}
