@@ -110,22 +110,7 @@ internal sealed class EarlyCheck : IDisposable
     }
 
     private void Read(PrintSetup setup)
-    {
-        var options = new DecodeOptions
-        {
-            Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter, Threads = 1, ChunkSize = ChunkSize,
-            BlockSize = ToolpathBlock.FollowedSize,
-            KeepsBlocks = false, Follow = Follow,
-        };
-        try
-        {
-            GCodeDecoder.DecodeStream(_pipe.Reader, options, "", null, _stop.Token).OrThrow();
-        }
-        finally
-        {
-            _pipe.Stop();
-        }
-    }
+        => ReadBack.Decode(_pipe, setup, new DecodeOptions { Threads = 1, ChunkSize = ChunkSize, KeepsBlocks = false, Follow = Follow }, _stop.Token).OrThrow();
 
     private void Follow(DecodedBlock block)
     {

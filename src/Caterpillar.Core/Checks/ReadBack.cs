@@ -65,23 +65,12 @@ internal static class ReadBack
     {
         var options = new DecodeOptions
         {
-            Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter, Follow = follow,
-            BlockSize = ToolpathBlock.FollowedSize, ChunkSize = ChunkSize,
+            Follow = follow, ChunkSize = ChunkSize,
             // Another one writes.
             Threads = Math.Max(Environment.ProcessorCount - 1, 1),
         };
         using var pipe = new BytePipe();
-        var reading = OwnThread.Run(() =>
-        {
-            try
-            {
-                return GCodeDecoder.DecodeStream(pipe.Reader, options, "", null, cancel);
-            }
-            finally
-            {
-                pipe.Stop();
-            }
-        });
+        var reading = OwnThread.Run(() => Decode(pipe, setup, options, cancel));
         try
         {
             using var both = new PipedStream(stream, pipe);
@@ -94,5 +83,22 @@ internal static class ReadBack
             OwnThread.Wait(reading);
         }
         return OwnThread.Join(reading).OrThrow();
+    }
+
+    /// <summary>Reads what comes through a pipe, as the firmware of the printer does; then nothing more is taken from it.</summary>
+    internal static Result<DecodedGCode> Decode(BytePipe pipe, PrintSetup setup, DecodeOptions options, CancellationToken cancel)
+    {
+        options = options with
+        {
+            Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter, BlockSize = ToolpathBlock.FollowedSize,
+        };
+        try
+        {
+            return GCodeDecoder.DecodeStream(pipe.Reader, options, "", null, cancel);
+        }
+        finally
+        {
+            pipe.Stop();
+        }
     }
 }

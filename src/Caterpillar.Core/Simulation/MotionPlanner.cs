@@ -69,13 +69,13 @@ internal sealed class MotionPlanner
 
     private void Block(int block, CancellationToken cancel)
     {
+        cancel.ThrowIfCancellationRequested();
         var columns = _toolpath.Blocks[block].Columns;
         var first = _toolpath.FirstOf(block);
         var at = _toolpath.StartOf(block);
         var nextEvent = NextEvent();
         for (var i = 0; i < columns.Count; i++)
         {
-            cancel.ThrowIfCancellationRequested();
             // Whatever waits in the run comes before this move.
             _out.First[first + i] = _out.Count + _count;
             var homes = false;

@@ -44,8 +44,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         SetupPorts.Printer(ports);
         ports.Number("Position", "t", "Position in the print: from 0 to 1, or as By says.", 1);
         ports.Choice("By", "B", "What the position counts. From 0 to 1: time, length of the path or layers; else seconds, the number of a layer as in the "
-            + "file, "
-            + "or the line of a file, from 1, or step of a design, from 0.", PositionBy.Time);
+            + "file, or the line of a file, from 1, or step of a design, from 0.", PositionBy.Time);
     }
 
     private protected override void Outputs(OutputPorts ports)
