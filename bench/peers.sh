@@ -3,7 +3,8 @@
 #   bench/peers.sh MESH... [-- JOB...]
 # Jobs: infill (2 walls and 20 % lines), walls (2 walls alone), vase, full (skins, bridges, supports, seams aligned); all of them by default.
 # Caterpillar is published as native code where a C compiler is found to link it; CATERPILLAR names another program. Needs GNU time; CuraEngine (CURA_ENGINE_SEARCH_PATH names its definitions and extruders) and prusa-slicer are used where found. RUNS sets how often (3).
-# The settings are the same: 0.2 mm layers, width 0.4 mm, retraction 0.8 mm, no skirt. A comparison counts where printed length and filament agree within 2 %.
+# Caterpillar has two rows: with all its checks, and with the peers' work alone (nothing looks for collisions or at strands, as in no peer; what is written is
+# still read back and compared with the plan). The settings are the same: 0.2 mm layers, width 0.4 mm, retraction 0.8 mm, no skirt. A comparison counts where printed length and filament agree within 2 %.
 # The programs take turns, so that a busy machine is as slow for all of them.
 set -eu
 cd "$(dirname "$0")/.."
@@ -40,7 +41,11 @@ slice() {
   esac
   local set=()
   for option in "${options[@]}" layer_height_mm=0.2 first_layer_height_mm=0.2 line_width_mm=0.4 bead_shape=rectangle skirt_loops=0 retraction_distance_mm=0.8; do set+=(--set "$option"); done
-  "$caterpillar" slice "$1" "${set[@]}" --override "bench" -o "$out/caterpillar.gcode"
+  "$caterpillar" slice "$1" "${set[@]}" "${@:3}" --override "bench" -o "$out/caterpillar.gcode"
+}
+unchecked() {
+  slice "$1" "$2" --set check_severities=strand.unsupported=off,strand.doubled=off,strand.squeezed=off,strand.width=off,strand.height=off,strand.gap=off,first_layer.area=off,\
+collision.nozzle=off,collision.travel=off,collision.head=off,collision.gantry=off,collision.clip=off,nozzle.digs_in=off
 }
 cura() {
   case $2 in
@@ -67,10 +72,10 @@ prusa() {
     --skirts 0 --extrusion-width 0.4 --perimeter-extrusion-width 0.4 --external-perimeter-extrusion-width 0.4 --infill-extrusion-width 0.4 --solid-infill-extrusion-width 0.4 \
     --first-layer-extrusion-width 0.4 --retract-length 0.8 "${options[@]}" "$1"
 }
-programs=(slice)
+programs=(slice unchecked)
 [ -n "$definition" ] && command -v CuraEngine >/dev/null && programs+=(cura)
 command -v prusa-slicer >/dev/null && programs+=(prusa)
-export -f slice cura prusa
+export -f slice unchecked cura prusa
 export caterpillar definition out
 
 echo "| mesh | job | program | wall | user | peak | printed | filament |"
@@ -85,10 +90,14 @@ for mesh in "${meshes[@]}"; do
     done
     for program in "${programs[@]}"; do
       file="$out/$program.gcode"
-      [ "$program" = slice ] && file="$out/caterpillar.gcode"
+      label=$program
+      case $program in
+        slice) file="$out/caterpillar.gcode"; label="caterpillar, all checks";;
+        unchecked) file="$out/caterpillar.gcode"; label="caterpillar, the peers' work";;
+      esac
       [ -s "$file" ] || continue
       work=$("$caterpillar" decode "$file" --json 2>/dev/null | awk -F'[:,]' '/"print_length"/ { l = $2 } /"e_used"/ { e = $2 } END { printf "%.1f m | %.2f m", l / 1000, e / 1000 }')
-      grep -E '^[0-9.]+ [0-9.]+ [0-9]+$' "$out/$program.times" | sort -n | awk -v mesh="$(basename "$mesh")" -v job="$job" -v name="${program/slice/caterpillar}" -v work="$work" \
+      grep -E '^[0-9.]+ [0-9.]+ [0-9]+$' "$out/$program.times" | sort -n | awk -v mesh="$(basename "$mesh")" -v job="$job" -v name="$label" -v work="$work" \
         '{ e[NR] = $1; u += $2; m[NR] = $3 / 1024 } END { printf "| %s | %s | %s | %.2f s | %.2f s | %d MB | %s |\n", mesh, job, name, e[int((NR + 1) / 2)], u / NR, m[int((NR + 1) / 2)], work }'
     done
   done

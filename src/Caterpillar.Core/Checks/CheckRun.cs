@@ -24,6 +24,7 @@ internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> 
     /// <summary>Shows a whole toolpath.</summary>
     public static void Run(Toolpath toolpath, IMoveCheck[] checks, IProgress<double>? progress, CancellationToken cancel)
     {
+        if (checks.Length == 0) return;
         var run = new CheckRun(checks, toolpath.Tools, cancel);
         foreach (var block in BlocksOf(toolpath, 0)) run.Block(block, at => progress?.Report(at / (double)toolpath.Count));
         run.End(toolpath);

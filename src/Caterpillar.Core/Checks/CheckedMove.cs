@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -37,6 +38,9 @@ internal struct CheckedMove
 /// <summary>A check that sees all moves and events once, in order.</summary>
 internal interface IMoveCheck
 {
+    /// <summary>The codes of what it finds; it does not run where all of them are off.</summary>
+    IReadOnlyList<string> Codes { get; }
+
     /// <summary>An event before the next move.</summary>
     void Event(MoveEvent what);
 

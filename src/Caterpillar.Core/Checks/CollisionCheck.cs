@@ -12,6 +12,12 @@ namespace Caterpillar.Checks;
 /// </summary>
 internal sealed class CollisionCheck
 {
+    /// <summary>What it finds.</summary>
+    public static IReadOnlyList<string> Codes { get; } =
+    [
+        CheckCodes.NozzleHits, CheckCodes.TravelHits, CheckCodes.HeadHits, CheckCodes.GantryHits, CheckCodes.ClipHit, CheckCodes.DigsIn,
+    ];
+
     /// <summary>What a travel may touch, mm: slicers travel across what they have just printed.</summary>
     public const double Flush = 0.05;
     private const double Everywhere = 1e6;

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -11,7 +12,7 @@ internal sealed class DepositCheck : IMoveCheck
     private const double Farthest = 1e6;
     private readonly PrintedSoFar _printed;
     private readonly StrandCheck _strands;
-    private readonly CollisionCheck _collisions;
+    private readonly CollisionCheck? _collisions;
 
     public DepositCheck(PrintSetup setup, Findings findings)
         : this(setup, findings, PrintedSoFar.ObjectOf(setup))
@@ -23,8 +24,15 @@ internal sealed class DepositCheck : IMoveCheck
     {
         _printed = new PrintedSoFar(setup, on);
         _strands = new StrandCheck(setup, _printed, findings);
-        _collisions = new CollisionCheck(setup.Printer, _printed, findings);
+        if (findings.LooksFor(CollisionCheck.Codes)) _collisions = new CollisionCheck(setup.Printer, _printed, findings);
     }
+
+    public IReadOnlyList<string> Codes => AllCodes;
+
+    public static IReadOnlyList<string> AllCodes { get; } = [.. StrandCheck.Codes, .. CollisionCheck.Codes];
+
+    /// <summary>True where a printer wants to know of something that it finds.</summary>
+    public static bool IsAsked(Printer printer) => new Findings(printer, _ => null, _ => null).LooksFor(AllCodes);
 
     public void Event(MoveEvent what)
     {
@@ -71,7 +79,7 @@ internal sealed class DepositCheck : IMoveCheck
         (double Nominal, double Filled) height = default;
         if (move.Kind == MoveKind.Print && move.Deposited > 0) height = _strands.Strand(move);
         else _strands.Break();
-        _collisions.Check(move, height.Nominal);
+        _collisions?.Check(move, height.Nominal);
         _printed.Add(move, height.Filled);
     }
 }

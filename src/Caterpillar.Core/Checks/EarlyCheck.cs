@@ -41,9 +41,9 @@ internal sealed class EarlyCheck : IDisposable
         _reading = OwnThread.Run(() => Read(setup));
     }
 
-    /// <summary>Begins; null where a template of the printer needs to know the whole print first.</summary>
+    /// <summary>Begins; null where nothing is looked for, or a template of the printer needs to know the whole print first.</summary>
     public static EarlyCheck? Begin(PrintSetup setup, IReadOnlyList<ToolpathTool> tools, CancellationToken cancel)
-        => SetupFormat.OfUnknown(setup) is { } format ? new EarlyCheck(setup, format, tools, cancel) : null;
+        => DepositCheck.IsAsked(setup.Printer) && SetupFormat.OfUnknown(setup) is { } format ? new EarlyCheck(setup, format, tools, cancel) : null;
 
     /// <summary>Number of blocks of the draft that have been read so far.</summary>
     public int Blocks => _blocks;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -21,6 +22,8 @@ internal sealed class FileCheck(Toolpath toolpath, Printer printer, CheckScope s
     private bool _hasX = toolpath.Start is not null, _hasY = toolpath.Start is not null, _hasZ = toolpath.Start is not null;
     private long _moving, _wipes, _prints, _thick;
     private int _firstWipe, _firstThick;
+
+    public IReadOnlyList<string> Codes => [CheckCodes.ExtrusionMode, CheckCodes.NoHoming, CheckCodes.UnknownPosition];
 
     public void Event(MoveEvent what)
     {

@@ -40,6 +40,16 @@ internal sealed class Findings
     /// <summary>Hears of each finding at a move.</summary>
     public Action<string, int>? Heard { get; init; }
 
+    /// <summary>True if one of these codes is not off, or somebody hears of all of them.</summary>
+    public bool LooksFor(IReadOnlyList<string> codes)
+    {
+        for (var i = 0; i < codes.Count && Heard is null; i++)
+        {
+            if (_severities[codes[i]] is not null) return true;
+        }
+        return Heard is not null;
+    }
+
     /// <summary>Adds a finding at a move; the larger its size, the worse it is among those of its code.</summary>
     public void Add(string code, int move, Func<string> message, double size = 0)
     {

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -22,6 +23,8 @@ internal sealed class GapCheck(Findings findings) : IMoveCheck
     private bool _printed;
     private bool _gap;
     private Role _role;
+
+    public IReadOnlyList<string> Codes => [CheckCodes.Gap];
 
     public void Event(MoveEvent what)
     {

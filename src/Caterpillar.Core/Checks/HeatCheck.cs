@@ -30,6 +30,11 @@ internal sealed class HeatCheck : IMoveCheck
         Bed(material.BedTemperature, () => null);
     }
 
+    public IReadOnlyList<string> Codes =>
+    [
+        CheckCodes.NozzleTemperature, CheckCodes.BedTemperature, CheckCodes.ColdExtrusion, CheckCodes.NoHeating, CheckCodes.HeatLeftOn,
+    ];
+
     public void Event(MoveEvent what)
     {
         switch (what.Event)

@@ -47,6 +47,9 @@ internal sealed class PlanComparison
         _known = read.Start is not null;
     }
 
+    /// <summary>What it finds.</summary>
+    public static IReadOnlyList<string> Codes { get; } = [CheckCodes.FilePosition, CheckCodes.FileExtrusion];
+
     /// <summary>Adds errors <see cref="CheckCodes.FilePosition"/> and <see cref="CheckCodes.FileExtrusion"/>.</summary>
     public static void Run(Toolpath plan, Toolpath read, GCodeFormat format, WrittenLines lines, Findings findings)
         => new PlanComparison(plan, read, format, lines, findings).Run();

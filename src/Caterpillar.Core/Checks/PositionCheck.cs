@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -12,6 +13,8 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
     // mm; what is written has three decimals.
     private const double Tolerance = 0.001;
     private const double ArcTolerance = 0.05;
+
+    public IReadOnlyList<string> Codes => [CheckCodes.Outside, CheckCodes.Below, CheckCodes.PrintArea];
 
     public void Event(MoveEvent what)
     {

@@ -65,8 +65,10 @@ public static class PrintCheck
             new PositionCheck(setup.Printer, limits), new RateCheck(toolpath, setup, limits), new HeatCheck(setup, scope, limits),
             new StationaryCheck(setup.Printer, limits), new FileCheck(toolpath, setup.Printer, scope, limits), new GapCheck(limits),
         ];
+        ofLimits = Array.FindAll(ofLimits, c => limits.LooksFor(c.Codes));
         var checking = OwnThread.Run(() =>
         {
+            if (!prints.LooksFor(DepositCheck.AllCodes)) return [];
             if (strands?.Invoke(toolpath, progress) is { } known) return known;
             CheckRun.Run(toolpath, [new DepositCheck(setup, prints)], progress, cancel);
             return prints.ToList();

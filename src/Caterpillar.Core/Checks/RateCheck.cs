@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Machines;
 using Caterpillar.Simulation;
@@ -26,6 +27,11 @@ internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings fi
     private readonly double _roundedXyz = Math.Pow(10, -setup.Printer.DecimalsXyz);
     private readonly double _roundedE = Math.Pow(10, -setup.Printer.DecimalsE);
     private readonly double _roundedF = Math.Pow(10, -setup.Printer.DecimalsF) / 60;
+
+    public IReadOnlyList<string> Codes =>
+    [
+        CheckCodes.Flow, CheckCodes.Speed, CheckCodes.TravelSpeed, CheckCodes.Acceleration, CheckCodes.Raised, CheckCodes.Tool,
+    ];
 
     public void Event(MoveEvent what)
     {

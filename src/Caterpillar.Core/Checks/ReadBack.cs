@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Files;
@@ -19,7 +20,9 @@ internal static class ReadBack
     // Small, so that reading ends soon after writing and few lines are in memory.
     private const int ChunkSize = 256 * 1024;
 
-    /// <summary>Writes to a stream, if there is one, and returns what was found; with the number of lines and bytes.</summary>
+    /// <summary>
+    /// Writes to a stream, if there is one, and returns what was found; with the number of lines and bytes. Nothing is read where all checks are off.
+    /// </summary>
     /// <param name="plan">What is written.</param>
     /// <param name="setup">The printer, material and settings.</param>
     /// <param name="format">The format of the file.</param>
@@ -32,10 +35,15 @@ internal static class ReadBack
     {
         var lines = new WrittenLines(plan.Count);
         var writer = new GCodeWriter(plan, format) { Written = lines };
-        using var strands = new DepositFollower(plan.Tools, setup, int.MaxValue, cancel);
-        strands.Locate(plan, lines);
+        if (!new Findings(setup.Printer, plan).LooksFor([.. CheckCodes.All.Select(r => r.Code)]))
+        {
+            if (stream is not null) writer.WriteAll(stream, progress, cancel);
+            return ([], writer.Lines, writer.Bytes);
+        }
+        using var strands = early is null && DepositCheck.IsAsked(setup.Printer) ? new DepositFollower(plan.Tools, setup, int.MaxValue, cancel) : null;
+        strands?.Locate(plan, lines);
         early?.End();
-        var file = Read(setup, writer, stream, block => _ = early is null && strands.Take(block), progress.Part(0, 0.5), cancel);
+        var file = Read(setup, writer, stream, block => strands?.Take(block), progress.Part(0, 0.5), cancel);
         var read = file.Toolpath.Tools.Count <= plan.Tools.Count ? file.Toolpath.WithTools(plan.Tools) : file.Toolpath;
         var places = new WrittenPlaces(plan, move => move < 0 || move >= read.Count ? null : read[move].Source, lines, setup.Printer);
         Findings Make() => new(setup.Printer, places.Of, places.Of);
@@ -43,13 +51,13 @@ internal static class ReadBack
         var comparing = OwnThread.Run(() =>
         {
             RawModes.Run(plan, format, compared, places.OfEvent);
-            PlanComparison.Run(plan, read, format, lines, compared);
+            if (compared.LooksFor(PlanComparison.Codes)) PlanComparison.Run(plan, read, format, lines, compared);
         });
         IReadOnlyList<Diagnostic> checks;
         try
         {
             checks = PrintCheck.Run(read, setup, CheckScope.OfWritten(file, setup), Make, progress.Part(0.5, 1), cancel,
-                (toolpath, heard) => early is null ? strands.Finish(toolpath, places, heard) : early.Finish(toolpath, places, heard));
+                (toolpath, heard) => early is null ? strands?.Finish(toolpath, places, heard) : early.Finish(toolpath, places, heard));
         }
         finally
         {

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -9,6 +10,8 @@ namespace Caterpillar.Checks;
 internal sealed class StationaryCheck(Printer printer, Findings findings) : IMoveCheck
 {
     private double _pushed;
+
+    public IReadOnlyList<string> Codes => [CheckCodes.Stationary];
 
     public void Event(MoveEvent what)
     {

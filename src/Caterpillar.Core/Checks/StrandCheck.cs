@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -28,6 +29,7 @@ internal sealed class StrandCheck
     // Height over the root of the area on the bed.
     private const double Slenderest = 8;
     private readonly Printer _printer;
+    private readonly bool _isAsked, _looksForDoubled;
     private readonly PrintedSoFar _printed;
     private readonly Findings _findings;
     private readonly BeadShape _shape;
@@ -45,9 +47,16 @@ internal sealed class StrandCheck
         _printer = setup.Printer;
         _printed = printed;
         _findings = findings;
+        (_isAsked, _looksForDoubled) = (findings.LooksFor(Codes), findings.LooksFor([CheckCodes.Doubled]));
         _shape = setup.Settings.BeadShape;
         _usualHeight = Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight);
     }
+
+    /// <summary>What it finds.</summary>
+    public static IReadOnlyList<string> Codes { get; } =
+    [
+        CheckCodes.Unsupported, CheckCodes.Doubled, CheckCodes.Squeezed, CheckCodes.Width, CheckCodes.Height, CheckCodes.FirstLayer,
+    ];
 
     /// <summary>A strand along a straight move; its nominal height and the height that it fills, mm.</summary>
     public (double Nominal, double Filled) Strand(in CheckedMove move)
@@ -58,6 +67,8 @@ internal sealed class StrandCheck
         // Layers much thicker or thinner than their strands say nothing about them: files without comments about layers, drawings.
         var known = move.Thickness > 0 && area >= 0.5 * move.Thickness * move.Thickness
             && area <= PrintedSoFar.Widest * _printer.NozzleDiameter * move.Thickness;
+        // Where nothing is looked for, others still need the heights.
+        if (known && !_isAsked) return (move.Thickness, move.Thickness);
         var nominal = known ? move.Thickness : _usualHeight;
         // On curved layers strands may be much thinner than their layer says: what they lie on is nearer, then.
         var least = Math.Min(nominal, area / _printer.NozzleDiameter);
@@ -86,7 +97,7 @@ internal sealed class StrandCheck
         if (move.Role == Role.Purge) return (height, height);
         Dimensions(move, area, height, filled, known);
         if (tight > 0 && area / tight > WidestSqueezed * _printer.NozzleDiameter) Squeezed(move, area, tight);
-        if (move.Role is not (Role.Ironing or Role.GapFill or Role.PrimeTower)) Doubles(move, area, height);
+        if (_looksForDoubled && move.Role is not (Role.Ironing or Role.GapFill or Role.PrimeTower)) Doubles(move, area, height);
         return (height, known ? height : filled);
     }
 

@@ -50,6 +50,14 @@ public class CheckCodeTests
         Assert.That(Write(code, "off", Reason).Diagnostics.Select(d => d.Code), Has.No.Member(code));
     }
 
+    [TestCaseSource(nameof(Codes))]
+    public void Each_code_is_found_where_all_others_are_off(string code)
+    {
+        var others = string.Concat(Codes().Where(c => c != code).Select(c => "," + c + "=off"));
+        var expected = Write(code, "error", Reason).Diagnostics.Where(d => d.Code == code);
+        Assert.That(Write(code, "error" + others, Reason).Diagnostics, Is.EqualTo(expected).And.Not.Empty);
+    }
+
     // What is found beside the code, as an error, must not decide.
     private static Result<GCodeDocument> Write(string code, string? severity, string? reason)
     {
