@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Runtime.CompilerServices;
 using Caterpillar.Basics;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
@@ -9,106 +10,175 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// Holds a toolpath that was read back from a file against the one that was planned: each move must end where it was planned to, and push as much material,
-/// within the precision of print. What start and end code, templates and raw lines do is no part of the plan.
+/// Holds moves that are read back from a file against those that were planned: each must end where it was planned to, and push as much material, within the
+/// precision of print. What start and end code, templates and raw lines do is no part of the plan. The file may still be written while it is read.
 /// </summary>
 internal sealed class PlanComparison
 {
     // Of the deviation of chords of an arc from the middle of the arc, mm.
     private const double ArcTolerance = 0.05;
     private readonly Toolpath _plan;
-    private readonly Toolpath _read;
     private readonly WrittenLines _lines;
     private readonly Findings _findings;
     private readonly double _allowed;
     private readonly double _allowedE;
-    private readonly bool _hasE;
 
     // What E has strayed from the plan, for each tool, and for the current one.
     private readonly Dictionary<int, double> _drifts = [];
     private double _drift;
     private int _tool;
+
+    // The move of the plan that is compared next: its block, its place there, and its number.
     private int _block;
-    private int _next;
+    private int _at;
+    private int _move;
+
+    // Where the head is by what was read.
     private Vec3 _head;
     private bool _known;
+    private bool _began;
 
-    private PlanComparison(Toolpath plan, Toolpath read, GCodeFormat format, WrittenLines lines, Findings findings)
+    // What was read of the next move so far, if anything.
+    private bool _isOpen;
+    private Vec3 _from;
+    private double _e;
+    private double _length;
+    private bool _retracts;
+
+    /// <param name="plan">What was planned.</param>
+    /// <param name="format">The format of the file.</param>
+    /// <param name="lines">The lines of the plan; those that are read are known.</param>
+    /// <param name="findings">Gets errors <see cref="CheckCodes.FilePosition"/> and <see cref="CheckCodes.FileExtrusion"/>.</param>
+    public PlanComparison(Toolpath plan, GCodeFormat format, WrittenLines lines, Findings findings)
     {
         _plan = plan;
-        _read = read;
         _lines = lines;
         _findings = findings;
         // Half of the last decimal, and rounding.
         _allowed = 0.5 * NumberFormatter.FromUnits(1, format.DecimalsXyz) + 1e-7;
-        _allowedE = NumberFormatter.FromUnits(1, format.DecimalsE) * 1.01 + 1e-8;
-        _hasE = format.ExtruderLetter != 0;
-        _head = read.Start ?? Vec3.Zero;
-        _known = read.Start is not null;
+        _allowedE = format.ExtruderLetter == 0 ? double.PositiveInfinity : NumberFormatter.FromUnits(1, format.DecimalsE) * 1.01 + 1e-8;
+        GoTo(0, 0);
     }
 
     /// <summary>What it finds.</summary>
     public static IReadOnlyList<string> Codes { get; } = [CheckCodes.FilePosition, CheckCodes.FileExtrusion];
 
-    /// <summary>Adds errors <see cref="CheckCodes.FilePosition"/> and <see cref="CheckCodes.FileExtrusion"/>.</summary>
+    /// <summary>Compares a whole file.</summary>
     public static void Run(Toolpath plan, Toolpath read, GCodeFormat format, WrittenLines lines, Findings findings)
-        => new PlanComparison(plan, read, format, lines, findings).Run();
+        => new PlanComparison(plan, format, lines, findings).End(read, 0);
 
-    private void Run()
+    /// <summary>The next moves that were read; <paramref name="start"/> is where the first of the file begins.</summary>
+    public void Take(ToolpathColumns read, Vec3? start)
     {
-        for (var block = 0; block < _plan.Blocks.Count; block++)
+        if (!_began) (_began, _known, _head) = (true, start is not null, start ?? Vec3.Zero);
+        // What is read has been written: moves that are not taken down by now begin after it.
+        var written = _lines.Moves;
+        var next = 0;
+        while (_move < written)
         {
-            var columns = _plan.Blocks[block].Columns;
-            for (var i = 0; i < columns.Count; i++) Compare(columns, block, i);
+            if (!_isOpen) next = Equal(read, next, written);
+            if (_move == written || !Collect(read, ref next)) break;
+            Compare();
+        }
+        if (_move == written) Skip(read, ref next, int.MaxValue);
+    }
+
+    /// <summary>The blocks from one on, and no more.</summary>
+    public void End(Toolpath read, int block)
+    {
+        for (; block < read.Blocks.Count; block++) Take(read.Blocks[block].Columns, read.Start);
+        if (!_began) (_known, _head) = (read.Start is not null, read.Start ?? Vec3.Zero);
+        while (_move < _plan.Count)
+        {
+            Open();
+            Compare();
         }
     }
 
-    private void Compare(ToolpathColumns plan, int block, int i)
+    // Moves of one line each that are as planned, straight and by one tool: nearly all. Returns the first that is something else.
+    [MethodImpl((MethodImplOptions)512)]
+    private int Equal(ToolpathColumns read, int next, int written)
     {
-        var move = _plan.FirstOf(block) + i;
-        var (first, last) = _lines.OfMove(move);
-        Skip(first);
-        var e = 0.0;
-        var retracts = false;
-        var from = _head;
-        var turns = plan.TryGetArc(i, out var turn);
-        var length = 0.0;
-        while (_block < _read.Blocks.Count)
+        var plan = _plan.Blocks[_block].Columns;
+        if (plan.Arcs.Length > 0 || read.Arcs.Length > 0) return next;
+        double[] x = read.X, y = read.Y, z = read.Z, e = read.E, planX = plan.X, planY = plan.Y, planZ = plan.Z, planE = plan.E;
+        var (source, kind, tool, count) = (read.Source, read.Kind, plan.Tool, read.Count - 1);
+        var (allowed, allowedE, drift) = (_allowed, _allowedE, _drift);
+        var i = _at;
+        var move = _move;
+        var end = Math.Min(plan.Count, i + written - move);
+        var from = next;
+        for (; i < end && next < count; i++, move++, next++)
         {
-            var read = _read.Blocks[_block].Columns;
-            if (_next == read.Count)
-            {
-                _block++;
-                _next = 0;
-                continue;
-            }
-            if (read.Source[_next] > last) break;
-            var end = new Vec3(read.X[_next], read.Y[_next], read.Z[_next]);
-            e += read.E[_next];
-            retracts |= read.E[_next] == 0 && read.Kind[_next] is MoveKind.Retract or MoveKind.Restore;
-            if (turns) length += read.TryGetArc(_next, out var arc) ? arc.Length(_head, end) : _head.DistanceTo(end);
+            var (first, last) = _lines.OfMove(move);
+            if (source[next] < first || source[next] != last || source[next + 1] <= last || tool[i] != _tool) break;
+            var change = e[next];
+            if (change == 0 && kind[next] is MoveKind.Retract or MoveKind.Restore) break;
+            var strayed = drift + (change - planE[i]);
+            if (!(Math.Abs(x[next] - planX[i]) <= allowed && Math.Abs(y[next] - planY[i]) <= allowed && Math.Abs(z[next] - planZ[i]) <= allowed
+                && Math.Abs(strayed) <= allowedE)) break;
+            drift = strayed;
+        }
+        if (next == from) return next;
+        _drift = drift;
+        _head = new Vec3(x[next - 1], y[next - 1], z[next - 1]);
+        _known = true;
+        GoTo(move, i);
+        return next;
+    }
+
+    // All that was read of the next move. False where more of it may come.
+    private bool Collect(ToolpathColumns read, ref int next)
+    {
+        var (first, last) = _lines.OfMove(_move);
+        if (!_isOpen && !Skip(read, ref next, first)) return false;
+        Open();
+        var turns = _plan.Blocks[_block].Columns.TryGetArc(_at, out _);
+        for (; next < read.Count; next++)
+        {
+            if (read.Source[next] > last) return true;
+            var end = new Vec3(read.X[next], read.Y[next], read.Z[next]);
+            _e += read.E[next];
+            _retracts |= read.E[next] == 0 && read.Kind[next] is MoveKind.Retract or MoveKind.Restore;
+            if (turns) _length += read.TryGetArc(next, out var arc) ? arc.Length(_head, end) : _head.DistanceTo(end);
             _head = end;
             _known = true;
-            _next++;
         }
-        var wanted = new Vec3(plan.X[i], plan.Y[i], plan.Z[i]);
-        if (_known && !IsNear(_head, wanted)) Moved(move, last, wanted);
-        else if (turns) Turned(plan, block, i, move, last, turn, from, wanted, length);
-        if (_hasE && !retracts) Extruded(plan, i, move, last, e);
+        return false;
     }
 
-    // What is not the plan's: templates, raw lines.
-    private void Skip(int first)
+    // What is not the plan's: templates, raw lines. False where more of it may come.
+    private bool Skip(ToolpathColumns read, ref int next, int first)
     {
-        for (; _block < _read.Blocks.Count; _block++, _next = 0)
+        for (; next < read.Count; next++)
         {
-            var read = _read.Blocks[_block].Columns;
-            for (; _next < read.Count; _next++)
-            {
-                if (read.Source[_next] >= first) return;
-                _head = new Vec3(read.X[_next], read.Y[_next], read.Z[_next]);
-            }
+            if (read.Source[next] >= first) return true;
+            _head = new Vec3(read.X[next], read.Y[next], read.Z[next]);
         }
+        return false;
+    }
+
+    private void Open()
+    {
+        if (_isOpen) return;
+        (_isOpen, _from, _e, _length, _retracts) = (true, _head, 0, 0, false);
+    }
+
+    private void Compare()
+    {
+        var (plan, i, last) = (_plan.Blocks[_block].Columns, _at, _lines.OfMove(_move).Last);
+        var wanted = new Vec3(plan.X[i], plan.Y[i], plan.Z[i]);
+        if (_known && !IsNear(_head, wanted)) Moved(_move, last, wanted);
+        else if (plan.TryGetArc(i, out var turn)) Turned(plan, _block, i, _move, last, turn, _from, wanted, _length);
+        if (!_retracts) Extruded(plan, i, _move, last, _e);
+        _isOpen = false;
+        GoTo(_move + 1, i + 1);
+    }
+
+    private void GoTo(int move, int at)
+    {
+        (_move, _at) = (move, at);
+        for (; _block < _plan.Blocks.Count && _at == _plan.Blocks[_block].Count; _at = 0) _block++;
     }
 
     private bool IsNear(Vec3 a, Vec3 b)

@@ -43,28 +43,26 @@ internal static class ReadBack
         using var strands = early is null && DepositCheck.IsAsked(setup.Printer) ? new DepositFollower(plan.Tools, setup, int.MaxValue, cancel) : null;
         strands?.Locate(plan, lines);
         early?.End();
-        var file = Read(setup, writer, stream, block => strands?.Take(block), progress.Part(0, 0.5), cancel);
+        WrittenPlaces? places = null;
+        var compared = new Findings(setup.Printer, move => places?.Of(move), what => places?.Of(what));
+        RawModes.Run(plan, format, compared, index => places?.OfEvent(index));
+        var comparison = compared.LooksFor(PlanComparison.Codes) ? new PlanComparison(plan, format, lines, compared) : null;
+        var blocks = 0;
+        var file = Read(setup, writer, stream, Follow, progress.Part(0, 0.5), cancel);
+        comparison?.End(file.Toolpath, blocks);
         var read = file.Toolpath.Tools.Count <= plan.Tools.Count ? file.Toolpath.WithTools(plan.Tools) : file.Toolpath;
-        var places = new WrittenPlaces(plan, move => move < 0 || move >= read.Count ? null : read[move].Source, lines, setup.Printer);
-        Findings Make() => new(setup.Printer, places.Of, places.Of);
-        var compared = Make();
-        var comparing = OwnThread.Run(() =>
-        {
-            RawModes.Run(plan, format, compared, places.OfEvent);
-            if (compared.LooksFor(PlanComparison.Codes)) PlanComparison.Run(plan, read, format, lines, compared);
-        });
-        IReadOnlyList<Diagnostic> checks;
-        try
-        {
-            checks = PrintCheck.Run(read, setup, CheckScope.OfWritten(file, setup), Make, progress.Part(0.5, 1), cancel,
-                (toolpath, heard) => early is null ? strands?.Finish(toolpath, places, heard) : early.Finish(toolpath, places, heard));
-        }
-        finally
-        {
-            OwnThread.Wait(comparing);
-        }
-        comparing.GetAwaiter().GetResult();
+        places = new WrittenPlaces(plan, move => move < 0 || move >= read.Count ? null : read[move].Source, lines, setup.Printer);
+        var checks = PrintCheck.Run(read, setup, CheckScope.OfWritten(file, setup), () => new Findings(setup.Printer, places.Of, places.Of),
+            progress.Part(0.5, 1), cancel,
+            (toolpath, heard) => early is null ? strands?.Finish(toolpath, places, heard) : early.Finish(toolpath, places, heard));
         return ([.. compared.ToList(), .. checks], writer.Lines, writer.Bytes);
+
+        void Follow(DecodedBlock block)
+        {
+            strands?.Take(block);
+            comparison?.Take(block.Columns, block.Start);
+            blocks++;
+        }
     }
 
     /// <summary>Writes, and reads at the same time what is written; <paramref name="follow"/> gets each block that has been read.</summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
@@ -105,12 +106,110 @@ public class PlanComparisonTests
         Assert.That((found.Code, found.Count, found.Source!.Move), Is.EqualTo((CheckCodes.FileExtrusion, 1, (int?)1)));
     }
 
+    // Whatever is changed by hand, in files with templates, arcs, events and retractions: pieces find what the whole file does, which Compare holds.
+    [Test]
+    public void Any_change_is_found_in_pieces_too()
+    {
+        var random = new Random(5);
+        for (var run = 0; run < 60; run++)
+        {
+            var print = new SmallPrint(20, 20, 0.2);
+            for (var i = 0; i < 30; i++) Add(print, random);
+            Compare(print.Build(), text => Changed(text, random));
+        }
+    }
+
+    private static void Add(SmallPrint print, Random random)
+    {
+        var at = print.At;
+        switch (random.Next(8))
+        {
+            case 0:
+                print.Event(new RawEvent(random.Next(2) == 0 ? "; nothing" : "G1 X50 Y50 F3000"));
+                break;
+            case 1:
+                print.Prime(0.5);
+                break;
+            case 2:
+                print.Arc(at.X + 10, at.Y + 10, at.Z, at + new Vec3(0, 10), 90, SmallPrint.Area);
+                break;
+            case 3:
+                print.Go(random.Next(20, 100), random.Next(20, 100), at.Z + 0.2);
+                break;
+            default:
+                print.Print(random.Next(20, 100), random.Next(20, 100), at.Z);
+                break;
+        }
+    }
+
+    private static string Changed(string text, Random random)
+    {
+        var lines = text.Split('\n');
+        for (var n = random.Next(4); n > 0; n--)
+        {
+            var at = random.Next(lines.Length);
+            lines[at] = random.Next(4) switch
+            {
+                0 => "",
+                1 => lines[at].Replace('1', '2'),
+                2 => "G92 X0 E0",
+                _ => lines[random.Next(lines.Length)],
+            };
+        }
+        return string.Join("\n", lines);
+    }
+
+    // The whole file at once, and piece by piece as it is read while it is written: the same is found.
     private static Diagnostic[] Compare(Toolpath plan, Func<string, string> change)
     {
         var (_, lines, text) = SmallPrint.Written(plan, Setup);
         var read = SmallPrint.Decode(Encoding.ASCII.GetBytes(change(text)), Setup).Toolpath;
+        var format = SetupFormat.Of(Setup, plan).Value!;
         var findings = new Findings(Setup.Printer, read);
-        PlanComparison.Run(plan, read, SetupFormat.Of(Setup, plan).Value!, lines, findings);
-        return findings.ToList().ToArray();
+        PlanComparison.Run(plan, read, format, lines, findings);
+        var found = findings.ToList().ToArray();
+        foreach (var size in plan.Count > 1000 ? new[] { 997 } : [1, 2, 3, 7])
+        {
+            var (pieces, growing) = (new Findings(Setup.Printer, read), new WrittenLines(plan.Count));
+            var comparison = new PlanComparison(plan, format, growing, pieces);
+            var written = 0;
+            foreach (var piece in read.Blocks.SelectMany(b => Pieces(b.Columns, size)))
+            {
+                // The lines of moves are taken down as far as the piece goes, and not a move farther.
+                for (; written < plan.Count && lines.OfMove(written).First <= piece.Source[piece.Count - 1]; written++)
+                {
+                    growing.BeginMove(written, lines.OfMove(written).First - 1);
+                    growing.EndMove(written, lines.OfMove(written).Last);
+                }
+                comparison.Take(piece, read.Start);
+            }
+            for (; written < plan.Count; written++)
+            {
+                growing.BeginMove(written, lines.OfMove(written).First - 1);
+                growing.EndMove(written, lines.OfMove(written).Last);
+            }
+            comparison.End(read, read.Blocks.Count);
+            Assert.That(pieces.ToList(), Is.EqualTo(found), $"in pieces of {size} moves");
+        }
+        return found;
+    }
+
+    private static IEnumerable<ToolpathColumns> Pieces(ToolpathColumns columns, int size)
+    {
+        for (var at = 0; at < columns.Count; at += size)
+        {
+            var piece = new ToolpathColumns(Math.Min(size, columns.Count - at));
+            piece.Count = piece.Capacity;
+            Array.Copy(columns.X, at, piece.X, 0, piece.Count);
+            Array.Copy(columns.Y, at, piece.Y, 0, piece.Count);
+            Array.Copy(columns.Z, at, piece.Z, 0, piece.Count);
+            Array.Copy(columns.E, at, piece.E, 0, piece.Count);
+            Array.Copy(columns.Kind, at, piece.Kind, 0, piece.Count);
+            Array.Copy(columns.Source, at, piece.Source, 0, piece.Count);
+            var arcs = Enumerable.Range(0, columns.Arcs.Length).Where(k => columns.ArcMoves[k] >= at && columns.ArcMoves[k] < at + piece.Count).ToArray();
+            piece.ArcMoves = arcs.Select(k => columns.ArcMoves[k] - at).ToArray();
+            piece.Arcs = arcs.Select(k => columns.Arcs[k]).ToArray();
+            yield return piece;
+        }
     }
 }

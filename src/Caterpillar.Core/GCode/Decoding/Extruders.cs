@@ -16,6 +16,13 @@ internal sealed class Extruders(DialectRules rules, InterpreterState state, Deco
 
     public bool IsRetracted => _current.Retracted > 0;
 
+    /// <summary>What the current tool has extruded so far, and the most it ever was.</summary>
+    public (double Sum, double Highest) Running
+    {
+        get => (_current.Sum, _current.Highest);
+        set => (_current.Sum, _current.Highest) = value;
+    }
+
     /// <summary>E used by each tool that moved filament: the highest value of its running sum.</summary>
     public IReadOnlyList<KeyValuePair<int, double>> UsedByTool()
     {

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Runtime.CompilerServices;
 using Caterpillar.Dialects;
@@ -81,7 +82,7 @@ internal sealed class GCodeInterpreter
             int mask = record.Mask;
             state.Modes.Motion = record.Op;
             if ((mask & ChunkParser.HasF) != 0) _machine.SetFeed(record.F);
-            if (!state.Modes.IsPlain)
+            if (!state.Modes.IsPlain || ((mask & ChunkParser.HasE) != 0 && !(Math.Abs(record.E) < MoveRecorder.LargestE)))
             {
                 _motion.Line(mask, record.X, record.Y, record.Z, record.E, record.Op);
                 continue;
@@ -98,6 +99,7 @@ internal sealed class GCodeInterpreter
                 (mask & ChunkParser.HasZ) != 0 ? record.Z : state.Head.Z,
                 e,
                 record.Op);
+            i = moves.Strands(records, i + 1, count, firstLine) - 1;
         }
         _machine.Counters.Commands += count - others;
     }
@@ -136,7 +138,7 @@ internal sealed class GCodeInterpreter
         var tools = new ToolpathTool[_machine.Extruders.Count];
         for (var i = 0; i < tools.Length; i++)
         {
-            var known = volumePerE.Length == 0 ? null : volumePerE[System.Math.Min(i, volumePerE.Length - 1)];
+            var known = volumePerE.Length == 0 ? null : volumePerE[Math.Min(i, volumePerE.Length - 1)];
             tools[i] = new ToolpathTool(State.Modes.Volumetric ? 1 : known);
         }
         return _machine.Moves.ToToolpath(tools);

@@ -7,7 +7,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>Turns targets into moves: decides what kind each is, counts it, and collects moves and events.</summary>
-internal sealed class MoveRecorder
+internal sealed partial class MoveRecorder
 {
     // Beyond these a number is no length in mm: such a move is left out and reported.
     public const double LargestLength = 1e10;

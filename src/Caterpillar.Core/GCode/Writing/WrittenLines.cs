@@ -16,6 +16,9 @@ internal sealed class WrittenLines(int moves)
     private int _end = int.MaxValue;
     private volatile int _moves;
 
+    /// <summary>Number of moves that are written.</summary>
+    public int Moves => _moves;
+
     public void EndStart(long lines) => _start = Number(lines);
 
     public void BeginEnd(long lines) => _end = Number(lines);
