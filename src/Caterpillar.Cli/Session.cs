@@ -72,7 +72,7 @@ internal sealed class Session
         if (file != "-")
         {
             NoFolder(file);
-            return File.ReadAllBytes(file);
+            return LargeFile.ReadAllBytes(file);
         }
         using var input = OpenRead(file);
         using var memory = new MemoryStream();

@@ -143,7 +143,32 @@ public sealed class TriMesh
     }
 
     /// <summary>The mesh moved by a vector in mm.</summary>
-    public TriMesh Moved(Vec3 shift) => Transformed(Affine.Move(shift));
+    public TriMesh Moved(Vec3 shift)
+    {
+        if (!StayApart(shift)) return Transformed(Affine.Move(shift));
+        var vertices = new Vec3[_vertices.Length];
+        for (var i = 0; i < vertices.Length; i++) vertices[i] = _vertices[i] + shift;
+        return new TriMesh(vertices, _triangles, _topology.IsValueCreated && NonManifoldEdgeCount == 0 ? _topology : null);
+    }
+
+    // True if rounding cannot make two vertices one: all coordinates are multiples of a step that is twice the rounding of whatever they become.
+    private bool StayApart(Vec3 shift)
+    {
+        var most = Math.Max(Math.Max(Bounds.Max.DistanceTo(Vec3.Zero), Bounds.Min.DistanceTo(Vec3.Zero)), shift.Length) * 2;
+        if (!(most < MaxCoordinate)) return false;
+        var perStep = 1L << 51;
+        while (perStep > 1 && most > 1)
+        {
+            perStep >>= 1;
+            most /= 2;
+        }
+        foreach (var v in _vertices)
+        {
+            double x = v.X * perStep, y = v.Y * perStep, z = v.Z * perStep;
+            if (x != (long)x || y != (long)y || z != (long)z) return false;
+        }
+        return true;
+    }
 
     /// <summary>The mesh scaled about the origin.</summary>
     public TriMesh Scaled(double factor) => Transformed(Affine.Scale(factor));

@@ -6,7 +6,7 @@ namespace Caterpillar.Geometry;
 /// <summary>
 /// Cuts lines at the boundary of a region and keeps the pieces inside, or outside. A piece is classified by its midpoint, so rounding can't invert the rest.
 /// </summary>
-internal sealed class LineClipper
+internal sealed partial class LineClipper
 {
     private readonly RegionIndex _index;
     private readonly bool _outside;
@@ -14,7 +14,7 @@ internal sealed class LineClipper
     private readonly List<Vec3> _current = new();
     private readonly List<Polyline> _pieces = new();
     private double _near;
-    private bool _touched;
+    private bool _touched, _endTouches;
 
     public LineClipper(RegionIndex index, bool outside)
     {
@@ -59,28 +59,7 @@ internal sealed class LineClipper
         return true;
     }
 
-    /// <summary>Adds the kept parts of a line as parameters from 0 to 1, in order and joined where they touch.</summary>
-    public void Parts(Vec3 a, Vec3 b, List<(double From, double To)> parts)
-    {
-        _cuts.Clear();
-        Cuts(a.X * Grid.PerMm, a.Y * Grid.PerMm, b.X * Grid.PerMm, b.Y * Grid.PerMm);
-        _cuts.Sort();
-        _cuts.Add(1);
-        var from = 0.0;
-        foreach (var to in _cuts)
-        {
-            if (to <= from) continue;
-            var middle = Vec3.Lerp(a, b, (from + to) / 2);
-            if (_index.Contains(middle.X * Grid.PerMm, middle.Y * Grid.PerMm) != _outside)
-            {
-                if (parts.Count > 0 && parts[parts.Count - 1].To == from) parts[parts.Count - 1] = (parts[parts.Count - 1].From, to);
-                else parts.Add((from, to));
-            }
-            from = to;
-        }
-    }
-
-    // Whether the last piece was kept holds for the next segment too, as long as that comes near no edge.
+    // Whether the last piece was kept holds for the next segment too, as long as no edge is near.
     private void Segment(Vec3 a, Vec3 b, ref bool whole, ref bool? last)
     {
         if (a.X == b.X && a.Y == b.Y)
@@ -89,7 +68,7 @@ internal sealed class LineClipper
             return;
         }
         _cuts.Clear();
-        _touched = false;
+        _touched = _endTouches = false;
         double dx = (b.X - a.X) * Grid.PerMm, dy = (b.Y - a.Y) * Grid.PerMm;
         _near = 2 / Math.Sqrt(dx * dx + dy * dy);
         Cuts(a.X * Grid.PerMm, a.Y * Grid.PerMm, b.X * Grid.PerMm, b.Y * Grid.PerMm);
@@ -119,7 +98,7 @@ internal sealed class LineClipper
             from = to;
         }
         if (kept) Extend(Vec3.Lerp(a, b, start), b);
-        last = kept;
+        last = _endTouches ? null : kept;
     }
 
     private void Extend(Vec3 from, Vec3 to)
@@ -194,6 +173,8 @@ internal sealed class LineClipper
     private void Add(double t)
     {
         if (t > 0 && t < 1) _cuts.Add(t);
-        if (t > -_near && t < 1 + _near) _touched = true;
+        if (!(t > -_near && t < 1 + _near)) return;
+        _touched = true;
+        if (t > 1 - _near) _endTouches = true;
     }
 }

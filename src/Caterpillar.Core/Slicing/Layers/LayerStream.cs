@@ -3,6 +3,7 @@ using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Threading;
 using System.Threading.Tasks;
+using Caterpillar.Basics;
 
 namespace Caterpillar.Slicing;
 
@@ -31,32 +32,49 @@ internal sealed class LayerStream
         for (var i = 1; i < _needed.Length; i++) _needed[i] = Math.Max(_needed[i], _needed[i - 1]);
     }
 
-    /// <summary>The finished layers in their order.</summary>
+    /// <summary>The finished layers in their order. While they are taken, the next block is sliced.</summary>
     public IEnumerable<SlicedLayer> Run(IProgress<double>? progress)
     {
         var done = new SlicedLayer[_layers.Length];
-        int outlined = 0, filled = 0;
-        while (filled < _layers.Length)
+        var (work, next) = Begin(done, default);
+        try
         {
-            var outlineTo = Math.Min(_layers.Length, outlined + Block);
-            var fillTo = filled;
-            while (fillTo < _layers.Length && _needed[fillTo] < outlined) fillTo++;
-            int fills = fillTo - filled, all = fills + outlineTo - outlined, first = filled, from = outlined;
-            Parallel.For(0, all, _options, Take, (i, _, tools) =>
+            for (var before = default(Front); before.Filled < _layers.Length;)
             {
-                if (i < fills) done[first + i] = FillStage.Run(_layers[first + i], tools);
-                else OutlineStage.Run(_layers[from + i - fills], tools);
-                return tools;
-            }, _tools.Add);
-            (filled, outlined) = (fillTo, outlineTo);
-            progress?.Report((double)(filled + outlined) / (2 * _layers.Length));
-            for (var i = first; i < fillTo; i++)
-            {
-                yield return done[i];
-                done[i] = null!;
-                Release(_layers[i]);
+                work.GetAwaiter().GetResult();
+                var (first, reached) = (before.Filled, next);
+                if (reached.Filled < _layers.Length) (work, next) = Begin(done, reached);
+                progress?.Report((double)(reached.Filled + reached.Outlined) / (2 * _layers.Length));
+                for (var i = first; i < reached.Filled; i++)
+                {
+                    yield return done[i];
+                    done[i] = null!;
+                    Release(_layers[i]);
+                }
+                before = reached;
             }
         }
+        finally
+        {
+            OwnThread.Wait(work);
+        }
+    }
+
+    // Begins the block above what has been reached.
+    private (Task Work, Front Next) Begin(SlicedLayer[] done, Front reached)
+    {
+        var next = new Front(Math.Min(_layers.Length, reached.Outlined + Block), reached.Filled);
+        while (next.Filled < _layers.Length && _needed[next.Filled] < reached.Outlined) next = next with { Filled = next.Filled + 1 };
+        int fills = next.Filled - reached.Filled, all = fills + next.Outlined - reached.Outlined;
+        void Work() => Parallel.For(0, all, _options, Take, (i, _, tools) =>
+        {
+            if (i < fills) done[reached.Filled + i] = FillStage.Run(_layers[reached.Filled + i], tools);
+            else OutlineStage.Run(_layers[reached.Outlined + i - fills], tools);
+            return tools;
+        }, _tools.Add);
+        if (_options.MaxDegreeOfParallelism != 1) return (Task.Run(Work), next);
+        Work();
+        return (Task.CompletedTask, next);
     }
 
     // The next layers need the regions of those below them; the islands of the last one, or of those whose infill is printed at once.
@@ -69,4 +87,7 @@ internal sealed class LayerStream
     private LayerTools Take() => _tools.TryTake(out var tools) ? tools : new LayerTools();
 
     private static int LastNeeded(LayerWork layer) => layer.Body.Layers[FillStage.LastNeeded(layer)].Order;
+
+    // So many layers have their outlines, and their filling.
+    private readonly record struct Front(int Outlined, int Filled);
 }

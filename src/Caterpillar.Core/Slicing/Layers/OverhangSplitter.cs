@@ -44,17 +44,22 @@ internal sealed class OverhangSplitter
     public static OverhangSplitter? For(SliceRules rules, Region below, RegionEngine engine)
         => rules.Settings.OverhangClasses.Count == 0 ? null : new OverhangSplitter(rules, below, engine);
 
+    /// <summary>True if it is known that no part of the middle line of the last path is over air.</summary>
+    public bool IsSupported { get; private set; }
+
     /// <summary>The path, with other segments and beads where it hangs over.</summary>
     public PrintPath Split(PrintPath path)
     {
         _points.Clear();
         _beads.Clear();
+        IsSupported = _classes[0].Percent <= 50;
         var lengths = new double[_classes.Count + 1];
+        for (var kind = 0; kind < _classes.Count; kind++) _clippers[kind]?.Follow(path.RawPoints);
         for (var i = 0; i < path.SegmentCount; i++)
         {
             Vec3 a = path.RawPoints[i], b = path.EndOf(i);
             var from = 0.0;
-            foreach (var (to, kind) in Pieces(a, b))
+            foreach (var (to, kind) in Pieces(path.RawPoints, i, a, b))
             {
                 _points.Add(Vec3.Lerp(a, b, from));
                 _beads.Add(kind < 0 ? path.BeadOf(i) : Changed(path.BeadOf(i), _classes[kind], path));
@@ -96,7 +101,7 @@ internal sealed class OverhangSplitter
     }
 
     // The ends of the pieces of a segment, and the class of each; −1 where it is supported.
-    private List<(double To, int Kind)> Pieces(Vec3 a, Vec3 b)
+    private List<(double To, int Kind)> Pieces(Vec3[] path, int segment, Vec3 a, Vec3 b)
     {
         _pieces.Clear();
         _pieces.Add((1, -1));
@@ -104,8 +109,9 @@ internal sealed class OverhangSplitter
         for (var kind = 0; kind < _classes.Count; kind++)
         {
             _parts.Clear();
-            Clipper(kind).Parts(a, b, _parts);
+            Clipper(kind, path).Parts(segment, _parts);
             if (_parts.Count == 0) break;
+            IsSupported = false;
             _next.Clear();
             var from = 0.0;
             foreach (var (to, old) in _pieces)
@@ -134,11 +140,13 @@ internal sealed class OverhangSplitter
         else _next[_next.Count - 1] = (to, _next[_next.Count - 1].Kind);
     }
 
-    private LineClipper Clipper(int kind)
+    private LineClipper Clipper(int kind, Vec3[] path)
     {
         if (_clippers[kind] is { } made) return made;
         var distance = _width * (_classes[kind].Percent / 100 - 0.5);
         var region = distance == 0 ? _below : _below.Offset(distance, JoinStyle.Miter, 2, 0.005, _engine);
-        return _clippers[kind] = new LineClipper(region.Index, outside: true);
+        var clipper = _clippers[kind] = new LineClipper(region.Index, outside: true);
+        clipper.Follow(path);
+        return clipper;
     }
 }

@@ -32,10 +32,14 @@ internal static class WallSteps
                 var split = overhangs?.Split(path) ?? path;
                 hangsOver |= !ReferenceEquals(split, path);
                 paths[i] = island.Rules.Own(split);
+                if (supports is not null && overhangs is not { IsSupported: true }) supports[i] = LoopSupport.Of(split.RawPoints, air!);
             }
             var outerFirst = WallChains.OuterFirst(settings, layer.Index, hangsOver);
-            if (!outerFirst) Array.Reverse(paths);
-            for (var i = 0; supports is not null && i < paths.Length; i++) supports[i] = LoopSupport.Of(paths[i].RawPoints, air!);
+            if (!outerFirst)
+            {
+                Array.Reverse(paths);
+                if (supports is not null) Array.Reverse(supports);
+            }
             chains.Add(new WallChain(steps.Count, paths.Length, outerFirst ? steps.Count : steps.Count + paths.Length - 1, supports));
             for (var i = 0; i < paths.Length; i++) steps.Add(new PathStep(paths[i], group) { Region = island.Region, Joined = i > 0 });
         }

@@ -21,7 +21,9 @@ public static class ModelCheck
         var box = ModelPlacement.BoxOf(models);
         if (box.IsEmpty) return problems;
         var bed = printer.BuildBounds;
-        var footprints = models.Where(m => m.Mesh.TriangleCount > 0).Select(m => (m.Name, Shape: Footprint.Of(m.Mesh))).ToArray();
+        // On a plain rectangle the boxes tell all.
+        var isPlain = printer.BedShape != BedShape.Round && printer.ExcludedAreas.Count == 0;
+        var footprints = isPlain ? [] : models.Where(m => m.Mesh.TriangleCount > 0).Select(m => (m.Name, Shape: Footprint.Of(m.Mesh))).ToArray();
         var scale = LargestScale(footprints.Select(f => f.Shape), box, bed, printer.BedShape);
         if (scale < 1)
         {

@@ -26,12 +26,13 @@ internal sealed class LoopSupport
         var air = new List<(double From, double To)>();
         var parts = new List<(double From, double To)>();
         double done = 0, over = 0;
+        below.Follow(loop);
         for (var i = 0; i < loop.Length; i++)
         {
             Vec3 a = loop[i], b = loop[i + 1 == loop.Length ? 0 : i + 1];
             var length = (b - a).LengthXY;
             parts.Clear();
-            if (length > 0) below.Parts(a, b, parts);
+            if (length > 0) below.Parts(i, parts);
             foreach (var (from, to) in parts)
             {
                 var start = done + from * length;

@@ -8,6 +8,23 @@ namespace Caterpillar.Tests.Geometry.Meshes;
 [TestFixture]
 public class TriMeshTests
 {
+    // Coordinates as coarse as those of files, finer than rounding leaves them, and some that fall together.
+    [TestCase(1e-3, 7.3)]
+    [TestCase(1e-3, 1e8)]
+    [TestCase(1e-15, 7.3)]
+    [TestCase(1e-15, 0)]
+    public void A_moved_mesh_is_its_image_under_the_translation(double step, double shift)
+    {
+        var random = new Random(3);
+        var points = Enumerable.Range(0, 300)
+            .Select(_ => new Vec3(step * (float)random.NextDouble(), step * random.Next(9), (float)random.NextDouble())).ToArray();
+        var mesh = TriMesh.Create(points, Enumerable.Range(0, 300).ToArray());
+        var (moved, image) = (mesh.Moved(new Vec3(shift, -shift, shift)), mesh.Transformed(Affine.Move(new Vec3(shift, -shift, shift))));
+        Assert.That(moved.Vertices, Is.EqualTo(image.Vertices));
+        Assert.That(moved.Indices, Is.EqualTo(image.Indices));
+        Assert.That(moved.OpenEdgeCount, Is.EqualTo(image.OpenEdgeCount));
+    }
+
     [Test]
     public void Box_has_its_measures()
     {

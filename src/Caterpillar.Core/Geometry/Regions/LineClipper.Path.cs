@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>The parts of the segments of a path. Segments that follow each other are near the same edges, and are mostly on the same side of all.</summary>
+internal sealed partial class LineClipper
+{
+    // Segments that look for edges together.
+    private const int Run = 16;
+    private readonly List<int> _leaves = new();
+    private Vec3[] _path = [];
+    private int _run;
+    private int _after;
+    private bool? _last;
+
+    /// <summary>Parts are those of the segments of this path, closed.</summary>
+    public void Follow(Vec3[] path) => (_path, _run, _after) = (path, -1, -1);
+
+    /// <summary>Adds the kept parts of a segment of the path as parameters from 0 to 1, in order and joined where they touch.</summary>
+    public void Parts(int segment, List<(double From, double To)> parts)
+    {
+        Vec3 a = _path[segment], b = _path[segment + 1 == _path.Length ? 0 : segment + 1];
+        if (segment / Run != _run) FindLeaves(segment / Run);
+        _cuts.Clear();
+        _touched = _endTouches = false;
+        double ax = a.X * Grid.PerMm, ay = a.Y * Grid.PerMm, bx = b.X * Grid.PerMm, by = b.Y * Grid.PerMm;
+        _near = 2 / Math.Sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
+        foreach (var leaf in _leaves) Cut(ax, ay, bx, by, leaf);
+        var goesOn = _after == segment && _last is not null && !_touched;
+        // The end of a segment that ends at an edge tells nothing of the next.
+        _after = _endTouches ? -1 : segment + 1;
+        if (goesOn)
+        {
+            if (_last == true) parts.Add((0, 1));
+            return;
+        }
+        if (_cuts.Count > 1) _cuts.Sort();
+        _cuts.Add(1);
+        var from = 0.0;
+        foreach (var to in _cuts)
+        {
+            if (to <= from) continue;
+            var middle = Vec3.Lerp(a, b, (from + to) / 2);
+            _last = _index.Contains(middle.X * Grid.PerMm, middle.Y * Grid.PerMm) != _outside;
+            if (_last == true)
+            {
+                if (parts.Count > 0 && parts[parts.Count - 1].To == from) parts[parts.Count - 1] = (parts[parts.Count - 1].From, to);
+                else parts.Add((from, to));
+            }
+            from = to;
+        }
+    }
+
+    // The leaves of edges near a run of segments.
+    private void FindLeaves(int run)
+    {
+        _run = run;
+        _leaves.Clear();
+        var tree = _index.Tree;
+        if (tree.Levels == 0) return;
+        double minX = double.PositiveInfinity, minY = minX, maxX = double.NegativeInfinity, maxY = maxX;
+        for (var i = run * Run; i <= (run + 1) * Run && i <= _path.Length; i++)
+        {
+            ref readonly var p = ref _path[i == _path.Length ? 0 : i];
+            double x = p.X * Grid.PerMm, y = p.Y * Grid.PerMm;
+            if (x < minX) minX = x;
+            if (x > maxX) maxX = x;
+            if (y < minY) minY = y;
+            if (y > maxY) maxY = y;
+        }
+        FindLeaves(minX, minY, maxX, maxY, tree.Levels - 1, 0);
+    }
+
+    private void FindLeaves(double minX, double minY, double maxX, double maxY, int level, int node)
+    {
+        var tree = _index.Tree;
+        ref readonly var box = ref tree.Boxes[tree.LevelStart[level] + node];
+        if (maxX < box.MinX - 1.0 || minX > box.MaxX + 1.0 || maxY < box.MinY - 1.0 || minY > box.MaxY + 1.0) return;
+        if (level == 0)
+        {
+            _leaves.Add(node);
+            return;
+        }
+        FindLeaves(minX, minY, maxX, maxY, level - 1, 2 * node);
+        if (2 * node + 1 < tree.LevelCount[level - 1]) FindLeaves(minX, minY, maxX, maxY, level - 1, 2 * node + 1);
+    }
+
+    private void Cut(double ax, double ay, double bx, double by, int leaf)
+    {
+        var tree = _index.Tree;
+        ref readonly var box = ref tree.Boxes[leaf];
+        if ((ax < bx ? bx : ax) < box.MinX - 1.0 || (ax < bx ? ax : bx) > box.MaxX + 1.0 || (ay < by ? by : ay) < box.MinY - 1.0
+            || (ay < by ? ay : by) > box.MaxY + 1.0)
+        {
+            return;
+        }
+        for (var i = tree.LeafStart[leaf]; i < tree.LeafStart[leaf + 1]; i++) Cut(ax, ay, bx, by, _index.Segments[i]);
+    }
+}
