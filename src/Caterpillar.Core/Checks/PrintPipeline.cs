@@ -12,7 +12,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// Plans a print while the steps of higher layers are still being made, and checks what it prints while it is still being planned. The plan is that of
+/// Plans a print while the steps of higher layers are still being made; what is planned is timed and checked at once. The plan is that of
 /// <see cref="Planner"/>, the file that of <see cref="SafeWriter"/>. To be used by one thread.
 /// </summary>
 public sealed class PrintPipeline : IDisposable
@@ -24,6 +24,7 @@ public sealed class PrintPipeline : IDisposable
     private readonly CancellationTokenSource _stop;
     private readonly PrintSetup _setup;
     private readonly Task<Result<Plan>> _planning;
+    private readonly EarlyTiming? _timing;
     private EarlyCheck? _early;
 
     /// <param name="setup">The printer, material and settings.</param>
@@ -35,6 +36,7 @@ public sealed class PrintPipeline : IDisposable
         _setup = setup;
         _cancel = cancel;
         _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
+        if (setup.Printer.ProgressLines) _timing = new EarlyTiming(setup);
         _planning = OwnThread.Run(() => Plan(setup, options));
     }
 
@@ -70,7 +72,7 @@ public sealed class PrintPipeline : IDisposable
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
         var plan = Finish().Value ?? throw new InvalidOperationException("There is no plan.");
-        return SafeWriter.Write(plan.Toolpath, _setup, stream, reason, isDraft, _early, progress, _cancel);
+        return SafeWriter.Write(plan.Toolpath, _setup, stream, reason, isDraft, _early, _timing, progress, _cancel);
     }
 
     /// <summary>Stops what is not finished, and waits for that.</summary>
@@ -103,5 +105,6 @@ public sealed class PrintPipeline : IDisposable
     {
         if (soFar.Blocks.Count == 1) _early = EarlyCheck.Begin(_setup, soFar.Tools, _cancel);
         _early?.Take(soFar);
+        _timing?.Take(soFar, _stop.Token);
     }
 }

@@ -15,10 +15,15 @@ internal static class ProgressLines
     /// The toolpath with a <see cref="ProgressEvent"/> wherever the percent or the minutes left change, and the seconds that it takes; unchanged and null
     /// where the printer wants none.
     /// </summary>
-    public static (Toolpath Toolpath, double? Seconds) Add(Toolpath toolpath, PrintSetup setup, CancellationToken cancel)
+    public static (Toolpath Toolpath, double? Seconds) Add(Toolpath toolpath, PrintSetup setup, EarlyTiming? early, CancellationToken cancel)
     {
         if (!setup.Printer.ProgressLines) return (toolpath, null);
-        var motion = MotionPlanner.Plan(toolpath, setup, null, cancel).Motion;
+        if (early?.Finish(toolpath, cancel) is not { } motion)
+        {
+            var planner = new MotionPlanner(toolpath, setup, timesOnly: true);
+            planner.Take(toolpath, null, cancel);
+            motion = planner.End().Motion;
+        }
         if (!(motion.TotalTime > 0)) return (toolpath, null);
         return (setup.Printer.Dialect.Progress == ProgressCommand.None ? toolpath : toolpath.WithEvents(Events(toolpath, motion)), motion.TotalTime);
     }

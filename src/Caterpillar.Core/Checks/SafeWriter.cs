@@ -59,7 +59,7 @@ public static class SafeWriter
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     public static Result<WrittenGCode> Write(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
-        => Write(toolpath, setup, stream, reason, false, null, progress, cancel);
+        => Write(toolpath, setup, stream, reason, false, null, null, progress, cancel);
 
     /// <summary>
     /// Checks a toolpath while it is written to a stream, as text, in one pass: for temporary files. Where it is refused, what was written must be thrown
@@ -68,11 +68,11 @@ public static class SafeWriter
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     public static Result<WrittenGCode> WriteDraft(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
-        => Write(toolpath, setup, stream, reason, true, null, progress, cancel);
+        => Write(toolpath, setup, stream, reason, true, null, null, progress, cancel);
 
     internal static Result<WrittenGCode> Write(
-        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason, bool isDraft, EarlyCheck? early, IProgress<double>? progress,
-        CancellationToken cancel)
+        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason, bool isDraft, EarlyCheck? early, EarlyTiming? timing,
+        IProgress<double>? progress, CancellationToken cancel)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
@@ -85,7 +85,7 @@ public static class SafeWriter
         }
         var format = SetupFormat.Of(setup, toolpath);
         if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
-        var (timed, seconds) = ProgressLines.Add(toolpath, setup, cancel);
+        var (timed, seconds) = ProgressLines.Add(toolpath, setup, timing, cancel);
         var plain = format.Value with { PrintTime = seconds };
         // With a reason what was found stands at the top of the file: it is written again, where something was.
         var isOverridden = WriteGuard.IsReason(reason);

@@ -8,7 +8,7 @@ namespace Caterpillar.Simulation;
 internal sealed class MotionColumns
 {
     // First trapezoid of each move, and the number of trapezoids at the end; waits before a move belong to it.
-    public readonly int[] First;
+    public int[] First;
 
     // Seconds from the start to the end of each trapezoid.
     public double[] EndTime;
@@ -22,14 +22,17 @@ internal sealed class MotionColumns
     private const int Spare = 64;
     private double _time;
 
-    public MotionColumns(int moves)
+    /// <param name="moves">Number of moves that are expected.</param>
+    /// <param name="timesOnly">Only times are kept, no speeds.</param>
+    public MotionColumns(int moves, bool timesOnly = false)
     {
+        var speeds = timesOnly ? 0 : moves + Spare;
         First = new int[moves + 1];
         EndTime = new double[moves + Spare];
-        Start = new double[moves + Spare];
-        Peak = new double[moves + Spare];
-        End = new double[moves + Spare];
-        Acceleration = new double[moves + Spare];
+        Start = new double[speeds];
+        Peak = new double[speeds];
+        End = new double[speeds];
+        Acceleration = new double[speeds];
     }
 
     public double TotalTime => _time;
@@ -39,11 +42,20 @@ internal sealed class MotionColumns
         if (Count == EndTime.Length) Grow();
         _time += t.Duration;
         EndTime[Count] = _time;
-        Start[Count] = t.Start;
-        Peak[Count] = t.Peak;
-        End[Count] = t.End;
-        Acceleration[Count] = t.Acceleration;
+        if (Start.Length > 0)
+        {
+            Start[Count] = t.Start;
+            Peak[Count] = t.Peak;
+            End[Count] = t.End;
+            Acceleration[Count] = t.Acceleration;
+        }
         Count++;
+    }
+
+    /// <summary>There are so many moves, at least.</summary>
+    public void Reserve(int moves)
+    {
+        if (First.Length <= moves) Array.Resize(ref First, checked(moves + moves / 2) + 1);
     }
 
     /// <summary>Seconds from the start to the start of a trapezoid.</summary>
@@ -55,6 +67,7 @@ internal sealed class MotionColumns
     {
         var size = checked(Count + Count / 2 + Spare);
         Array.Resize(ref EndTime, size);
+        if (Start.Length == 0) return;
         Array.Resize(ref Start, size);
         Array.Resize(ref Peak, size);
         Array.Resize(ref End, size);

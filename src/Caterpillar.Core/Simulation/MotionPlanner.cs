@@ -13,7 +13,8 @@ internal sealed class MotionPlanner
     // Shorter moves are none, in mm.
     private const double NoMove = 1e-9;
 
-    private readonly Toolpath _toolpath;
+    private Toolpath _toolpath;
+    private int _block;
     private readonly Printer _printer;
     private readonly MachineLimits _limits;
     private readonly CornerRules _rules;
@@ -33,7 +34,10 @@ internal sealed class MotionPlanner
     private WaitTimes _waits;
     private int _afterLast;
 
-    private MotionPlanner(Toolpath toolpath, PrintSetup setup)
+    /// <param name="toolpath">What is printed, or its beginning.</param>
+    /// <param name="setup">The printer and the filament.</param>
+    /// <param name="timesOnly">Only times are kept, no speeds.</param>
+    public MotionPlanner(Toolpath toolpath, PrintSetup setup, bool timesOnly = false)
     {
         _toolpath = toolpath;
         _printer = setup.Printer;
@@ -47,24 +51,38 @@ internal sealed class MotionPlanner
         _lookAhead = _printer.CornerRule == CornerRule.SquareCornerVelocity ? new CruiseLookAhead() : new QueueLookAhead(_printer.PlannerQueue);
         _retraction = new FirmwareRetraction(_printer);
         _heat = new HeatModel(_printer);
-        _out = new MotionColumns(toolpath.Count);
+        _out = new MotionColumns(toolpath.Count, timesOnly);
         _filamentPerE = FilamentPerE(toolpath, setup);
     }
 
     public static PlannedMotion Plan(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress, CancellationToken cancel)
     {
         var planner = new MotionPlanner(toolpath, setup);
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        planner.Take(toolpath, progress, cancel);
+        return planner.End();
+    }
+
+    /// <summary>The toolpath as far as it is known: the same as before, and more.</summary>
+    public void Take(Toolpath soFar, IProgress<double>? progress, CancellationToken cancel)
+    {
+        _toolpath = soFar;
+        _out.Reserve(soFar.Count);
+        for (; _block < soFar.Blocks.Count; _block++)
         {
-            planner.Block(block, cancel);
-            progress?.Report((block + 1.0) / toolpath.Blocks.Count);
+            Block(_block, cancel);
+            progress?.Report((_block + 1.0) / soFar.Blocks.Count);
         }
-        planner._afterLast = planner._out.Count + planner._count;
-        planner.Events(toolpath.Count);
-        planner.Stop();
-        planner._out.First[toolpath.Count] = planner._afterLast;
-        planner._heat.Settle(planner._out);
-        return new PlannedMotion(planner._out, planner._heat, planner._waits);
+    }
+
+    /// <summary>The toolpath is over.</summary>
+    public PlannedMotion End()
+    {
+        _afterLast = _out.Count + _count;
+        Events(_toolpath.Count);
+        Stop();
+        _out.First[_toolpath.Count] = _afterLast;
+        _heat.Settle(_out);
+        return new PlannedMotion(_out, _heat, _waits);
     }
 
     private void Block(int block, CancellationToken cancel)

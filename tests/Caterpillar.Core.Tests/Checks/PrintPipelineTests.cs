@@ -10,6 +10,7 @@ using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
+using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
@@ -101,6 +102,31 @@ public sealed class PrintPipelineTests
         changed.X[100] += 0.001;
         Assert.That(Early(read.WithBlocks([new ToolpathBlock(changed), .. read.Blocks.Skip(1)])), Is.Null);
         Assert.That(Early(read.WithTools([new ToolpathTool(1)])), Is.Null);
+    }
+
+    [Test]
+    public void Times_hold_for_the_same_moves_only()
+    {
+        var (soFar, plan) = Followed(Plain);
+        var expected = MotionPlanner.Plan(plan, Plain, null, default).Motion;
+        MotionColumns? Timed(Toolpath whole)
+        {
+            var early = new EarlyTiming(Plain);
+            foreach (var part in soFar) early.Take(part, default);
+            return early.Finish(whole, default);
+        }
+
+        Assert.That(soFar.Count, Is.GreaterThan(2));
+        var timed = Timed(plan)!;
+        Assert.That(timed.TotalTime, Is.EqualTo(expected.TotalTime));
+        Assert.That(Enumerable.Range(0, plan.Count).All(i => timed.StartTime(timed.First[i]) == expected.StartTime(expected.First[i])));
+        Assert.That(Timed(plan.Insert(plan.Count, new DwellEvent(3)))!.TotalTime, Is.EqualTo(expected.TotalTime + 3).Within(1e-9));
+        Assert.That(Timed(plan.Insert(100, new DwellEvent(3))), Is.Null);
+        Assert.That(Timed(plan.WithEvents([])), plan.Events.Count == 0 ? Is.Not.Null : Is.Null);
+        Assert.That(Timed(plan.WithTools([new ToolpathTool(1)])), Is.Null);
+        var changed = plan.Blocks[1].Columns.Copy(plan.Blocks[1].Count);
+        Assert.That(Timed(plan.WithBlocks([plan.Blocks[0], new ToolpathBlock(changed), .. plan.Blocks.Skip(2)])), Is.Null);
+        Assert.That(new EarlyTiming(Plain).Finish(plan, default), Is.Null);
     }
 
     [Test]

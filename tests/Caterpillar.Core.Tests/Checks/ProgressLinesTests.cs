@@ -52,7 +52,7 @@ public class ProgressLinesTests
         builder.Add(new Vec3(20, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         builder.AddEvent(new DwellEvent(seconds));
         builder.Add(new Vec3(30, 10, 0.2), 0.4, 0.4, 10, MoveKind.Print, Role.OuterWall, -1, 0, 1);
-        var (toolpath, all) = ProgressLines.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), default);
+        var (toolpath, all) = ProgressLines.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), null, default);
         Assert.That(all, Is.InRange(seconds + 1.5, seconds + 3));
         var (move, shown) = toolpath.Events.Where(e => e.Event is ProgressEvent).Select(e => (e.Move, (ProgressEvent)e.Event)).First();
         Assert.That((move, $"M73 P{shown.Percent} R{shown.MinutesLeft}"), Is.EqualTo((0, first)));
@@ -65,10 +65,10 @@ public class ProgressLinesTests
         var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
         // A move in place without E takes no time.
         builder.Add(new Vec3(10 + 10 * moves, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
-        var (toolpath, seconds) = ProgressLines.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), default);
+        var (toolpath, seconds) = ProgressLines.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), null, default);
         Assert.That((toolpath.Events.Count, seconds is not null), Is.EqualTo((lines, lines > 0)));
         var nothing = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2)).Build([new ToolpathTool(2.4)]);
-        Assert.That(ProgressLines.Add(nothing, SmallPrint.Setup(), default), Is.EqualTo((nothing, (double?)null)));
+        Assert.That(ProgressLines.Add(nothing, SmallPrint.Setup(), null, default), Is.EqualTo((nothing, (double?)null)));
     }
 
     [Test]

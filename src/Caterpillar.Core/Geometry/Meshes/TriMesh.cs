@@ -151,7 +151,9 @@ public sealed class TriMesh
         return new TriMesh(vertices, _triangles, _topology.IsValueCreated && NonManifoldEdgeCount == 0 ? _topology : null);
     }
 
-    // True if rounding cannot make two vertices one: all coordinates are multiples of a step that is twice the rounding of whatever they become.
+    // True if rounding does not make two vertices one. Where coordinates are multiples of a step that is twice the rounding of whatever they become, it cannot;
+    // numbers of files are, but for those near 0, where they are finer. One of two vertices that become one would have such a coordinate, and the other one,
+    // too, would be near 0 there: few vertices have to be compared.
     private bool StayApart(Vec3 shift)
     {
         var most = Math.Max(Math.Max(Bounds.Max.DistanceTo(Vec3.Zero), Bounds.Min.DistanceTo(Vec3.Zero)), shift.Length) * 2;
@@ -162,12 +164,25 @@ public sealed class TriMesh
             perStep >>= 1;
             most /= 2;
         }
+        // Numbers of 24 bits are multiples of the step from here on.
+        const double Small = 1 << 24;
+        VertexWelder? welder = null;
+        var near = 0;
         foreach (var v in _vertices)
         {
             double x = v.X * perStep, y = v.Y * perStep, z = v.Z * perStep;
-            if (x != (long)x || y != (long)y || z != (long)z) return false;
+            if (Math.Abs(x) > Small && Math.Abs(y) > Small && Math.Abs(z) > Small)
+            {
+                if (x != (long)x || y != (long)y || z != (long)z) return false;
+                continue;
+            }
+            if ((Math.Abs(x) > Small && x != (long)x) || (Math.Abs(y) > Small && y != (long)y) || (Math.Abs(z) > Small && z != (long)z)) return false;
+            var moved = v + shift;
+            welder ??= new VertexWelder(_vertices.Length / 64);
+            near++;
+            welder.Add(moved.X, moved.Y, moved.Z);
         }
-        return true;
+        return welder is null || welder.Count == near;
     }
 
     /// <summary>The mesh scaled about the origin.</summary>

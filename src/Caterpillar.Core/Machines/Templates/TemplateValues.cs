@@ -15,10 +15,14 @@ public sealed class TemplateValues
     private readonly Dictionary<string, double> _numbers;
     private readonly Dictionary<string, string> _texts;
 
-    private TemplateValues(Dictionary<string, double> numbers, Dictionary<string, string> texts)
+    // What is measured of the print, where it is asked for.
+    private readonly Lazy<Dictionary<string, double>>? _ofPrint;
+
+    private TemplateValues(Dictionary<string, double> numbers, Dictionary<string, string> texts, Lazy<Dictionary<string, double>>? ofPrint)
     {
         _numbers = numbers;
         _texts = texts;
+        _ofPrint = ofPrint;
     }
 
     /// <summary>The values of a setup, and of the print if there is a toolpath.</summary>
@@ -43,15 +47,17 @@ public sealed class TemplateValues
         numbers["bed_max_z_mm"] = bed.Max.Z;
         numbers["volume_per_e_mm3"] = setup.Extrusion.VolumePerE ?? 0;
         numbers["tool_count"] = setup.Printer.ToolCount;
-        if (toolpath is not null) Measure(toolpath, setup, numbers);
-        return new TemplateValues(numbers, texts);
+        return new TemplateValues(numbers, texts, toolpath is null ? null : new(() => Measure(toolpath, setup)));
     }
 
     /// <summary>The same with one more number.</summary>
-    public TemplateValues With(string name, double value) => new(new Dictionary<string, double>(_numbers, StringComparer.Ordinal) { [name] = value }, _texts);
+    public TemplateValues With(string name, double value)
+        => new(new Dictionary<string, double>(_numbers, StringComparer.Ordinal) { [name] = value }, _texts, _ofPrint);
 
     /// <summary>The number of this name, or null.</summary>
-    public double? Number(string name) => _numbers.TryGetValue(name, out var value) ? value : null;
+    public double? Number(string name)
+        => _numbers.TryGetValue(name, out var value) || (!_texts.ContainsKey(name) && _ofPrint is { Value: var print } && print.TryGetValue(name, out value))
+            ? value : null;
 
     /// <summary>The text of this name, or null.</summary>
     public string? Text(string name) => _texts.TryGetValue(name, out var value) ? value : null;
@@ -70,8 +76,9 @@ public sealed class TemplateValues
         }
     }
 
-    private static void Measure(Toolpath toolpath, PrintSetup setup, Dictionary<string, double> numbers)
+    private static Dictionary<string, double> Measure(Toolpath toolpath, PrintSetup setup)
     {
+        var numbers = new Dictionary<string, double>(StringComparer.Ordinal);
         var bounds = Bounds.Empty;
         double volume = 0, filament = 0;
         var law = setup.Extrusion;
@@ -105,5 +112,6 @@ public sealed class TemplateValues
         numbers["filament_used_mm"] = filament;
         numbers["material_used_g"] = volume / 1000 * setup.Material.Density;
         numbers["material_cost"] = volume / 1_000_000 * setup.Material.Density * setup.Material.CostPerKg;
+        return numbers;
     }
 }

@@ -21,7 +21,7 @@ internal sealed class LayerFinish
     private readonly Dictionary<Body, (VaseSpiral Spiral, int Last)> _vases = [];
     private readonly Dictionary<Body, SeamPlacer> _seams = [];
     private readonly LayerTime _time;
-    private readonly bool _waits;
+    private readonly bool _waits, _isByObject;
 
     // All layers, null once they are given on.
     private readonly List<SlicedLayer?> _all = [];
@@ -46,8 +46,8 @@ internal sealed class LayerFinish
         (_works, _settings, _problems, _follow) = (works, settings, problems, follow);
         _time = new LayerTime(settings);
         // The skirt goes around all that stands on the bed.
-        _waits = follow is null || (bodies.Count > 1 && settings.PrintSequence == PrintSequence.ByObject)
-            || works.Any(w => w.Rules.Settings.Support != SupportKind.None);
+        _isByObject = bodies.Count > 1 && settings.PrintSequence == PrintSequence.ByObject;
+        _waits = follow is null || _isByObject || works.Any(w => w.Rules.Settings.Support != SupportKind.None);
     }
 
     /// <summary>The next layer.</summary>
@@ -75,14 +75,17 @@ internal sealed class LayerFinish
     }
 
     /// <summary>All finished layers that print something.</summary>
-    /// <param name="supports">Adds supports to all layers.</param>
-    public SlicedLayer[] End(Action<List<SlicedLayer>> supports)
+    /// <param name="supports">Adds supports to all layers, and gives how many have theirs so far.</param>
+    public SlicedLayer[] End(Func<List<SlicedLayer>, IEnumerable<int>> supports)
     {
         foreach (var body in _vases.Keys.OrderBy(b => b.Number)) EndVase(_vases[body].Spiral, _vases[body].Last, body);
         if (_waits)
         {
-            supports(_all!);
-            _low = Low();
+            foreach (var supported in supports(_all!))
+            {
+                if (!_isByObject) Release(supported);
+            }
+            if (_isByObject) _low = Low();
         }
         Release(_all.Count);
         EndLevel();

@@ -126,20 +126,37 @@ internal sealed class VaseSpiral
 
     private static (int Segment, Vec3 Point) NearestOf(Vec3[] line, Vec3 p, int first, int count)
     {
+        // Any segment tells how far the nearest one is at most; what is farther away along an axis is left out.
+        var guess = first + count / 2;
+        var reach = Reach((NearestOn(line[guess], Next(line, guess), p) - p).LengthSquared);
         var best = double.PositiveInfinity;
         var result = (first, line[first]);
         for (var k = 0; k < count; k++)
         {
             var i = first + k;
-            Vec3 a = line[i], d = line[i + 1 == line.Length ? 0 : i + 1] - a;
-            var square = d.LengthSquared;
-            var t = square > 0 ? Math.Min(1, Math.Max(0, Vec3.Dot(p - a, d) / square)) : 0;
-            var q = a + d * t;
+            Vec3 a = line[i], b = Next(line, i);
+            if ((a.X < b.X ? a.X : b.X) - p.X > reach || p.X - (a.X < b.X ? b.X : a.X) > reach || (a.Y < b.Y ? a.Y : b.Y) - p.Y > reach
+                || p.Y - (a.Y < b.Y ? b.Y : a.Y) > reach) continue;
+            var q = NearestOn(a, b, p);
             var distance = (q - p).LengthSquared;
             if (distance >= best) continue;
             best = distance;
+            reach = Math.Min(reach, Reach(distance));
             result = (i, q);
         }
         return result;
+    }
+
+    // The distance, and more than rounding makes of it.
+    private static double Reach(double square) => Math.Sqrt(square) * (1 + 1e-9) + 1e-9;
+
+    private static Vec3 Next(Vec3[] line, int i) => line[i + 1 == line.Length ? 0 : i + 1];
+
+    private static Vec3 NearestOn(Vec3 a, Vec3 b, Vec3 p)
+    {
+        var d = b - a;
+        var square = d.LengthSquared;
+        var t = square > 0 ? Math.Min(1, Math.Max(0, Vec3.Dot(p - a, d) / square)) : 0;
+        return a + d * t;
     }
 }
