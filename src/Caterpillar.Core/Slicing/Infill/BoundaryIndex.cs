@@ -57,6 +57,23 @@ internal sealed class BoundaryIndex
         return true;
     }
 
+    /// <summary>The place at an arc length of a contour, mm, which may be negative or more than once around.</summary>
+    public Vec3 At(int contour, double at)
+    {
+        var length = Lengths[contour];
+        at -= Math.Floor(at / length) * length;
+        int low = _first[contour], high = _first[contour + 1];
+        // The last segment that begins before.
+        while (high - low > 1)
+        {
+            var middle = (low + high) / 2;
+            if (_at[middle] > at) high = middle;
+            else low = middle;
+        }
+        ref readonly var s = ref _index.Segments[low];
+        return Vec3.Lerp(Grid.ToMm(s.A), new Vec3(s.Bx, s.By) / Grid.PerMm, Math.Min((at - _at[low]) / Length(s), 1));
+    }
+
     /// <summary>The place of the boundary that is nearest to a point, mm.</summary>
     public Vec3 Nearest(Vec3 point)
     {

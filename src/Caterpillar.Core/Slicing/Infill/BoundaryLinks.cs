@@ -17,8 +17,13 @@ internal sealed partial class BoundaryLinks
     private int[] _root = [];
 
     /// <summary>The same lines, joined where the distance along the boundary is at most <paramref name="limit"/> mm.</summary>
-    public List<InfillLine> Join(Region area, IReadOnlyList<InfillLine> lines, double limit)
+    /// <param name="area">The area whose boundary the lines end on.</param>
+    /// <param name="lines">The lines.</param>
+    /// <param name="limit">Longest link along the boundary, mm.</param>
+    /// <param name="width">Width of the strands, mm, where their turns leave nothing open along the boundary; 0 for plain corners.</param>
+    public List<InfillLine> Join(Region area, IReadOnlyList<InfillLine> lines, double limit, double width = 0)
     {
+        _width = width;
         var result = new List<InfillLine>(lines.Count);
         if (lines.Count == 0) return result;
         var boundary = new BoundaryIndex(area);
@@ -43,6 +48,7 @@ internal sealed partial class BoundaryLinks
             _ends = new End[2 * lines.Count];
             _links = new Link[2 * lines.Count];
             _root = new int[lines.Count];
+            _places = new Place[2 * lines.Count];
         }
         var count = 0;
         for (var i = 0; i < lines.Count; i++)
@@ -55,6 +61,7 @@ internal sealed partial class BoundaryLinks
             if (boundary.Find(points[points.Length - 1], out contour, out at)) _ends[count++] = new End(contour, at, 2 * i + 1);
         }
         Array.Sort(_ends, 0, count);
+        if (_width > 0) Distances(boundary, count);
         return count;
     }
 
@@ -99,6 +106,7 @@ internal sealed partial class BoundaryLinks
         _points.Clear();
         _flow.Clear();
         var varies = false;
+        Vec3? entry = null;
         while (true)
         {
             var line = lines[end >> 1];
@@ -110,14 +118,23 @@ internal sealed partial class BoundaryLinks
             {
                 // Into a point leads the segment before it; into the first one the link.
                 var flow = i == 0 || line.Flow is null ? 1 : line.Flow[forward ? i - 1 : n - 1 - i];
-                Add(line.Points[forward ? i : n - 1 - i], flow);
+                Add(i == 0 && entry is { } joined ? joined : line.Points[forward ? i : n - 1 - i], flow);
             }
             var link = _links[end ^ 1];
             if (link.To < 0) break;
+            var (leave, join) = (Turn(boundary, lines, end ^ 1, link.Forward), Turn(boundary, lines, link.To, !link.Forward));
+            if (leave is { } turn)
+            {
+                _points[_points.Count - 1] = turn.OnLine;
+                Add(turn.Foot, _flow[_flow.Count - 1]);
+            }
             var from = _points.Count;
-            boundary.Corners(link.Contour, link.From, link.Upto, _points);
+            double? start = link.Forward ? leave?.At : join?.At, stop = link.Forward ? join?.At : leave?.At;
+            boundary.Corners(link.Contour, start ?? link.From, stop ?? link.Upto, _points);
             if (!link.Forward) _points.Reverse(from, _points.Count - from);
             while (_flow.Count < _points.Count) _flow.Add(1);
+            if (join is { } bend) Add(bend.Foot, 1);
+            entry = join?.OnLine;
             end = link.To;
         }
         var z = lines[end >> 1].Points[0].Z;

@@ -53,8 +53,9 @@ internal sealed class SolidRows
             _spans.Add((hatch.Row, from, to));
         }
         var limit = request.Linked ? longestLink * request.Spacing : -1;
-        if (request.Pattern == InfillPattern.Monotonic) result.AddRange(_links.Sweep(island, _lines, _spans, limit));
-        else if (request.Linked) result.AddRange(_links.Join(island, _lines, limit));
+        var width = request.Solid ? request.Spacing : 0;
+        if (request.Pattern == InfillPattern.Monotonic) result.AddRange(_links.Sweep(island, _lines, _spans, limit, width));
+        else if (request.Linked) result.AddRange(_links.Join(island, _lines, limit, width));
         else result.AddRange(_lines);
         if (request.Solid && rows > 0) _gaps.Add(request, island, frame, first, spacing, rows, result);
     }

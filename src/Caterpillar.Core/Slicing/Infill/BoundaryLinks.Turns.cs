@@ -1,0 +1,82 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+// Turns of slanting rows. Sharp corners are round outside and leave a wedge open up to the corner of the next turn, while inside of them as much is printed
+// twice. A row therefore leaves its direction before its end and goes straight to the boundary, where the link begins: earlier than the row's end where row
+// and link enclose more than a right angle, so that it reaches into the wedge; later where they enclose less.
+internal sealed partial class BoundaryLinks
+{
+    // In widths: how far before its end a row is left at either corner, at most. Found by painting the strands of rows at all angles: least sum of what stays
+    // open and what is printed twice, at nearly the material of straight ends.
+    private const double Obtuse = 0.8;
+    private const double Acute = 0.2;
+
+    private const double Shortest = 0.1;
+
+    // Rows that end nearly at a right angle turn without a gap.
+    private const double LeastCosine = 0.17;
+
+    // Share of the length along the boundary that the straight line to the foot must have: no turn cuts a corner.
+    private const double Straight = 0.98;
+
+    // mm along the boundary within which its direction is taken.
+    private const double Near = 0.05;
+
+    private Place[] _places = [];
+    private double _width;
+
+    // Where each end lies, and how far it is from its neighbors on the contour.
+    private void Distances(BoundaryIndex boundary, int count)
+    {
+        for (var start = 0; start < count;)
+        {
+            var contour = _ends[start].Contour;
+            var around = boundary.Lengths[contour];
+            var stop = start;
+            while (stop < count && _ends[stop].Contour == contour) stop++;
+            for (var i = start; i < stop; i++)
+            {
+                var at = _ends[i].At;
+                var before = i > start ? at - _ends[i - 1].At : at - _ends[stop - 1].At + around;
+                var after = i + 1 < stop ? _ends[i + 1].At - at : _ends[start].At - at + around;
+                _places[_ends[i].Id] = new Place(contour, at, before, after);
+            }
+            start = stop;
+        }
+    }
+
+    // Where the row is left, and the foot where the link begins instead of at the row's end; null where the end stays. Forward: the link follows the contour.
+    private Bend? Turn(BoundaryIndex boundary, IReadOnlyList<InfillLine> lines, int id, bool forward)
+    {
+        if (_width == 0) return null;
+        var points = lines[id >> 1].Points;
+        var atStart = (id & 1) == 0;
+        var end = atStart ? points[0] : points[points.Length - 1];
+        var inner = (atStart ? points[1] : points[points.Length - 2]) - end;
+        var length = inner.LengthXY;
+        if (length < 2 * Obtuse * _width) return null;
+        var place = _places[id];
+        var ahead = boundary.At(place.Contour, place.At + (forward ? Near : -Near)) - end;
+        var cosine = (inner.X * ahead.X + inner.Y * ahead.Y) / (length * ahead.LengthXY);
+        if (!(Math.Abs(cosine) >= LeastCosine)) return null;
+        // The feet of neighboring turns stay a strand apart, and links keep half their length.
+        var leave = cosine > 0
+            ? Math.Min(Acute * _width, (forward ? place.After : place.Before) / (2 * cosine))
+            : Math.Min(Obtuse * _width, Acute * _width + ((forward ? place.Before : place.After) - _width) / -cosine);
+        if (leave < Shortest * _width) return null;
+        var shift = cosine * leave;
+        var around = boundary.Lengths[place.Contour];
+        var at = place.At + (forward ? shift : -shift);
+        at -= Math.Floor(at / around) * around;
+        var foot = boundary.At(place.Contour, at);
+        if ((foot - end).LengthXY < Straight * Math.Abs(shift)) return null;
+        return new Bend(end + inner * (leave / length), foot, at);
+    }
+
+    private readonly record struct Bend(Vec3 OnLine, Vec3 Foot, double At);
+
+    private readonly record struct Place(int Contour, double At, double Before, double After);
+}
