@@ -36,6 +36,9 @@ internal sealed class WriteOptions
         verb.Options.Add(_reason);
     }
 
+    /// <summary>Whether to write despite what checks find.</summary>
+    public bool Overrides(ParseResult arguments) => arguments.GetValue(_reason) is not null;
+
     /// <summary>The file to write: the one asked for, or named after an input (standard output for standard input).</summary>
     public string FileFor(ParseResult arguments, string input)
     {

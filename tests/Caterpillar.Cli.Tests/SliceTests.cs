@@ -85,7 +85,12 @@ public class SliceTests : CliFixture
         File.WriteAllText("part.gcode", "old");
         var run = Run("slice", "part.stl");
         Assert.That(run.Code, Is.EqualTo(3), run.Messages);
-        Assert.That(run.Messages, Does.Contain("error bed."));
+        Assert.That(run.Messages, Does.Contain("models.too_large").And.Contain("80 mm too long in X").And.Contain("error write.refused"));
+        Assert.That(run.Messages, Does.Not.Contain("bed.outside"), "nothing is sliced");
+        // Where it stands outside, but would fit, the finished print is looked at.
+        File.WriteAllText("part.stl", Box(30, 10, 1));
+        run = Run("slice", "part.stl", "--place", "0,0");
+        Assert.That((run.Code, run.Messages.Contains("error bed.outside", System.StringComparison.Ordinal)), Is.EqualTo((3, true)));
         Assert.That(File.ReadAllText("part.gcode"), Is.EqualTo("old"));
         Assert.That(Files(), Is.EqualTo(new[] { "part.gcode", "part.stl" }));
     }

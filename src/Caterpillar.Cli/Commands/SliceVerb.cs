@@ -83,6 +83,11 @@ internal sealed class SliceVerb : Verb
         var (read, models) = Models(files, arguments, ref setup, session);
         if (pipeline is not null)
         {
+            if (!_write.Overrides(arguments) && ModelCheck.IsHopeless([.. models.Where(m => m.Settings.ModelUse == ModelUse.Part).Select(m => m.Mesh)], setup))
+            {
+                session.Print([new Diagnostic(Severity.Error, "write.refused", "Nothing was sliced: it would not fit. --override slices it all the same.")]);
+                throw new CliException(ExitCode.Refused);
+            }
             var layers = Sliced(models, setup, arguments, pipeline, session);
             return (session.ValueOrFail(session.WithProgress("Planning", _ => pipeline.Finish())), layers);
         }

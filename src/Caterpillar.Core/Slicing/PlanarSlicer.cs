@@ -72,6 +72,13 @@ public static class PlanarSlicer
         var problems = new DiagnosticList();
         // One for each model, so not in the list that counts.
         var findings = new List<Diagnostic>();
+        foreach (var model in models)
+        {
+            if (PrintWideKeys.SetBy(model.Settings, common) is not { Count: > 0 } ignored) continue;
+            var (keys, hold) = (string.Join(", ", ignored), ignored.Count == 1 ? "holds" : "hold");
+            findings.Add(new Diagnostic(Severity.Warning, "slice.print_wide",
+                $"{keys} {hold} for the whole print: the value for one model is ignored.", new SourceLocation(model.Mesh.Name)));
+        }
         var helpers = models.Where(m => m.Settings.ModelUse != ModelUse.Part).ToArray();
         if (helpers.Length > 0) models = models.Where(m => m.Settings.ModelUse == ModelUse.Part).ToArray();
         if (common.MergeOverlapping) models = OverlappingModels.Merge(models, threads, problems, cancel);
@@ -103,7 +110,11 @@ public static class PlanarSlicer
     private static string Nothing(IReadOnlyList<SliceModel> models, LayerWork[] layers)
     {
         if (models.Count == 0) return "Nothing to print: none of the models is a part.";
-        if (layers.All(l => l.Region.IsEmpty)) return "Nothing to print: no layer of the models has a closed contour.";
+        if (layers.All(l => l.Region.IsEmpty))
+        {
+            var sheets = models.Any(m => !m.Mesh.Mesh.IsWatertight) ? " Open surfaces can be printed as single walls (open_meshes=walls)." : "";
+            return "Nothing to print: no layer of the models has a closed contour." + sheets;
+        }
         if (models.All(m => m.Settings is { WallCount: 0, InfillPercent: 0, InfillSpacing: 0, TopLayers: 0, BottomLayers: 0 }))
             return "Nothing to print: the settings ask for no walls, no infill and no top or bottom layers.";
         var width = NumberFormatter.Format(models[0].Settings.LineWidth, 3);
@@ -131,7 +142,7 @@ public static class PlanarSlicer
         if (planned.Value is not { } plan) return;
         if (options.Divide is { } divide) plan = divide(plan);
         memory.Plan(body, plan);
-        var lift = Raft.Lift(settings);
+        var lift = Raft.Lift(common);
         var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, options.Threads, findings, progress, cancel);
         var rules = new Dictionary<double, SliceRules>();
         body.Layers = new LayerWork[plan.Length];

@@ -34,6 +34,15 @@ public class BrokenModelTests
     }
 
     [Test]
+    public void A_sheet_is_told_how_it_can_be_printed()
+    {
+        var sheet = new NamedMesh("sheet", TriMesh.Create([new(0, 0, 0), new(30, 0, 0), new(30, 0, 5), new(0, 0, 5)], [0, 1, 2, 0, 2, 3]));
+        var result = PlanarSlicer.Slice([sheet], Plain);
+        Assert.That(result.Diagnostics.Single(d => d.Code == "slice.nothing").Message, Does.Contain("open_meshes=walls"));
+        Assert.That(PlanarSlicer.Slice([sheet], Plain with { OpenMeshes = OpenMeshes.Walls }).Value!.Layers, Has.Count.EqualTo(10));
+    }
+
+    [Test]
     public void Closed_gaps_and_what_is_left_out_are_reported_with_heights()
     {
         var result = PlanarSlicer.Slice([new NamedMesh("slit", Slit(1, 4, 2))], Plain with { MendMeshes = false });

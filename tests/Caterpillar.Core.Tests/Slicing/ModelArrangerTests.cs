@@ -112,6 +112,23 @@ public class ModelArrangerTests
     }
 
     [Test]
+    public void Settings_of_one_model_that_hold_for_the_whole_print_are_named()
+    {
+        NamedMesh a = new("a", MeshMaker.Box(0, 0, 0, 10, 10, 1)), b = new("b", MeshMaker.Box(20, 0, 0, 30, 10, 1));
+        var own = Plain with { TravelSpeed = 77, RaftLayers = 2, WallCount = 2 };
+        var sliced = PlanarSlicer.SliceEach([new SliceModel(a, Plain), new SliceModel(b, own)], Plain);
+        Assert.That(sliced.Diagnostics.Select(d => d.ToString()), Is.EqualTo(new[]
+        {
+            "b: warning slice.print_wide: travel_speed_mm_s, raft_layers hold for the whole print: the value for one model is ignored.",
+        }));
+        Assert.That(sliced.Value!.Layers.Select(l => l.Layer.Z).Min(), Is.EqualTo(Plain.FirstLayerHeight), "no raft, so no model is raised");
+        Assert.That(sliced.Value.Layers.Where(l => l.Layer.Object == "b").Min(l => l.Layer.Z), Is.EqualTo(Plain.FirstLayerHeight));
+        // The settings of another profile that leave the usual value alone are no wish of the model.
+        var common = Plain with { TravelSpeed = 99 };
+        Assert.That(PlanarSlicer.SliceEach([new SliceModel(a, Plain)], common).Diagnostics, Is.Empty);
+    }
+
+    [Test]
     public void One_after_the_other_the_lowest_is_first()
     {
         NamedMesh high = new("high", MeshMaker.Box(0, 0, 0, 10, 10, 2)), low = new("low", MeshMaker.Box(50, 0, 0, 60, 10, 1));

@@ -108,6 +108,17 @@ public class ModelPlacementTests
     }
 
     [Test]
+    public void Models_larger_than_the_build_volume_are_hopeless_unless_that_check_is_changed()
+    {
+        NamedMesh[] Box(double size) => [new("box", MeshMaker.Box(0, 0, 0, size, 60, 60))];
+        var setup = new PrintSetup { Printer = new Printer { BuildVolume = new Vec3(100, 80, 70) } };
+        Assert.That(ModelCheck.IsHopeless(Box(100.5), setup), Is.False, "strands keep half a width from the outline");
+        Assert.That(ModelCheck.IsHopeless(Box(103), setup));
+        Assert.That(ModelCheck.IsHopeless([], setup), Is.False);
+        Assert.That(ModelCheck.IsHopeless(Box(103), setup.With("check_severities=bed.outside=warning").Value!), Is.False);
+    }
+
+    [Test]
     public void The_head_must_pass_beside_what_stands_already()
     {
         // Outline 0.5 mm at the tip, 4 mm at 6 mm, 20 mm at 12 mm.

@@ -106,7 +106,9 @@ internal sealed class MeshBuilder
         if (degenerate > 0)
         {
             diagnostics.Add(Severity.Remark, "mesh.degenerate_faces",
-                $"Triangles without area; {NumberFormatter.Format(Degenerate)} with two equal vertices are ignored.", source, degenerate);
+                Degenerate == 0 ? "Triangles without area."
+                    : $"Triangles without area, {NumberFormatter.Format(Degenerate)} of them with two equal vertices: those are ignored.",
+                source, degenerate);
         }
         if (mesh.TriangleCount == 0) return mesh;
         mesh = MeshCleaning.DropDuplicates(mesh, source, diagnostics);

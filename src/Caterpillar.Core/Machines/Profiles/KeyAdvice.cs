@@ -24,8 +24,24 @@ internal static class KeyAdvice
         return known.FirstOrDefault(k => k != key && Stem(k) == stem);
     }
 
+    /// <summary>
+    /// The keys that have most of the words of a name (<c>brim</c>, <c>wall_line_count</c>), the shortest first.
+    /// </summary>
+    public static IReadOnlyList<string> Alike(string name, IEnumerable<string> known)
+    {
+        const int Most = 6;
+        var words = Words(name);
+        var ranked = known.Select(k => (Key: k, Shared: Words(k).Intersect(words).Count())).Where(k => k.Shared > 0).ToArray();
+        var most = ranked.Length == 0 ? 0 : ranked.Max(k => k.Shared);
+        return [.. ranked.Where(k => k.Shared == most).Select(k => k.Key).OrderBy(k => k.Length).ThenBy(k => k, StringComparer.Ordinal).Take(Most)];
+    }
+
     /// <summary>The unit at the end of a key, or an empty text.</summary>
     public static string UnitOf(string key) => Units.FirstOrDefault(u => key.EndsWith("_" + u, StringComparison.Ordinal)) ?? "";
+
+    // In the singular, without short units.
+    private static string[] Words(string key)
+        => key.ToLowerInvariant().Split('_', ' ', '-').Where(w => w.Length > 2).Select(w => w.Length > 3 ? w.TrimEnd('s') : w).Distinct().ToArray();
 
     private static string Stem(string key)
     {

@@ -79,8 +79,12 @@ public static class ProfileReader
         var message = $"{key} is not a key of {(noun == "settings" ? "settings" : "a " + noun)}";
         if (ProfileKinds.KindOf(key) is { } kind && !names.Contains(key)) message += $"; it belongs to {kind}";
         else if (SpellingSuggestion.Nearest(key, names) is { } near) message += $"; did you mean {near}?";
+        else if (KeyAdvice.Alike(key, names) is { Count: > 0 } alike) message += $"; did you mean {Listed(alike)}?";
         return new Diagnostic(Severity.Error, "profile.unknown_key", message.EndsWith("?", StringComparison.Ordinal) ? message : message + ".", place);
     }
+
+    private static string Listed(IReadOnlyList<string> names)
+        => names.Count == 1 ? names[0] : string.Join(", ", names.Take(names.Count - 1)) + " or " + names[names.Count - 1];
 
     private static T Base<T>(ProfileKind<T> kind, List<JsonEntry> entries, string file, string name, Func<string, Result<T>>? parent,
         List<Diagnostic> diagnostics)

@@ -30,9 +30,11 @@ internal static class RawValues
 
     public static object List(Vec3 v) => List(v.X, v.Y, v.Z);
 
-    /// <summary>Numbers separated by commas, spaces or x; null if one is not a number.</summary>
+    /// <summary>Numbers separated by commas, spaces or x, in brackets or not; null if one is not a number.</summary>
     public static object? ParseNumbers(string text)
     {
+        text = text.Trim();
+        if (IsBracketed(text)) text = text.Substring(1, text.Length - 2);
         var parts = text.Split([',', ' ', 'x', '×'], StringSplitOptions.RemoveEmptyEntries);
         var numbers = new object[parts.Length];
         for (var i = 0; i < parts.Length; i++)
@@ -43,10 +45,20 @@ internal static class RawValues
         return numbers;
     }
 
-    /// <summary>Rows of numbers separated by semicolons.</summary>
+    /// <summary>Rows of numbers: separated by semicolons, or in brackets as in a profile, <c>[[1, 2], [3, 4]]</c>.</summary>
     public static object? ParseRows(string text)
     {
-        var rows = text.Split([';'], StringSplitOptions.RemoveEmptyEntries).Select(ParseNumbers).ToArray();
-        return rows.Any(r => r is null) ? null : rows.Select(r => r!).ToArray();
+        var inner = text.Trim();
+        if (IsBracketed(inner) && (inner == "[]" || IsBracketed(inner.Substring(1, inner.Length - 2).Trim()))) inner = inner.Substring(1, inner.Length - 2);
+        var rows = new List<object>();
+        foreach (var row in inner.Replace("],", "];").Replace("] ,", "];").Split(';'))
+        {
+            if (row.Trim().Length == 0) continue;
+            if (ParseNumbers(row) is not { } numbers) return null;
+            rows.Add(numbers);
+        }
+        return rows.ToArray();
     }
+
+    private static bool IsBracketed(string text) => text.Length >= 2 && text[0] == '[' && text[text.Length - 1] == ']';
 }

@@ -13,7 +13,7 @@ internal static class WallSteps
         var settings = island.Rules.Settings;
         var below = layer.BelowHanging(island.Region);
         var overhangs = below is null ? null : OverhangSplitter.For(island.Rules, below, engine);
-        var air = below is null ? null : new LineClipper(below.Index, outside: true);
+        var air = below is null ? null : new LineClipper(Held(below, island.Rules, engine).Index, outside: true);
         var group = new StepGroup(layer.Number, number, StepRank.Walls);
         for (var i = 0; i < island.Walls.Count; i++)
         {
@@ -44,6 +44,10 @@ internal static class WallSteps
             for (var i = 0; i < paths.Length; i++) steps.Add(new PathStep(paths[i], group) { Region = island.Region, Joined = i > 0 });
         }
     }
+
+    // Where a strand touches the layer below at all: half of its width farther than its center line may lie.
+    private static Region Held(Region below, SliceRules rules, RegionEngine engine)
+        => below.Offset(rules.Width / 2, JoinStyle.Miter, 2, 0.01, engine);
 
     private static PrintPath Path(LayerWork layer, SliceRules rules, WallPath wall, int number)
     {

@@ -50,6 +50,20 @@ public static class ModelCheck
     }
 
     /// <summary>
+    /// Whether models are larger than the build volume by more than the strands may keep away from the outline, so that the check of the finished print
+    /// (<c>bed.outside</c>) is bound to refuse them wherever they stand.
+    /// </summary>
+    public static bool IsHopeless(IReadOnlyList<NamedMesh> models, PrintSetup setup)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        if (setup.Printer.CheckSeverities.Count > 0) return false;
+        var (box, bed) = (ModelPlacement.BoxOf(models), setup.Printer.BuildBounds);
+        var spare = 4 * Math.Max(setup.Settings.LineWidth, setup.Settings.LayerHeight);
+        return !box.IsEmpty && (box.Size.X > bed.Size.X + spare || box.Size.Y > bed.Size.Y + spare || box.Size.Z > bed.Size.Z + spare);
+    }
+
+    /// <summary>
     /// For models that are printed one after the other, the lowest first: errors <c>models.no_clearance</c> where the head would touch a model that
     /// stands already.
     /// </summary>

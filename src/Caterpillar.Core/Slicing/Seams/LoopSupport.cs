@@ -12,13 +12,21 @@ internal sealed class LoopSupport
     private readonly List<(double From, double To)> _air;
     private readonly double _length;
 
-    private LoopSupport(List<(double From, double To)> air, double length)
+    private LoopSupport(List<(double From, double To)> air, double length, double over)
     {
         _air = air;
         _length = length;
+        Share = 1 - over / length;
+        IsNowhere = over > length - 1e-6;
     }
 
-    /// <summary>The parts of a loop, or null where all of it, or nothing, is supported.</summary>
+    /// <summary>How much of the loop lies on something, 0 to 1.</summary>
+    public double Share { get; }
+
+    /// <summary>Whether all of the loop lies over air.</summary>
+    public bool IsNowhere { get; }
+
+    /// <summary>The parts of a loop, or null where all of it is supported.</summary>
     /// <param name="loop">The loop.</param>
     /// <param name="below">Cuts lines to what is outside of the layer below.</param>
     public static LoopSupport? Of(Vec3[] loop, LineClipper below)
@@ -42,12 +50,13 @@ internal sealed class LoopSupport
             }
             done += length;
         }
-        return air.Count == 0 || over > done - 1e-6 ? null : new LoopSupport(air, done);
+        return air.Count == 0 ? null : new LoopSupport(air, done, over);
     }
 
     /// <summary>The place nearest to another, along the loop, from which the strand lies on something on both sides.</summary>
     public LoopPlace Near(Vec3[] loop, LoopPlace wanted)
     {
+        if (IsNowhere) return wanted;
         var at = wanted.T * (loop[wanted.Segment + 1 == loop.Length ? 0 : wanted.Segment + 1] - loop[wanted.Segment]).LengthXY;
         for (var i = 0; i < wanted.Segment; i++) at += (loop[i + 1] - loop[i]).LengthXY;
         double best = at, bestMargin = -1, bestMoved = 0;

@@ -17,10 +17,14 @@ internal sealed class SeamPlacer(Body body)
     private const double Reach = 2;
     private const double ReachShare = 0.1;
 
+    // Where less than this share of a loop is held, and its seam would go farther than this to get there, mm, it stays in line with those below in the air.
+    private const double HardlyHeld = 0.25;
+    private const double Hop = 2;
+
     private List<Seam> _below = [];
 
-    // The seam of an outer wall, and on which side of it the part lies.
-    private readonly record struct Seam(Vec3 Point, bool IsHole);
+    // The seam of an outer wall, on which side of it the part lies, and whether it lies over air.
+    private readonly record struct Seam(Vec3 Point, bool IsHole, bool InAir);
 
     /// <summary>The next layer, its loops beginning at their seams.</summary>
     public SlicedLayer Next(LayerWork work, SlicedLayer layer)
@@ -60,20 +64,28 @@ internal sealed class SeamPlacer(Body body)
         for (var i = 0; i < loops.Length; i++)
         {
             var loop = loops[i];
-            Vec3? below = matches is not null && matches[i] >= 0 ? _below[matches[i]].Point : null;
+            Seam? followed = matches is not null && matches[i] >= 0 ? _below[matches[i]] : null;
+            var below = followed?.Point;
             var support = chains[i].SupportOf(chains[i].Outer);
             var painted = Painted(loop, work);
             places[i] = painted ?? settings.SeamPosition switch
             {
-                SeamPosition.Nearest => support is null ? null : LoopPlace.AtVertex(loop, 0),
+                SeamPosition.Nearest => support is null or { IsNowhere: true } ? null : LoopPlace.AtVertex(loop, 0),
                 SeamPosition.Rear => LoopPlace.Nearest(loop, Rear()),
                 SeamPosition.Point => LoopPlace.Nearest(loop, settings.SeamPoint),
                 SeamPosition.Random => Anywhere(loop, settings.SeamSeed, work.Index, i),
                 SeamPosition.Corner => BestCorner(loop, below, arm),
                 _ => below is { } seam ? Above(loop, seam, arm) : BestCorner(loop, null, arm),
             };
-            if (support is not null && places[i] is { } chosen && painted is null) places[i] = support.Near(loop, chosen);
-            if (places[i] is { } place) seams.Add(new Seam(place.Point, IsHole(loop)));
+            var inAir = support is { IsNowhere: true };
+            if (support is not null && places[i] is { } chosen && painted is null)
+            {
+                var held = support.Near(loop, chosen);
+                inAir |= followed is { InAir: true } && settings.SeamPosition == SeamPosition.Aligned && support.Share < HardlyHeld
+                    && held.Point.DistanceTo(chosen.Point) > Hop;
+                if (!inAir) places[i] = held;
+            }
+            if (places[i] is { } place) seams.Add(new Seam(place.Point, IsHole(loop), inAir));
         }
         _below = seams;
     }

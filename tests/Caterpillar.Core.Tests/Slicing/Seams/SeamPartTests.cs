@@ -80,7 +80,10 @@ public class SeamPartTests
         support = LoopSupport.Of(Square, new LineClipper(both.Index, outside: true))!;
         Assert.That(support.Near(Square, LoopPlace.AtLength(Square, 6)).Point.DistanceTo(new Vec3(0, 7, 1)), Is.LessThan(1e-3));
         Assert.That(LoopSupport.Of(Square, new LineClipper(Region.Rectangle(-1, -1, 11, 11).Index, outside: true)), Is.Null, "all is supported");
-        Assert.That(LoopSupport.Of(Square, new LineClipper(Region.Rectangle(50, 50, 51, 51).Index, outside: true)), Is.Null, "nothing is");
+        var nothing = LoopSupport.Of(Square, new LineClipper(Region.Rectangle(50, 50, 51, 51).Index, outside: true))!;
+        Assert.That((nothing.IsNowhere, nothing.Share), Is.EqualTo((true, 0.0)), "nothing is");
+        Assert.That(nothing.Near(Square, LoopPlace.AtLength(Square, 6)), Is.EqualTo(LoopPlace.AtLength(Square, 6)));
+        Assert.That((support.IsNowhere, support.Share), Is.EqualTo((false, (10 + 1) / 40.0)));
     }
 
     [Test]

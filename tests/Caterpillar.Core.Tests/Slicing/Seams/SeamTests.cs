@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;
@@ -68,13 +69,13 @@ public class SeamTests
     public void No_seam_lies_over_air([Values(SeamPosition.Aligned, SeamPosition.Corner, SeamPosition.Rear, SeamPosition.Point, SeamPosition.Random,
         SeamPosition.Nearest)] SeamPosition position)
     {
-        // The slab reaches 10 mm over the block on two sides; three of its corners are in the air.
+        // The slab reaches 10 mm over the block on two sides; three of its corners are in the air. A strand touches the block up to 20.2 mm.
         var settings = At(position) with { SeamPoint = new Vec3(50, 50) };
         var layers = Solids.Slice(settings, Solids.Block(0, 0, 0, 20, 20, 2), Solids.Block(0, 0, 2, 30, 30, 4));
         var first = layers[10].Steps.Select(s => s.Path).Where(p => p.IsClosed).ToArray();
         Assert.That(first, Has.Length.EqualTo(2), "two walls");
         foreach (var wall in first)
-            Assert.That(Math.Max(wall.Start.X, wall.Start.Y), Is.LessThanOrEqualTo(19 + 1e-6), $"{wall.Role} begins at {wall.Start}");
+            Assert.That(Math.Max(wall.Start.X, wall.Start.Y), Is.LessThanOrEqualTo(19.2 + 1e-6), $"{wall.Role} begins at {wall.Start}");
     }
 
     [Test]
@@ -151,6 +152,46 @@ public class SeamTests
         Assert.That(Solids.Volume(layers), Is.EqualTo(Solids.Volume(Solids.Slice(Bare, EllSolid))).Within(0.01).Percent);
     }
 
+    [Test]
+    public void The_seam_of_a_ball_hops_only_where_its_wall_leaves_the_air()
+    {
+        // Circles around Z, joined by quads; the poles are the first and the last vertex.
+        const int Around = 96, Up = 48;
+        var points = new List<Vec3> { new(0, 0, 0) };
+        var corners = new List<int>();
+        for (var t = 1; t < Up; t++)
+        {
+            var (ring, height) = Angle.SinCos(180.0 * t / Up);
+            for (var i = 0; i < Around; i++)
+            {
+                var (y, x) = Angle.SinCos(360.0 * i / Around);
+                points.Add(new Vec3(20 * ring * x, 20 * ring * y, 20 - 20 * height));
+            }
+        }
+        points.Add(new Vec3(0, 0, 40));
+        for (var i = 0; i < Around; i++)
+        {
+            var j = (i + 1) % Around;
+            corners.AddRange([0, 1 + j, 1 + i]);
+            for (var t = 0; t + 2 < Up; t++)
+            {
+                var (a, b) = (1 + t * Around + i, 1 + t * Around + j);
+                corners.AddRange([a, b, b + Around, a, b + Around, a + Around]);
+            }
+            corners.AddRange([1 + (Up - 2) * Around + i, 1 + (Up - 2) * Around + j, points.Count - 1]);
+        }
+        var ball = TriMesh.Create([.. points], [.. corners]);
+        Assert.That(ball.IsWatertight && ball.Volume > 33000);
+        var result = PlanarSlicer.Slice([new NamedMesh("ball", ball)], new PrintSettings { InfillPercent = 0, MinLayerTime = 0 });
+        var seams = result.Value!.Layers.Select(l => Seams([l])).Where(s => s.Length > 0).ToArray();
+        for (var i = 1; i < seams.Length; i++)
+        {
+            if (seams[i][0].Z < 2.5) continue;
+            foreach (var seam in seams[i])
+                Assert.That(seams[i - 1].Min(b => b.WithZ(0).DistanceTo(seam.WithZ(0))), Is.LessThan(2), $"at z {seam.Z}");
+        }
+    }
+
     [TestCase("meshes/torus.obj")]
     [TestCase("meshes/spot.obj")]
     [TestCase("meshes/homer.stl")]
@@ -171,6 +212,21 @@ public class SeamTests
         Assert.That(jumps[jumps.Count / 2], Is.LessThan(0.2));
     }
 
+    [TestCase("0,20,5,3; 1,2,3,4")]
+    [TestCase("[0, 20, 5, 3]; [1, 2, 3, 4]")]
+    [TestCase("[[0,20,5,3],[1,2,3,4]]")]
+    [TestCase(" [ [0, 20, 5, 3] , [1, 2, 3, 4] ] ")]
+    public void Marks_are_rows_with_or_without_brackets(string text)
+    {
+        var setup = new PrintSetup().With("seam_marks_mm=" + text);
+        Assert.That(setup.Diagnostics, Is.Empty);
+        Assert.That(setup.Value!.Settings.SeamMarks.Select(m => (m.Place, m.Radius)),
+            Is.EqualTo(new[] { (new Vec3(0, 20, 5), 3.0), (new Vec3(1, 2, 3), 4.0) }));
+        Assert.That(new PrintSetup().With("seam_marks_mm=[]").Value!.Settings.SeamMarks, Is.Empty);
+    }
+
+    [TestCase("seam_marks_mm=[[1,2,3,4]", "seam_marks_mm")]
+    [TestCase("seam_marks_mm=[1,2],[3,4]", "seam_marks_mm")]
     [TestCase("seam_position=somewhere", "seam_position")]
     [TestCase("seam_marks_mm=1,2,3,0", "seam_marks_mm")]
     [TestCase("seam_marks_mm=1,2,3", "seam_marks_mm")]
