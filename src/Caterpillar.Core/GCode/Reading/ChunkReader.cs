@@ -41,7 +41,7 @@ internal static class ChunkReader
             GCodeDocument.Cut(buffer, cut, chunks);
             foreach (var chunk in chunks) yield return chunk;
             if (last) yield break;
-            var next = new byte[Math.Max(Math.Min(bufferSize, buffer.Length * 4L), Math.Min((count - cut) * 2L, largest))];
+            var next = Buffers.Unfilled<byte>((int)Math.Max(Math.Min(bufferSize, buffer.Length * 4L), Math.Min((count - cut) * 2L, largest)));
             Buffer.BlockCopy(buffer, cut, next, 0, count - cut);
             count -= cut;
             buffer = next;

@@ -1,4 +1,5 @@
 using System;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
@@ -68,17 +69,17 @@ internal sealed class ToolpathColumns
 
     public ToolpathColumns(int capacity)
     {
-        X = new double[capacity];
-        Y = new double[capacity];
-        Z = new double[capacity];
-        E = new double[capacity];
-        Deposited = new double[capacity];
-        Speed = new double[capacity];
-        Kind = new MoveKind[capacity];
-        Role = new Role[capacity];
-        Tool = new short[capacity];
-        Layer = new int[capacity];
-        Source = new int[capacity];
+        X = Buffers.Unfilled<double>(capacity);
+        Y = Buffers.Unfilled<double>(capacity);
+        Z = Buffers.Unfilled<double>(capacity);
+        E = Buffers.Unfilled<double>(capacity);
+        Deposited = Buffers.Unfilled<double>(capacity);
+        Speed = Buffers.Unfilled<double>(capacity);
+        Kind = Buffers.Unfilled<MoveKind>(capacity);
+        Role = Buffers.Unfilled<Role>(capacity);
+        Tool = Buffers.Unfilled<short>(capacity);
+        Layer = Buffers.Unfilled<int>(capacity);
+        Source = Buffers.Unfilled<int>(capacity);
     }
 
     public int Capacity => X.Length;
