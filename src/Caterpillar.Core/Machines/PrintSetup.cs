@@ -72,6 +72,9 @@ public sealed record PrintSetup
         if (Printer.ExtrusionUnit != ExtrusionUnit.None && Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight) > Printer.NozzleDiameter)
             diagnostics.Add(Severity.Warning, "setup.high_layer", "The layer height exceeds the nozzle diameter: strands will hardly bond to each other.",
                 new SourceLocation(Key: "layer_height_mm"));
+        if (Settings.AdaptiveLayers && Settings.AdaptiveMinHeight > Settings.AdaptiveMaxHeight)
+            diagnostics.Add(Severity.Error, "setup.adaptive_heights", "adaptive_min_height_mm is greater than adaptive_max_height_mm.",
+                new SourceLocation(Key: "adaptive_min_height_mm"));
         if (Printer.FirmwareRetraction && !Printer.Dialect.FirmwareRetraction)
             diagnostics.Add(Severity.Error, "setup.no_firmware_retraction", $"{Printer.Dialect.Title} has no firmware retraction.",
                 new SourceLocation(Key: "firmware_retraction"));

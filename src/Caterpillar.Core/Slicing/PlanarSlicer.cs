@@ -81,6 +81,12 @@ public static class PlanarSlicer
         }
         var helpers = models.Where(m => m.Settings.ModelUse != ModelUse.Part).ToArray();
         if (helpers.Length > 0) models = models.Where(m => m.Settings.ModelUse == ModelUse.Part).ToArray();
+        if (models.All(m => m.Settings.Support == SupportKind.None) && helpers.FirstOrDefault(m => m.Settings.ModelUse != ModelUse.Modifier) is { } idle)
+        {
+            findings.Add(new Diagnostic(Severity.Warning, "slice.no_support",
+                "It changes nothing, for there are no supports: support=grid or tree builds them, with support_angle_deg=90 only in enforcers.",
+                new SourceLocation(idle.Mesh.Name)));
+        }
         if (common.MergeOverlapping) models = OverlappingModels.Merge(models, threads, problems, cancel);
         var modifiers = new Modifiers(helpers.Where(m => m.Settings.ModelUse == ModelUse.Modifier).ToArray());
         var bodies = new List<Body>();

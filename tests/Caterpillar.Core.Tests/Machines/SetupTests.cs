@@ -47,6 +47,9 @@ public class SetupTests
     [TestCase("layer_height_mm=-1", "profile.out_of_range", "0.001")]
     [TestCase("layer_height_mm=NaN", "profile.wrong_kind", "NaN")]
     [TestCase("title=x", "profile.unknown_key", "title")]
+    [TestCase("layer_ranges_mm=12,10,0.1", "profile.out_of_range", "not from 12 to 10 mm")]
+    [TestCase("layer_ranges_mm=10,12,0", "profile.out_of_range", "0.001")]
+    [TestCase("layer_ranges_mm=[[11,14,0.3],[10,12,0.1]]", "profile.out_of_range", "two ranges for 11 to 12 mm")]
     [TestCase("brim=5", "profile.unknown_key", "did you mean brim_side, brim_gap_mm or brim_width_mm?")]
     [TestCase("wall_line_count=3", "profile.unknown_key", "did you mean wall_count?")]
     [TestCase("walls=3", "profile.unknown_key", "wall_count")]
@@ -64,6 +67,15 @@ public class SetupTests
         Assert.That(error.Code, Is.EqualTo(code));
         Assert.That(error.Message, Does.Contain(word));
         Assert.That(error.Source!.Key, Is.Not.Null);
+    }
+
+    [Test]
+    public void The_least_adaptive_height_may_not_exceed_the_greatest()
+    {
+        var setup = new PrintSetup().With("adaptive_min_height_mm=0.3", "adaptive_max_height_mm=0.1").Value!;
+        Assert.That(setup.Check(), Is.Empty, "it is not used");
+        var error = (setup with { Settings = setup.Settings with { AdaptiveLayers = true } }).Check().Single();
+        Assert.That((error.Severity, error.Code), Is.EqualTo((Severity.Error, "setup.adaptive_heights")));
     }
 
     [Test]

@@ -14,7 +14,9 @@ internal static class LayerKeys
         ("middle", Machines.LayerCut.Middle), ("bottom", Machines.LayerCut.Bottom));
 
     public static readonly ProfileKey<PrintSettings, ValueList<LayerRange>> LayerRanges = new(
-        "layer_ranges_mm", new RowsFormat<LayerRange>(["from", "to", "thickness"], 0, 1000, 0, 100_000, LayerRange.Of, r => [r.From, r.To, r.Thickness]),
+        "layer_ranges_mm",
+        new RowsFormat<LayerRange>(
+            ["from", "to", "thickness"], 0, 1000, 0, 100_000, LayerRange.Of, r => [r.From, r.To, r.Thickness], LayerRange.Problem),
         s => s.LayerRanges, (s, v) => s with { LayerRanges = v },
         "Heights between which layers have a thickness of their own: a list of [from, to, thickness].");
 

@@ -3,7 +3,24 @@ namespace Caterpillar.Machines;
 /// <summary>Heights in mm between which layers have a thickness of their own.</summary>
 public readonly record struct LayerRange(double From, double To, double Thickness)
 {
-    internal static LayerRange? Of(double[] n) => n[0] < n[1] && n[2] >= 0.001 ? new LayerRange(n[0], n[1], n[2]) : null;
+    internal static LayerRange? Of(double[] n) => new LayerRange(n[0], n[1], n[2]);
+
+    internal static string? Problem(ValueList<LayerRange> ranges)
+    {
+        for (var i = 0; i < ranges.Count; i++)
+        {
+            var range = ranges[i];
+            if (!(range.From < range.To)) return $"must go upwards, not from {RawValues.Number(range.From)} to {RawValues.Number(range.To)} mm";
+            if (!(range.Thickness >= 0.001)) return "must have thicknesses of at least 0.001 mm";
+            for (var k = 0; k < i; k++)
+            {
+                if (range.From >= ranges[k].To || ranges[k].From >= range.To) continue;
+                return $"has two ranges for {RawValues.Number(System.Math.Max(range.From, ranges[k].From))} to "
+                    + $"{RawValues.Number(System.Math.Min(range.To, ranges[k].To))} mm";
+            }
+        }
+        return null;
+    }
 }
 
 /// <summary>How walls are printed of which at least a percentage of the width hangs over the layer below.</summary>

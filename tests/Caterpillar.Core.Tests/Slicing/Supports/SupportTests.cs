@@ -151,6 +151,20 @@ public class SupportTests
         Assert.That(layers.Any(l => Solids.Paths(l, Roles).Length > 0), Is.EqualTo(held));
     }
 
+    [TestCase(SupportKind.None, 1)]
+    [TestCase(SupportKind.Grid, 0)]
+    public void Blockers_and_enforcers_without_supports_are_named(SupportKind kind, int warnings)
+    {
+        var part = Solids.Block(0, 0, 0, 10, 10, 2);
+        var settings = new PrintSettings { Support = kind, MinLayerTime = 0 };
+        var result = PlanarSlicer.SliceEach(
+            [new SliceModel(new NamedMesh("part", part), settings),
+                new SliceModel(new NamedMesh("body", part), settings with { ModelUse = ModelUse.SupportEnforcer })],
+            settings);
+        Assert.That(result.Diagnostics.Count(d => d.Code == "slice.no_support" && d.Source!.ToString() == "body"), Is.EqualTo(warnings));
+        Assert.That(result.Value!.Layers, Is.Not.Empty);
+    }
+
     [Test]
     public void Blockers_and_enforcers_are_bodies()
     {
