@@ -52,18 +52,17 @@ internal sealed class CollisionCheck
         var tolerance = prints ? Math.Max(Flush, height / 2) : Flush;
         // One finding for a move, also for the chords of an arc.
         if (move.Index == _hit || IsAbove(move, tolerance)) return;
-        // What is fresh at its start is not any more farther on.
-        var at = move.Start;
         _digs = null;
+        if (Hits(move, move.Start, move.End, tolerance, prints)) return;
+        // What is fresh at its start is not any more farther on.
         for (var piece = 1; piece <= PrintedSoFar.FreshPieces && piece * _printed.FreshPiece < move.Length; piece++)
         {
-            var next = Vec3.Lerp(move.Start, move.End, piece * _printed.FreshPiece / move.Length);
-            if (Hits(move, at, next, tolerance, prints)) return;
-            _printed.Advance(piece * _printed.FreshPiece);
-            at = next;
+            var at = Vec3.Lerp(move.Start, move.End, piece * _printed.FreshPiece / move.Length);
+            var count = _printed.Advance(piece * _printed.FreshPiece);
+            if (count > 0 && MeetsLast(count, move, at, tolerance, prints)) return;
         }
         // Where it goes through something farther on, that is to be told.
-        if (!Hits(move, at, move.End, tolerance, prints) && _digs is { } digs) Digs(move, digs.From, digs.To, tolerance);
+        if (_digs is { } digs) Digs(move, digs.From, digs.To, tolerance);
     }
 
     // Above all that is printed, also by this time: most moves of a flat print.
@@ -71,39 +70,50 @@ internal sealed class CollisionCheck
         => _clips is null && !(Math.Max(_printed.Highest, _printed.Object?.Lines.Highest ?? double.NegativeInfinity) > Math.Min(move.Start.Z, move.End.Z)
             + tolerance + _lowest);
 
+    // All that is there at the start of a move.
     private bool Hits(in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints)
     {
-        if (!Check(move, a, b, tolerance, prints)) return false;
-        _hit = move.Index;
-        return true;
-    }
-
-    private bool Check(in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints)
-    {
-        var hit = false;
-        if (_clips is not null) hit |= Clips(move, a, b);
+        var hit = _clips is not null && Clips(move, a, b);
         hit |= Meets(_printed.Deposit, move, a, b, tolerance, prints);
         if (_printed.Object is { } thing) hit |= Meets(thing.Lines, move, a, b, tolerance, prints);
+        if (hit) _hit = move.Index;
         return hit;
     }
 
     private bool Meets(Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints)
     {
+        if (!(deposit.Highest > Math.Min(a.Z, b.Z) + tolerance + _lowest)) return false;
+        var contact = deposit.Meets(a, b, tolerance, _printed.Head, _digs is not null, out var strand);
+        return Nozzle(contact, deposit, move, a, b, tolerance, prints, strand) | Boxes(deposit, deposit.Highest, move, a, b, tolerance);
+    }
+
+    // The rest of a move, against the last pieces that were fresh at its start.
+    private bool MeetsLast(int count, in CheckedMove move, Vec3 at, double tolerance, bool prints)
+    {
+        var top = _printed.TopOfLast(count);
+        if (!(top > Math.Min(at.Z, move.End.Z) + tolerance + _lowest)) return false;
+        var contact = _printed.MeetsLast(count, at, move.End, tolerance, _digs is not null, out var strand);
+        if (!(Nozzle(contact, _printed.Deposit, move, at, move.End, tolerance, prints, strand) | Boxes(_printed.Deposit, top, move, at, move.End, tolerance)))
+            return false;
+        _hit = move.Index;
+        return true;
+    }
+
+    private bool Nozzle(HeadContact contact, Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints, int strand)
+    {
+        if (contact == HeadContact.Digs) _digs = (a, b);
+        if (contact != HeadContact.Hits) return false;
+        Report(prints ? CheckCodes.NozzleHits : CheckCodes.TravelHits, deposit, move, a, b, tolerance, strand);
+        return true;
+    }
+
+    private bool Boxes(Deposit deposit, double top, in CheckedMove move, Vec3 a, Vec3 b, double tolerance)
+    {
         var hit = false;
         var low = Math.Min(a.Z, b.Z) + tolerance;
-        if (deposit.Highest > low)
-        {
-            var contact = deposit.Meets(a, b, tolerance, _printed.Head, _digs is not null, out var strand);
-            if (contact == HeadContact.Digs) _digs = (a, b);
-            if (contact == HeadContact.Hits)
-            {
-                hit = true;
-                Report(prints ? CheckCodes.NozzleHits : CheckCodes.TravelHits, deposit, move, a, b, tolerance, strand);
-            }
-        }
         foreach (var (box, code) in _boxes)
         {
-            if (!(deposit.Highest > low + box.Min.Z) || !deposit.MeetsBox(a, b, tolerance, box, out var tag)) continue;
+            if (!(top > low + box.Min.Z) || !deposit.MeetsBox(a, b, tolerance, box, out var tag)) continue;
             hit = true;
             ReportBox(code, deposit, move, a, tag);
         }

@@ -67,16 +67,51 @@ internal sealed class PrintedSoFar
 
     /// <summary>The motion goes on from here.</summary>
     /// <param name="ahead">mm beyond the end of the last move.</param>
-    public void Advance(double ahead)
+    /// <returns>Number of pieces that are no longer fresh.</returns>
+    public int Advance(double ahead)
     {
+        var first = _oldest;
         while (_oldest < _newest && _fresh[_oldest].Distance + Lag <= _distance + ahead + 1e-9)
         {
             ref var strand = ref _fresh[_oldest++];
             var to = strand.To;
-            // Pieces of a line that stop to be fresh together are one strand.
+            // Pieces of a line are one strand, also where they stop to be fresh one after the other.
             while (_oldest < _newest && _fresh[_oldest].GoesOn && _fresh[_oldest].Distance + Lag <= _distance + ahead + 1e-9) to = _fresh[_oldest++].To;
-            Deposit.Add(strand.From, to, strand.Half, strand.Move);
+            if (strand.GoesOn) Deposit.GoOn(strand.From, to, strand.Half, strand.Move);
+            else Deposit.Add(strand.From, to, strand.Half, strand.Move);
         }
+        return _oldest - first;
+    }
+
+    /// <summary>Highest point of the pieces that are no longer fresh since the last call of <see cref="Advance"/>, mm.</summary>
+    /// <param name="count">What it returned.</param>
+    public double TopOfLast(int count)
+    {
+        var top = double.NegativeInfinity;
+        for (var i = _oldest - count; i < _oldest; i++) top = Math.Max(top, Math.Max(_fresh[i].From.Z, _fresh[i].To.Z));
+        return top;
+    }
+
+    /// <summary>What the head does to these pieces where its tip goes straight from a to b, as <see cref="Deposit.Meets"/> says it of all.</summary>
+    public HeadContact MeetsLast(int count, Vec3 a, Vec3 b, double tolerance, bool hitsOnly, out int move)
+    {
+        move = -1;
+        var excess = TopOfLast(count) - Math.Min(a.Z, b.Z) - tolerance;
+        if (!(excess > 0)) return HeadContact.None;
+        var query = new HeadQuery(a, b, tolerance, Head, hitsOnly);
+        query.Aim(excess);
+        for (var i = _oldest - count; i < _oldest; i++)
+        {
+            ref var piece = ref _fresh[i];
+            var strand = new Strand
+            {
+                Ax = piece.From.X, Ay = piece.From.Y, Az = piece.From.Z, Bx = piece.To.X, By = piece.To.Y, Bz = piece.To.Z, Half = piece.Half,
+            };
+            var hits = query.Meets(strand);
+            if (hits || (query.Digs && move < 0)) move = piece.Move;
+            if (hits) return HeadContact.Hits;
+        }
+        return query.Digs ? HeadContact.Digs : HeadContact.None;
     }
 
     /// <summary>A straight move has been made.</summary>

@@ -141,7 +141,7 @@ public class CollisionTests
             || d.Code == CheckCodes.DigsIn).ToArray();
         Assert.That(found.Select(d => (d.Code, d.Severity)), Is.EqualTo(new[] { (CheckCodes.DigsIn, Severity.Remark) }));
         Assert.That(found[0].Message,
-            Is.EqualTo("The flat of the nozzle digs into a slope beside it by more than 0.05 mm between (50, 50.4, 98.6) and (50, 50.4, 4.8)."));
+            Is.EqualTo("The flat of the nozzle digs into a slope beside it by more than 0.05 mm between (50, 50.4, 100) and (50, 50.4, 4.8)."));
     }
 
     [Test]

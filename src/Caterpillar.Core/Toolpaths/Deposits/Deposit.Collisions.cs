@@ -4,12 +4,11 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// What a head meets that goes straight from a to b, up or down as well. A slope is divided for each strand or cell that its lower end meets, until its pieces
-/// are almost level: nothing is missed.
+/// What a head and its boxes meet that go straight from a to b, up or down as well. Nothing is missed.
 /// </summary>
 public sealed partial class Deposit
 {
-    // Rise of a piece that counts as level, mm.
+    // Rise of a piece of the path of a box that counts as level, mm.
     private const double Level = 0.02;
 
     /// <summary>
@@ -98,20 +97,22 @@ public sealed partial class Deposit
             {
                 if (_bins[(row - _bottom) * _columns + column - _left] is not { } bin || !(bin.Top > z)) continue;
                 // All of the bin is at least so far away: only what is higher than the underside of the head there can be touched.
-                var away = Math.Sqrt(FlatSegment.SquareDistance(new Vec3((column + 0.5) * side, (row + 0.5) * side), a, b)) - side * 0.7072;
-                var above = z + query.Head.HeightAt(away);
-                if (!(bin.Top > above)) continue;
-                if (MeetsBin(bin, column, row, above, ref query, ref tag)) return true;
+                var center = new Vec3((column + 0.5) * side, (row + 0.5) * side);
+                var away = Math.Sqrt(FlatSegment.SquareDistance(center, query.From, query.To)) - side * 0.7072;
+                var above = query.Head.HeightAt(away);
+                if (!(bin.Top > z + above)) continue;
+                var low = query.LowestNear(center, query.Head.Reach(bin.Top - z) + side * 0.7072) + query.Tolerance;
+                if (bin.Top > low + above && MeetsBin(bin, column, row, low + above, low, ref query, ref tag)) return true;
             }
         }
         return false;
     }
 
-    private bool MeetsBin(DepositBin bin, int column, int row, double z, ref HeadQuery query, ref int tag)
+    private bool MeetsBin(DepositBin bin, int column, int row, double z, double low, ref HeadQuery query, ref int tag)
     {
         // Nothing in the bin is touched farther away.
-        var (a, b) = (query.From, query.To);
-        var reach = query.Head.Reach(bin.Top - Math.Min(a.Z, b.Z) - query.Tolerance);
+        var reach = query.Head.Reach(bin.Top - low);
+        query.Aim(bin.Top - low);
         for (var block = (bin.Count - 1) >> DepositBin.BlockBits; block >= 0; block--)
         {
             var first = block << DepositBin.BlockBits;
@@ -120,8 +121,8 @@ public sealed partial class Deposit
             {
                 if (!(bin.Entries[i].Top > z)) continue;
                 ref var strand = ref _store[bin.Entries[i].Strand];
-                if (strand.IsBeyond(a, b, reach + strand.Half)) continue;
-                var hits = Meets(strand, a, b, ref query);
+                if (strand.IsBeyond(query.From, query.To, reach + strand.Half)) continue;
+                var hits = query.Meets(strand);
                 if (hits || (query.Digs && tag < 0)) tag = strand.Tag;
                 if (hits) return true;
             }
@@ -130,38 +131,10 @@ public sealed partial class Deposit
         for (var i = 0; i < bin.Cells.Length; i++)
         {
             var top = Math.Min(bin.Cells[i].Top, bin.Dropped);
-            if (top > z && Meets(Center(column, row, i), top, query.From, query.To, ref query)) return true;
+            if (top > z && query.Meets(Strand.At(Center(column, row, i), top, _cell * 0.7072))) return true;
         }
         return false;
     }
-
-    private bool Meets(in Strand strand, in Vec3 a, in Vec3 b, ref HeadQuery query)
-    {
-        var z = Math.Min(a.Z, b.Z) + query.Tolerance;
-        if (!strand.Meets(a, b, z, query.Head, query.HitsOnly)) return false;
-        if (!IsLevel(a, b))
-        {
-            var middle = Vec3.Lerp(a, b, 0.5);
-            return Meets(strand, a, middle, ref query) || Meets(strand, middle, b, ref query);
-        }
-        return query.HitsOnly || strand.Meets(a, b, z, query.Head, true) || query.Dig();
-    }
-
-    private bool Meets(Vec3 cell, double top, Vec3 a, Vec3 b, ref HeadQuery query)
-    {
-        var excess = top - Math.Min(a.Z, b.Z) - query.Tolerance;
-        var square = FlatSegment.SquareDistance(cell, a, b);
-        if (!Reaches(excess, square, query.HitsOnly, query.Head)) return false;
-        if (!IsLevel(a, b))
-        {
-            var middle = Vec3.Lerp(a, b, 0.5);
-            return Meets(cell, top, a, middle, ref query) || Meets(cell, top, middle, b, ref query);
-        }
-        return query.HitsOnly || Reaches(excess, square, true, query.Head) || query.Dig();
-    }
-
-    private bool Reaches(double excess, double square, bool lenient, HeadShape head)
-        => head.AxisReach(excess, _cell * 0.7072, lenient) is >= 0 and var reach && square <= reach * reach;
 
     private bool MeetsBoxIn(DepositBin bin, int column, int row, Vec3 a, Vec3 b, double tolerance, Bounds box, out int tag)
     {
@@ -209,33 +182,4 @@ public sealed partial class Deposit
         high = Math.Min(high, Math.Max((min - a) / d, (max - a) / d));
         return low <= high;
     }
-
-    private struct HeadQuery(Vec3 from, Vec3 to, double tolerance, HeadShape head, bool hitsOnly)
-    {
-        public readonly Vec3 From = from;
-        public readonly Vec3 To = to;
-        public readonly double Tolerance = tolerance;
-        public readonly HeadShape Head = head;
-
-        // Once it digs, only hits are of interest.
-        public bool HitsOnly = hitsOnly;
-        public bool Digs;
-
-        public bool Dig()
-        {
-            Digs = HitsOnly = true;
-            return false;
-        }
-    }
-}
-
-/// <summary>What a head does to what is printed.</summary>
-internal enum HeadContact
-{
-    None,
-
-    /// <summary>Only the flat of its tip touches a slope of up to 45° beside it.</summary>
-    Digs,
-
-    Hits,
 }

@@ -28,6 +28,9 @@ public sealed partial class Deposit
     private int _left, _bottom, _columns, _rows;
     private double _outside = double.NegativeInfinity;
 
+    // The last strand, if all of it is inside; else −1.
+    private int _last = -1;
+
     /// <param name="cell">Side of a cell, mm; half the width of a strand or less.</param>
     /// <param name="keepDepth">Strands this far below the highest one of their bin are dropped, mm.</param>
     /// <exception cref="ArgumentOutOfRangeException">A length is not positive.</exception>
@@ -92,6 +95,7 @@ public sealed partial class Deposit
         var strand = new Strand { Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth, Tag = tag };
         Highest = Math.Max(Highest, strand.Top);
         var edge = MaxBins * DepositBin.Side * _cell;
+        _last = -1;
         if (IsOutside(from, halfWidth, edge) || IsOutside(to, halfWidth, edge))
         {
             _outside = Math.Max(_outside, strand.Top);
@@ -104,8 +108,24 @@ public sealed partial class Deposit
             }
             var (a, b) = (Vec3.Lerp(from, to, low), Vec3.Lerp(from, to, high));
             strand = strand with { Ax = a.X, Ay = a.Y, Az = a.Z, Bx = b.X, By = b.Y, Bz = b.Z };
+            Draw(_store.Add(strand), strand);
+            return;
         }
-        Draw(_store.Add(strand), strand);
+        Draw(_last = _store.Add(strand), strand);
+    }
+
+    /// <summary>The strand that was added last goes on in its line, at the same width, from its end to another.</summary>
+    internal void GoOn(Vec3 from, Vec3 to, double halfWidth, int tag)
+    {
+        if (_last < 0 || IsOutside(to, halfWidth, MaxBins * DepositBin.Side * _cell))
+        {
+            Add(from, to, halfWidth, tag);
+            return;
+        }
+        ref var whole = ref _store[_last];
+        (whole.Bx, whole.By, whole.Bz) = (to.X, to.Y, to.Z);
+        Highest = Math.Max(Highest, to.Z);
+        Draw(_last, whole with { Ax = from.X, Ay = from.Y, Az = from.Z });
     }
 
     /// <summary>
@@ -306,7 +326,7 @@ public sealed partial class Deposit
     private DepositCell[] Enter(int column, int row, int strand, double highest)
     {
         var bin = BinAt(column, row);
-        bin.Add(strand, _store, _keepDepth);
+        bin.Add(strand, highest, _store, _keepDepth);
         if (highest > bin.Top) Raise(bin, column, row, highest);
         return bin.Cells;
     }

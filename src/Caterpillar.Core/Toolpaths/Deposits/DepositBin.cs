@@ -35,13 +35,18 @@ internal sealed class DepositBin
         for (var i = 0; i < Cells.Length; i++) Cells[i].Top = Cells[i].Under = double.NegativeInfinity;
     }
 
-    public void Add(int strand, StrandStore store, double keepDepth)
+    /// <summary>A strand, or more of the last one, whose part here is up to <paramref name="top"/> mm high.</summary>
+    public void Add(int strand, double top, StrandStore store, double keepDepth)
     {
-        if (Count > 0 && Entries[Count - 1].Strand == strand) return;
+        if (Count > 0 && Entries[Count - 1].Strand == strand)
+        {
+            if (top > Entries[Count - 1].Top) Put(Count - 1, new DepositEntry { Strand = strand, Top = top });
+            return;
+        }
         if (Count == _compactAt) Compact(store, keepDepth);
         if (Count == Entries.Length) Array.Resize(ref Entries, Count * 2);
         store.Use(strand);
-        Put(Count++, new DepositEntry { Strand = strand, Top = store[strand].Top });
+        Put(Count++, new DepositEntry { Strand = strand, Top = top });
     }
 
     private void Compact(StrandStore store, double keepDepth)
@@ -74,7 +79,7 @@ internal sealed class DepositBin
     }
 }
 
-/// <summary>A strand in a bin. Its top is beside its number: most strands lie lower than what is asked for.</summary>
+/// <summary>A strand in a bin. The top of its part here is beside its number: most strands lie lower than what is asked for.</summary>
 internal struct DepositEntry
 {
     public double Top;

@@ -80,4 +80,19 @@ public sealed class HeadShape
         var inner = Reach(excess - FlatRadius);
         return Math.Min(reach + half, Math.Max(excess, inner < 0 ? 0 : inner + half));
     }
+
+    /// <summary>
+    /// A line that <see cref="AxisReach"/> does not exceed up to some height: its value for an excess of 0, its slope, and whether half the width of the
+    /// strand is to be added.
+    /// </summary>
+    internal (double Start, double Slope, bool AddsHalf) LineAbove(double excess, bool lenient)
+    {
+        lenient &= Reach(excess) <= 3 * FlatRadius;
+        if (lenient && excess <= FlatRadius) return (0, 1, false);
+        var shift = lenient ? FlatRadius : 0;
+        var slope = lenient ? 1 : (Reach(excess) - FlatRadius) / excess;
+        var start = Reach(excess - shift) - slope * excess;
+        for (var i = 0; i < _radii.Length && _heights[i] + shift < excess; i++) start = Math.Max(start, _radii[i] - slope * (_heights[i] + shift));
+        return (start, slope, true);
+    }
 }

@@ -15,6 +15,10 @@ internal struct Strand
 
     public readonly double Top => Math.Max(Az, Bz);
 
+    /// <summary>A disc.</summary>
+    public static Strand At(Vec3 center, double top, double half)
+        => new() { Ax = center.X, Ay = center.Y, Az = top, Bx = center.X, By = center.Y, Bz = top, Half = half };
+
     /// <summary>
     /// Highest top of the part whose footprint comes within a distance of a segment seen from above; negative infinity if none does.
     /// </summary>

@@ -1,0 +1,123 @@
+using System;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// Asks what a head meets that goes straight from one point to another, up or down as well, and remembers whether it digs into something. Never misses a
+/// strand; what rises by less than 0.02 mm counts as level.
+/// </summary>
+internal struct HeadQuery
+{
+    // Rise of a piece that counts as level, and length of one that counts as straight up, mm.
+    private const double Level = 0.02;
+    private const double Upright = 0.03;
+
+    // mm; far more than rounding.
+    private const double Same = 1e-9;
+
+    public readonly Vec3 From, To;
+
+    /// <summary>How deep it may touch strands, mm.</summary>
+    public readonly double Tolerance;
+    public readonly HeadShape Head;
+
+    /// <summary>What it only digs into does not count (any more).</summary>
+    public bool HitsOnly;
+    public bool Digs;
+
+    // The direction of the path seen from above, and its rise for each mm; none where it goes straight up.
+    private readonly double _ux, _uy, _rise;
+    private readonly bool _isUpright;
+
+    // What is farther from the line of the path than (start + slope * height above it) / shrink is out of reach.
+    private double _excess, _start, _slope, _shrink;
+    private bool _addsHalf;
+
+    public HeadQuery(Vec3 from, Vec3 to, double tolerance, HeadShape head, bool hitsOnly)
+    {
+        (From, To, Tolerance, Head, HitsOnly) = (from, to, tolerance, head, hitsOnly);
+        double dx = to.X - from.X, dy = to.Y - from.Y;
+        var length = Math.Sqrt(dx * dx + dy * dy);
+        _isUpright = length <= Upright;
+        if (!_isUpright) (_ux, _uy, _rise) = (dx / length, dy / length, (to.Z - from.Z) / length);
+    }
+
+    /// <summary>From now on strands up to so many mm above the lowest tip are shown.</summary>
+    public void Aim(double excess)
+    {
+        _excess = excess;
+        (_start, _slope, _addsHalf) = Head.LineAbove(excess, HitsOnly);
+        var cut = _slope * _rise;
+        _shrink = _isUpright || cut * cut >= 1 ? 0 : Math.Sqrt(1 - cut * cut);
+    }
+
+    /// <summary>
+    /// True where a strand is clearly out of reach of the endless line of the path: what the head reaches sideways of it grows with the height of a strand
+    /// above the slope on which it goes.
+    /// </summary>
+    public readonly bool IsPassed(in Strand strand)
+    {
+        if (!(_shrink > 0)) return false;
+        double ax = strand.Ax - From.X, ay = strand.Ay - From.Y, bx = strand.Bx - From.X, by = strand.By - From.Y;
+        double aside = ay * _ux - ax * _uy, bside = by * _ux - bx * _uy;
+        var level = From.Z + Tolerance;
+        double a = strand.Az - level - _rise * (ax * _ux + ay * _uy), b = strand.Bz - level - _rise * (bx * _ux + by * _uy);
+        var start = _addsHalf ? _start + strand.Half : _start;
+        if (Math.Max(a, b) <= -Math.Abs(_rise) * (start + _slope * _excess) - Same) return true;
+        if (Math.Abs(aside) * _shrink <= start + _slope * a + Same || Math.Abs(bside) * _shrink <= start + _slope * b + Same) return false;
+        // It crosses the line.
+        return aside > 0 == bside > 0 || start + _slope * (a + (b - a) * aside / (aside - bside)) < -Same;
+    }
+
+    /// <summary>True where it hits; digging is noted.</summary>
+    public bool Meets(in Strand strand)
+    {
+        if (IsPassed(strand)) return false;
+        if (!HitsOnly && !Touches(strand, From, To, false)) return false;
+        if (Touches(strand, From, To, true)) return true;
+        if (HitsOnly) return false;
+        Digs = HitsOnly = true;
+        Aim(_excess);
+        return false;
+    }
+
+    /// <summary>Lowest height of the tip within some distance of a point seen from above, mm.</summary>
+    public readonly double LowestNear(Vec3 p, double distance)
+    {
+        double dx = To.X - From.X, dy = To.Y - From.Y, rise = To.Z - From.Z;
+        var square = dx * dx + dy * dy;
+        if (rise == 0 || !(square > distance * distance)) return Math.Min(From.Z, To.Z);
+        var at = ((p.X - From.X) * dx + (p.Y - From.Y) * dy) / square;
+        var spread = distance / Math.Sqrt(square);
+        var t = rise > 0 ? at - spread : at + spread;
+        return From.Z + rise * Math.Min(1, Math.Max(0, t));
+    }
+
+    private readonly bool Touches(in Strand strand, Vec3 a, Vec3 b, bool lenient)
+    {
+        var low = Math.Min(a.Z, b.Z) + Tolerance;
+        if (Math.Abs(a.Z - b.Z) <= Level || (b - a).LengthXY <= Upright) return strand.Meets(a, b, low, Head, lenient);
+        var reach = Head.AxisReach(strand.Top - low, strand.Half, lenient);
+        if (!(reach >= 0) || strand.IsBeyond(a, b, reach)) return false;
+        var (start, slope, addsHalf) = Head.LineAbove(strand.Top - low, lenient);
+        if (addsHalf) start += strand.Half;
+        var pass = new SlopePass(strand, a, b, Tolerance, slope);
+        if (pass.Least > start + Same) return false;
+        if (pass.Distance <= Head.AxisReach(pass.Excess + Same, strand.Half, lenient)) return true;
+        // The reach is below the line there: shorter pieces have lower lines.
+        var middle = Vec3.Lerp(a, b, 0.5);
+        return Touches(strand, a, middle, lenient) || Touches(strand, middle, b, lenient);
+    }
+}
+
+/// <summary>What a head does to what is printed.</summary>
+internal enum HeadContact
+{
+    None,
+
+    /// <summary>Only the flat of its tip touches a slope of up to 45° beside it.</summary>
+    Digs,
+
+    Hits,
+}
