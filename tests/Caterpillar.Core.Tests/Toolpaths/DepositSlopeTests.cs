@@ -1,0 +1,197 @@
+using System;
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Toolpaths;
+
+/// <summary>What a head meets that goes up or down, and strands that are added piece by piece.</summary>
+public class DepositSlopeTests
+{
+    // A flat tip of 0.5 mm, a cone to 3 mm at 5 mm, a block of 20 mm from 8 mm on.
+    private static readonly HeadShape Head = new([(0.5, 0), (3, 5), (20, 8)]);
+
+    private static readonly HeadShape Cone = new([(0.5, 0), (10.5, 20)]);
+
+    // Beside a strand that rises as the tip does, by 1 in 2, and is 1 mm higher: d·√(1 − ¼²) = 0.5 + 0.2 + ½·1; 0.1 lower: 0.5 + 0.2 + ½·0.9.
+    [TestCase(1.2393, 0, 1, true)]
+    [TestCase(1.2395, 0, 1, false)]
+    [TestCase(-1.2393, 0, 1, true)]
+    [TestCase(-1.2395, 0, 1, false)]
+    [TestCase(1.1876, 0.1, 1, true)]
+    [TestCase(1.1878, 0.1, 1, false)]
+    // As high as the tip beside it, and higher farther on: 0.1 mm within 0.2 mm along the path; there d² + 0.2² = 0.7².
+    [TestCase(0.67, 0.1, 0, true)]
+    [TestCase(0.68, 0.1, 0, false)]
+    public void A_strand_beside_a_slope_is_met_by_its_height_above_it(double beside, double tolerance, double above, bool meets)
+    {
+        var deposit = new Deposit();
+        deposit.Add(new Vec3(0, 0, above), new Vec3(20, 0, 10 + above), 0.2, 3);
+        var (a, b) = (new Vec3(5, beside, 2.5), new Vec3(15, beside, 7.5));
+        Assert.That(deposit.Meets(a, b, tolerance, Cone, false, out var tag) != HeadContact.None, Is.EqualTo(meets));
+        Assert.That(deposit.Meets(b, a, tolerance, Cone, false, out _) != HeadContact.None, Is.EqualTo(meets), "the other way around");
+        Assert.That(tag, Is.EqualTo(meets ? 3 : -1));
+    }
+
+    // The tip comes down over the strand, and rises from there; over the strand it is lowest.
+    [TestCase(3.1, 0, false)]
+    [TestCase(3.0001, 0, false)]
+    [TestCase(2.9999, 0, true)]
+    [TestCase(2.9999, 0.001, false)]
+    public void A_slope_that_ends_over_a_strand_is_judged_by_its_end(double z, double tolerance, bool meets)
+    {
+        var deposit = new Deposit();
+        deposit.Add(new Vec3(5, -5, 3), new Vec3(5, 5, 3), 0.2, 3);
+        Assert.That(deposit.Meets(new Vec3(0, 0, 6), new Vec3(5, 0, z), tolerance, Head, true, out _) == HeadContact.Hits, Is.EqualTo(meets));
+        Assert.That(deposit.Meets(new Vec3(5, 0, z), new Vec3(10, 0, 6), tolerance, Head, true, out _) == HeadContact.Hits, Is.EqualTo(meets));
+    }
+
+    [Test]
+    public void Contacts_of_random_slopes_are_exact([Values(true, false)] bool hitsOnly)
+    {
+        var random = new Random(3);
+        var found = new int[2];
+        for (var round = 0; round < 1500; round++)
+        {
+            Vec3 p = Point(random, 2, 2), q = Point(random, 2, 2), a = Point(random, 2, 2), b = Point(random, 2, 2);
+            var half = 0.1 + 0.3 * random.NextDouble();
+            var deposit = new Deposit();
+            deposit.Add(p, q, half, 0);
+            var contact = deposit.Meets(a, b, 0.05, Head, hitsOnly, out _);
+            var depth = Depth(p, q, half, a, b, 0.05, hitsOnly, hitsOnly ? 0 : 1e-9);
+            // What is sampled is off by a few hundredths, and the reach jumps where a strand begins to be higher.
+            if (depth > 0.002) Assert.That(contact, Is.Not.EqualTo(HeadContact.None), $"round {round}: {depth}");
+            if (Depth(p, q, half, a, b, 0.02, hitsOnly, 0) < -0.05) Assert.That(contact, Is.EqualTo(HeadContact.None), $"round {round}: {depth}");
+            found[contact == HeadContact.None ? 0 : 1]++;
+        }
+        Assert.That(found, Is.All.GreaterThan(200));
+    }
+
+    [Test]
+    public void No_reach_is_above_its_line([Values(true, false)] bool lenient)
+    {
+        var random = new Random(5);
+        for (var round = 0; round < 300; round++)
+        {
+            double r = 0.2 + random.NextDouble(), h = 0;
+            var count = random.Next(1, 5);
+            var head = new HeadShape(Enumerable.Range(0, count).Select(i => (r += 0.1 + 3 * random.NextDouble(), i == 0 ? 0 : h += random.Next(4))).ToArray());
+            var excess = 0.01 + 12 * random.NextDouble() * random.NextDouble();
+            var half = 0.4 * random.NextDouble();
+            var (start, slope, addsHalf) = head.LineAbove(excess, lenient);
+            var least = double.PositiveInfinity;
+            for (var i = 1; i <= 500; i++)
+            {
+                var e = excess * i / 500;
+                least = Math.Min(least, start + slope * e + (addsHalf ? half : 0) - head.AxisReach(e, half, lenient));
+            }
+            Assert.That(least, Is.GreaterThan(-1e-9), $"round {round}");
+            if (!lenient) Assert.That(least, Is.LessThan(0.1 + 6 * excess / 500 * slope), $"round {round}: it touches the reach");
+        }
+    }
+
+    // excess, start, slope, half a width is added.
+    [TestCase(5, false, 0.5, 0.5, true)]
+    [TestCase(8, false, 0.5, 19.5 / 8, true)]
+    [TestCase(0.5, true, 0, 1, false)]
+    [TestCase(0.75, true, 0, 1, true)]
+    [TestCase(2, true, 0, 1, true)]
+    [TestCase(2.1, true, 0.5, 0.5, true)]
+    public void Lines_above_the_reach_are_tight(double excess, bool lenient, double start, double slope, bool addsHalf)
+    {
+        var line = Head.LineAbove(excess, lenient);
+        Assert.That(line.Start, Is.EqualTo(start).Within(1e-12));
+        Assert.That(line.Slope, Is.EqualTo(slope).Within(1e-12));
+        Assert.That(line.AddsHalf, Is.EqualTo(addsHalf));
+    }
+
+    // Down from 10 to 0 mm in 10 mm.
+    [TestCase(5, 3, 1, 4)]
+    [TestCase(5, 0, 2, 3)]
+    [TestCase(9, 0, 2, 0)]
+    [TestCase(-5, 0, 2, 10)]
+    [TestCase(5, 0, 10, 0)]
+    public void The_lowest_height_near_a_place_is_that_of_the_path_within_reach(double x, double y, double distance, double lowest)
+    {
+        var (a, b) = (new Vec3(0, 0, 10), new Vec3(10, 0, 0));
+        Assert.That(new HeadQuery(a, b, 0, Head, false).LowestNear(new Vec3(x, y), distance), Is.EqualTo(lowest).Within(1e-12));
+        Assert.That(new HeadQuery(b, a, 0, Head, false).LowestNear(new Vec3(x, y), distance), Is.EqualTo(lowest).Within(1e-12));
+    }
+
+    [Test]
+    public void A_strand_that_goes_on_is_one_and_lies_where_its_pieces_would()
+    {
+        var random = new Random(9);
+        for (var round = 0; round < 100; round++)
+        {
+            Vec3 a = Point(random, 6, 4), b = Point(random, 6, 4);
+            Vec3 first = Vec3.Lerp(a, b, random.NextDouble()), second = Vec3.Lerp(first, b, random.NextDouble());
+            var (whole, pieces) = (new Deposit(), new Deposit());
+            whole.Add(a, first, 0.3, 5);
+            whole.GoOn(first, second, 0.3, 5);
+            whole.GoOn(second, b, 0.3, 5);
+            pieces.Add(a, first, 0.3, 5);
+            pieces.Add(first, second, 0.3, 5);
+            pieces.Add(second, b, 0.3, 5);
+            Assert.That((whole.StrandCount, pieces.StrandCount), Is.EqualTo((1, 3)));
+            Assert.That(whole.Highest, Is.EqualTo(pieces.Highest));
+            for (var i = 0; i < 200; i++)
+            {
+                Vec3 p = Point(random, 7, 5), q = Point(random, 7, 5);
+                Assert.That(whole.CellAt(p.X, p.Y), Is.EqualTo(pieces.CellAt(p.X, p.Y)));
+                Assert.That(whole.TopAlong(p, q, 0.4), Is.EqualTo(pieces.TopAlong(p, q, 0.4)).Within(1e-9));
+                // What rises by less than 0.02 mm counts as level.
+                Assert.That(whole.Meets(p, q, 0.02, Head, false, out _), Is.LessThanOrEqualTo(pieces.Meets(p, q, 0, Head, false, out _)));
+                Assert.That(pieces.Meets(p, q, 0.02, Head, false, out _), Is.LessThanOrEqualTo(whole.Meets(p, q, 0, Head, false, out _)));
+            }
+        }
+    }
+
+    // One bin holds it twice as high as it began; twenty others in the same place fill a block of strands.
+    [Test]
+    public void A_strand_that_rises_as_it_goes_on_is_met_where_it_is_high([Values(0, 15, 20)] int before)
+    {
+        var deposit = new Deposit();
+        for (var i = 0; i < before; i++) deposit.Add(new Vec3(0.2, 1, 0.1), new Vec3(0.4, 1, 0.1), 0.1, i);
+        deposit.Add(new Vec3(0.2, 1, 0.1), new Vec3(0.4, 1, 0.1), 0.1, 50);
+        deposit.GoOn(new Vec3(0.4, 1, 0.1), new Vec3(1.4, 1, 3), 0.1, 50);
+        Assert.That(deposit.Highest, Is.EqualTo(3));
+        Assert.That(deposit.Meets(new Vec3(1.4, 1, 2.5), new Vec3(1.5, 1, 2.5), 0, Head, false, out var tag), Is.EqualTo(HeadContact.Hits));
+        Assert.That(tag, Is.EqualTo(50));
+    }
+
+    // 2 m from the origin cells end: all that is beyond has one height.
+    [Test]
+    public void A_strand_that_goes_on_to_far_outside_is_there_up_to_the_end_of_the_cells()
+    {
+        var deposit = new Deposit();
+        deposit.Add(new Vec3(2000, 0, 1), new Vec3(2010, 0, 1), 0.2, 5);
+        deposit.GoOn(new Vec3(2010, 0, 1), new Vec3(3000, 0, 1), 0.2, 5);
+        deposit.GoOn(new Vec3(3000, 0, 1), new Vec3(3001, 0, 7), 0.2, 5);
+        Assert.That(deposit.TopAlong(new Vec3(2020, 0), new Vec3(2021, 0), 0.1), Is.EqualTo(1));
+        Assert.That(deposit.TopAlong(new Vec3(2900, 0), new Vec3(2901, 0), 0.1), Is.EqualTo(7));
+        Assert.That(deposit.Highest, Is.EqualTo(7));
+    }
+
+    // The most by which some point of the strand is nearer than its reach.
+    private static double Depth(Vec3 p, Vec3 q, double half, Vec3 a, Vec3 b, double tolerance, bool lenient, double least)
+    {
+        const int Steps = 60;
+        var best = double.NegativeInfinity;
+        for (var i = 0; i <= Steps; i++)
+        {
+            var tip = Vec3.Lerp(a, b, (double)i / Steps);
+            for (var k = 0; k <= Steps; k++)
+            {
+                var top = Vec3.Lerp(p, q, (double)k / Steps);
+                var excess = top.Z - tip.Z - tolerance;
+                if (excess > least) best = Math.Max(best, Head.AxisReach(excess, half, lenient) - (top - tip).LengthXY);
+            }
+        }
+        return best;
+    }
+
+    private static Vec3 Point(Random random, double size, double high)
+        => new(random.NextDouble() * 2 * size - size, random.NextDouble() * 2 * size - size, random.NextDouble() * high);
+}
