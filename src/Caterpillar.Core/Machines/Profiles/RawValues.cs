@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Text.RegularExpressions;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
@@ -51,7 +52,7 @@ internal static class RawValues
         var inner = text.Trim();
         if (IsBracketed(inner) && (inner == "[]" || IsBracketed(inner.Substring(1, inner.Length - 2).Trim()))) inner = inner.Substring(1, inner.Length - 2);
         var rows = new List<object>();
-        foreach (var row in inner.Replace("],", "];").Replace("] ,", "];").Split(';'))
+        foreach (var row in Regex.Replace(inner, @"\]\s*,", "];").Split(';'))
         {
             if (row.Trim().Length == 0) continue;
             if (ParseNumbers(row) is not { } numbers) return null;
