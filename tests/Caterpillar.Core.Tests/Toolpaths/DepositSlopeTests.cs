@@ -106,17 +106,35 @@ public class DepositSlopeTests
         Assert.That(line.AddsHalf, Is.EqualTo(addsHalf));
     }
 
-    // Down from 10 to 0 mm in 10 mm.
-    [TestCase(5, 3, 1, 4)]
-    [TestCase(5, 0, 2, 3)]
+    // Down from 10 to 0 mm in 10 mm; the square has sides of 1 mm.
+    [TestCase(5, 3, 1, 3.5)]
+    [TestCase(5, 0, 2, 2.5)]
     [TestCase(9, 0, 2, 0)]
     [TestCase(-5, 0, 2, 10)]
     [TestCase(5, 0, 10, 0)]
-    public void The_lowest_height_near_a_place_is_that_of_the_path_within_reach(double x, double y, double distance, double lowest)
+    public void The_lowest_height_near_a_square_is_that_of_the_path_within_reach(double x, double y, double distance, double lowest)
     {
         var (a, b) = (new Vec3(0, 0, 10), new Vec3(10, 0, 0));
-        Assert.That(new HeadQuery(a, b, 0, Head, false).LowestNear(new Vec3(x, y), distance), Is.EqualTo(lowest).Within(1e-12));
-        Assert.That(new HeadQuery(b, a, 0, Head, false).LowestNear(new Vec3(x, y), distance), Is.EqualTo(lowest).Within(1e-12));
+        Assert.That(new HeadQuery(a, b, 0, Head, false).LowestNear(x, y, 0.5, distance), Is.EqualTo(lowest).Within(1e-12));
+        Assert.That(new HeadQuery(b, a, 0, Head, false).LowestNear(x, y, 0.5, distance), Is.EqualTo(lowest).Within(1e-12));
+        Assert.That(new HeadQuery(b, b, 0, Head, false).LowestNear(x, y, 0.5, distance), Is.Zero);
+        Assert.That(new HeadQuery(a, new Vec3(0, 0.02, 7), 0, Head, false).LowestNear(x, y, 0.5, distance), Is.EqualTo(7), "straight up");
+    }
+
+    // Along X from 0 to 10, and along a diagonal.
+    [TestCase(5, 3, 10, 0, 2.5)]
+    [TestCase(5, -3, 10, 0, 2.5)]
+    [TestCase(-2, 0, 10, 0, 1.5)]
+    [TestCase(13, 1, 10, 0, 2.5)]
+    [TestCase(5, 0.2, 10, 0, -0.3)]
+    [TestCase(5, 9, 10, 10, 2.1213203435596424)]
+    [TestCase(12, 12, 10, 10, 2.1213203435596424)]
+    [TestCase(0, 3, 0, 0, 2.5)]
+    public void Squares_are_at_least_so_far_from_a_path(double x, double y, double endX, double endY, double distance)
+    {
+        var (a, b) = (new Vec3(0, 0, 10), new Vec3(endX, endY, 0));
+        Assert.That(new HeadQuery(a, b, 0, Head, false).DistanceTo(x, y, 0.5), Is.EqualTo(distance).Within(1e-12));
+        Assert.That(new HeadQuery(b, a, 0, Head, false).DistanceTo(x, y, 0.5), Is.EqualTo(distance).Within(1e-12));
     }
 
     [Test]

@@ -97,11 +97,10 @@ public sealed partial class Deposit
             {
                 if (_bins[(row - _bottom) * _columns + column - _left] is not { } bin || !(bin.Top > z)) continue;
                 // All of the bin is at least so far away: only what is higher than the underside of the head there can be touched.
-                var center = new Vec3((column + 0.5) * side, (row + 0.5) * side);
-                var away = Math.Sqrt(FlatSegment.SquareDistance(center, query.From, query.To)) - side * 0.7072;
-                var above = query.Head.HeightAt(away);
+                double x = (column + 0.5) * side, y = (row + 0.5) * side;
+                var above = query.Head.HeightAt(query.DistanceTo(x, y, side / 2));
                 if (!(bin.Top > z + above)) continue;
-                var low = query.LowestNear(center, query.Head.Reach(bin.Top - z) + side * 0.7072) + query.Tolerance;
+                var low = query.LowestNear(x, y, side / 2, query.Head.Reach(bin.Top - z)) + query.Tolerance;
                 if (bin.Top > low + above && MeetsBin(bin, column, row, low + above, low, ref query, ref tag)) return true;
             }
         }

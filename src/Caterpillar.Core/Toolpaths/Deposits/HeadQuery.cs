@@ -26,8 +26,11 @@ internal struct HeadQuery
     public bool HitsOnly;
     public bool Digs;
 
-    // The direction of the path seen from above, and its rise for each mm; none where it goes straight up.
-    private readonly double _ux, _uy, _rise;
+    // The direction and length of the path seen from above, and its rise for each mm; none where it goes straight up.
+    private readonly double _ux, _uy, _length, _rise;
+
+    // Half the extent of a square in this direction, and across it, for half a side of 1.
+    private readonly double _spread;
     private readonly bool _isUpright;
 
     // What is farther from the line of the path than (start + slope * height above it) / shrink is out of reach.
@@ -38,9 +41,11 @@ internal struct HeadQuery
     {
         (From, To, Tolerance, Head, HitsOnly) = (from, to, tolerance, head, hitsOnly);
         double dx = to.X - from.X, dy = to.Y - from.Y;
-        var length = Math.Sqrt(dx * dx + dy * dy);
-        _isUpright = length <= Upright;
-        if (!_isUpright) (_ux, _uy, _rise) = (dx / length, dy / length, (to.Z - from.Z) / length);
+        _length = Math.Sqrt(dx * dx + dy * dy);
+        _isUpright = _length <= Upright;
+        (_ux, _uy) = _length > 0 ? (dx / _length, dy / _length) : (1, 0);
+        _spread = Math.Abs(_ux) + Math.Abs(_uy);
+        if (!_isUpright) _rise = (to.Z - from.Z) / _length;
     }
 
     /// <summary>From now on strands up to so many mm above the lowest tip are shown.</summary>
@@ -82,16 +87,22 @@ internal struct HeadQuery
         return false;
     }
 
-    /// <summary>Lowest height of the tip within some distance of a point seen from above, mm.</summary>
-    public readonly double LowestNear(Vec3 p, double distance)
+    /// <summary>How far a square around a center is from the path at least, seen from above; negative where it may be upon it. mm.</summary>
+    public readonly double DistanceTo(double x, double y, double half)
     {
-        double dx = To.X - From.X, dy = To.Y - From.Y, rise = To.Z - From.Z;
-        var square = dx * dx + dy * dy;
-        if (rise == 0 || !(square > distance * distance)) return Math.Min(From.Z, To.Z);
-        var at = ((p.X - From.X) * dx + (p.Y - From.Y) * dy) / square;
-        var spread = distance / Math.Sqrt(square);
-        var t = rise > 0 ? at - spread : at + spread;
-        return From.Z + rise * Math.Min(1, Math.Max(0, t));
+        x -= From.X;
+        y -= From.Y;
+        var along = x * _ux + y * _uy;
+        return Math.Max(Math.Abs(y * _ux - x * _uy), Math.Max(-along, along - _length)) - half * _spread;
+    }
+
+    /// <summary>Lowest height of the tip within some distance of such a square, mm.</summary>
+    public readonly double LowestNear(double x, double y, double half, double distance)
+    {
+        if (_rise == 0) return Math.Min(From.Z, To.Z);
+        var along = (x - From.X) * _ux + (y - From.Y) * _uy;
+        var far = distance + half * _spread;
+        return From.Z + _rise * Math.Min(_length, Math.Max(0, _rise > 0 ? along - far : along + far));
     }
 
     private readonly bool Touches(in Strand strand, Vec3 a, Vec3 b, bool lenient)
