@@ -86,7 +86,8 @@ public class SliceTests : CliFixture
         var run = Run("slice", "part.stl");
         Assert.That(run.Code, Is.EqualTo(3), run.Messages);
         Assert.That(run.Messages, Does.Contain("models.too_large").And.Contain("80 mm too long in X").And.Contain("error write.refused"));
-        Assert.That(run.Messages, Does.Not.Contain("bed.outside"), "nothing is sliced");
+        Assert.That(run.Messages, Does.Not.Contain("bed.outside").And.Not.Contain("--scale"), "nothing is sliced");
+        Assert.That(Run("slice", "part.stl", "--scale", "60").Messages, Does.Contain("--scale 60mm makes the longest side that long."));
         // Where it stands outside, but would fit, the finished print is looked at.
         File.WriteAllText("part.stl", Box(30, 10, 1));
         run = Run("slice", "part.stl", "--place", "0,0");

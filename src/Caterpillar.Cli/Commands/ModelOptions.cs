@@ -75,6 +75,11 @@ internal sealed class ModelOptions
     public string? Turns(ParseResult arguments)
         => arguments.GetValue(_scale) is not null ? "--scale" : arguments.GetValue(_rotate) is not null ? "--rotate" : MovesApart(arguments);
 
+    /// <summary>A sentence for those who may have meant a length by a large factor, or nothing.</summary>
+    public string ScaleAdvice(ParseResult arguments)
+        => arguments.GetValue(_scale)?.Trim() is { } text && NumberReader.TryParse(text, out var factor) && factor >= 5
+            ? $" --scale {text} is a factor; --scale {text}mm makes the longest side that long." : "";
+
     /// <summary>The models as they are printed. What does not fit is printed as a warning.</summary>
     /// <param name="models">The models.</param>
     /// <param name="isPart">Which of them are printed; the others keep their places to these.</param>

@@ -85,7 +85,8 @@ internal sealed class SliceVerb : Verb
         {
             if (!_write.Overrides(arguments) && ModelCheck.IsHopeless([.. models.Where(m => m.Settings.ModelUse == ModelUse.Part).Select(m => m.Mesh)], setup))
             {
-                session.Print([new Diagnostic(Severity.Error, "write.refused", "Nothing was sliced: it would not fit. --override slices it all the same.")]);
+                session.Print([new Diagnostic(Severity.Error, "write.refused",
+                    $"Nothing was sliced: it would not fit. --override slices it all the same.{_placing.ScaleAdvice(arguments)}")]);
                 throw new CliException(ExitCode.Refused);
             }
             var layers = Sliced(models, setup, arguments, pipeline, session);
