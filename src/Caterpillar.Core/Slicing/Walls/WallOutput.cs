@@ -11,6 +11,10 @@ internal sealed class WallOutput(WallRules rules)
     private const double OuterWidthShare = 0.015;
     private const double InnerWidthShare = 0.02;
 
+    // Largest change of width within a segment of an outer wall, so that its side is a fourth of that off at most, and the shortest piece of one; mm.
+    private const double LargestStep = 0.05;
+    private const double ShortestStep = 0.1;
+
     // mm; shorter moves would be lost when they are written.
     private const double Shortest = 0.004;
 
@@ -60,7 +64,9 @@ internal sealed class WallOutput(WallRules rules)
         var (kept, keptWidths) = PathThinning.Thin(points, widths, closed, tolerance, widthTolerance);
         (kept, keptWidths) = PathThinning.WithoutShort(kept, keptWidths, closed, Shortest);
         if (kept.Length < 2 || (closed && kept.Length < 3)) return;
+        var thinned = kept.Length < points.Count;
+        if (index == 0) (kept, keptWidths) = WidthSteps.Split(kept, keptWidths, closed, LargestStep, ShortestStep);
         var path = new WallPath(kept, keptWidths, closed, index, isStrand);
-        Paths.Add(kept.Length == points.Count ? path : path.WithVolume(WallPath.VolumeOf(points, widths, closed, rules), rules));
+        Paths.Add(!thinned ? path : path.WithVolume(WallPath.VolumeOf(points, widths, closed, rules), rules));
     }
 }
