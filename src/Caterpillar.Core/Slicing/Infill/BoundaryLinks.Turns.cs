@@ -4,17 +4,17 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-// Turns of slanting rows. Sharp corners are round outside and leave a wedge open up to the corner of the next turn, while inside of them as much is printed
-// twice. A row therefore leaves its direction before its end and goes straight to the boundary, where the link begins: earlier than the row's end where row
-// and link enclose more than a right angle, so that it reaches into the wedge; later where they enclose less.
+// Turns of slanting rows. Where a row and its link enclose more than a right angle, the corner is round outside and leaves a wedge open up to the turn before
+// it. There the row leaves its direction before its end and goes straight to the boundary, where the link begins earlier, so that it reaches into the wedge.
 internal sealed partial class BoundaryLinks
 {
-    // In widths: how far before its end a row is left at either corner, at most. Found by painting the strands of rows at all angles: least sum of what stays
-    // open and what is printed twice, at nearly the material of straight ends.
-    private const double Obtuse = 0.8;
-    private const double Acute = 0.2;
-
+    // In widths: how far before its end a row is left at most, and at least. Found by painting the strands of rows at all angles: least sum of what stays open
+    // and what is printed twice, at nearly the material of straight ends.
+    private const double Longest = 0.65;
     private const double Shortest = 0.1;
+
+    // Flow from the row to the boundary: row and link cover most of what lies there.
+    private const double Cross = 0.65;
 
     // Rows that end nearly at a right angle turn without a gap.
     private const double LeastCosine = 0.17;
@@ -57,22 +57,20 @@ internal sealed partial class BoundaryLinks
         var end = atStart ? points[0] : points[points.Length - 1];
         var inner = (atStart ? points[1] : points[points.Length - 2]) - end;
         var length = inner.LengthXY;
-        if (length < 2 * Obtuse * _width) return null;
+        if (length < 2 * Longest * _width) return null;
         var place = _places[id];
         var ahead = boundary.At(place.Contour, place.At + (forward ? Near : -Near)) - end;
-        var cosine = (inner.X * ahead.X + inner.Y * ahead.Y) / (length * ahead.LengthXY);
-        if (!(Math.Abs(cosine) >= LeastCosine)) return null;
-        // The feet of neighboring turns stay a strand apart, and links keep half their length.
-        var leave = cosine > 0
-            ? Math.Min(Acute * _width, (forward ? place.After : place.Before) / (2 * cosine))
-            : Math.Min(Obtuse * _width, Acute * _width + ((forward ? place.Before : place.After) - _width) / -cosine);
+        var cosine = -(inner.X * ahead.X + inner.Y * ahead.Y) / (length * ahead.LengthXY);
+        if (!(cosine >= LeastCosine)) return null;
+        // The link stays a strand away from the end before it.
+        var leave = Math.Min(Longest * _width, ((forward ? place.Before : place.After) - _width) / cosine);
         if (leave < Shortest * _width) return null;
-        var shift = cosine * leave;
+        var reach = cosine * leave;
         var around = boundary.Lengths[place.Contour];
-        var at = place.At + (forward ? shift : -shift);
+        var at = place.At + (forward ? -reach : reach);
         at -= Math.Floor(at / around) * around;
         var foot = boundary.At(place.Contour, at);
-        if ((foot - end).LengthXY < Straight * Math.Abs(shift)) return null;
+        if ((foot - end).LengthXY < Straight * reach) return null;
         return new Bend(end + inner * (leave / length), foot, at);
     }
 

@@ -117,7 +117,7 @@ internal sealed partial class BoundaryLinks
             for (var i = 0; i < n; i++)
             {
                 // Into a point leads the segment before it; into the first one the link.
-                var flow = i == 0 || line.Flow is null ? 1 : line.Flow[forward ? i - 1 : n - 1 - i];
+                var flow = i == 0 ? (entry is null ? 1 : Cross) : line.Flow is null ? 1 : line.Flow[forward ? i - 1 : n - 1 - i];
                 Add(i == 0 && entry is { } joined ? joined : line.Points[forward ? i : n - 1 - i], flow);
             }
             var link = _links[end ^ 1];
@@ -126,7 +126,8 @@ internal sealed partial class BoundaryLinks
             if (leave is { } turn)
             {
                 _points[_points.Count - 1] = turn.OnLine;
-                Add(turn.Foot, _flow[_flow.Count - 1]);
+                Add(turn.Foot, Cross);
+                varies = true;
             }
             var from = _points.Count;
             double? start = link.Forward ? leave?.At : join?.At, stop = link.Forward ? join?.At : leave?.At;
@@ -135,6 +136,7 @@ internal sealed partial class BoundaryLinks
             while (_flow.Count < _points.Count) _flow.Add(1);
             if (join is { } bend) Add(bend.Foot, 1);
             entry = join?.OnLine;
+            varies |= join is not null;
             end = link.To;
         }
         var z = lines[end >> 1].Points[0].Z;

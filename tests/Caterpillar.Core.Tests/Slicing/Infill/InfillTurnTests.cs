@@ -18,21 +18,16 @@ public class InfillTurnTests
         Assert.That(Corners(points), Is.EquivalentTo(new[] { (0, 4), (10, 4), (10, 5), (0, 5) }));
     }
 
-    [Test]
-    public void Slanting_rows_leave_early_and_meet_the_boundary_at_a_right_angle()
+    [TestCase(1)]
+    [TestCase(0.5)]
+    public void Slanting_rows_leave_early_and_meet_the_boundary_at_a_right_angle(double width)
     {
-        // Left 0.2 before the end where row and link enclose 45°, 0.8 before it where they enclose 135°; the feet lie below.
-        double acute = 0.2 * Diagonal, obtuse = 0.8 * Diagonal;
-        var points = Join(Region.Rectangle(0, 0, 20, 10), 1, Row(2, 0, 12, 10), Row(4, 0, 14, 10)).Single();
-        Expect(points, new(12, 10), new(2 + acute, acute), new(2 + acute, 0), new(4 + obtuse, 0), new(4 + obtuse, obtuse), new(14, 10));
-    }
-
-    [Test]
-    public void Turns_are_as_large_as_the_strands_are_wide()
-    {
-        double acute = 0.1 * Diagonal, obtuse = 0.4 * Diagonal;
-        var points = Join(Region.Rectangle(0, 0, 20, 10), 0.5, Row(2, 0, 12, 10), Row(4, 0, 14, 10)).Single();
-        Expect(points, new(12, 10), new(2 + acute, acute), new(2 + acute, 0), new(4 + obtuse, 0), new(4 + obtuse, obtuse), new(14, 10));
+        // At 45°, left 0.65 widths before the end, with the foot below; the acute corner at 2 stays.
+        var leave = 0.65 * width * Diagonal;
+        var line = Join(Region.Rectangle(0, 0, 20, 10), width, Row(2, 0, 12, 10), Row(4, 0, 14, 10)).Single();
+        Expect(line, new(12, 10), new(2, 0), new(4 + leave, 0), new(4 + leave, leave), new(14, 10));
+        Assert.That(line.Flow, Is.EquivalentTo(new[] { 1, 1, 0.65, 1 }));
+        Assert.That(line.Flow![line.Points[0].X < 13 ? 2 : 1], Is.EqualTo(0.65));
     }
 
     [Test]
@@ -45,8 +40,8 @@ public class InfillTurnTests
     [Test]
     public void Short_rows_keep_their_corners()
     {
-        // Twice 0.8 widths, less a little.
-        var end = 1.59 * Diagonal;
+        // Twice 0.65 widths, less a little.
+        var end = 1.29 * Diagonal;
         var points = Join(Region.Rectangle(0, 0, 20, end), 1, Row(2, 0, 2 + end, end), Row(4, 0, 4 + end, end)).Single();
         Assert.That(points.Points, Has.Length.EqualTo(4));
     }
@@ -54,9 +49,9 @@ public class InfillTurnTests
     [Test]
     public void A_turn_keeps_a_strand_away_from_the_next()
     {
-        // The row at 5.2 ends 1.2 past the one at 4: 0.2 are left, and what the turn there holds back.
-        Assert.That(Foot(5.2), Is.EqualTo(4 + 0.2 + 0.2 * Diagonal).Within(1e-4));
-        Assert.That(Foot(6.2), Is.EqualTo(4 + 0.8 * Diagonal).Within(1e-4));
+        // The row at 5.2 ends 1.2 past the one at 4, where 0.2 are left; the one at 6.2 leaves more than is wanted.
+        Assert.That(Foot(5.2), Is.EqualTo(4.2).Within(1e-4));
+        Assert.That(Foot(6.2), Is.EqualTo(4 + 0.65 * Diagonal).Within(1e-4));
         Assert.That(Foot(4.9), Is.EqualTo(4).Within(1e-4));
 
         static double Foot(double next)
