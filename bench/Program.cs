@@ -13,6 +13,7 @@ namespace Caterpillar.Bench;
 /// <c>dotnet run -c Release --project bench -- deviation MODEL...</c>: how far outer walls lie from the exact sections.
 /// <c>dotnet run -c Release --project bench -- stages MODEL...</c>: the stages of a slice.
 /// <c>dotnet run -c Release --project bench -- curved PROGRAM MODELS</c>: curved against planar slicing with the published PROGRAM.
+/// <c>dotnet run -c Release --project bench -- guard</c>: what reading back costs beside writing.
 /// <c>dotnet run -c Release --project bench -- mesh TRIANGLES FILE.stl</c>: a bumpy sphere of about so many triangles.
 /// <c>dotnet run -c Release --project bench -- stl MODEL FILE.stl</c>: a model as binary STL, which all slicers read.
 /// </summary>
@@ -28,6 +29,7 @@ internal static class Program
         else if (arguments is ["curved", var published, var models]) CurvedRuns.Run(published, models);
         else if (arguments is ["deviation", _, ..]) Deviation.Run(arguments[1..]);
         else if (arguments is ["stages", _, ..]) Stages.Run(arguments[1..]);
+        else if (arguments is ["guard"]) GuardTimes.Run();
         else if (arguments is ["mesh", var triangles, var target]) Samples.WriteSphere(int.Parse(triangles, CultureInfo.InvariantCulture), target);
         else BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(arguments);
     }

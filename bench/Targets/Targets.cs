@@ -142,30 +142,17 @@ internal static class Targets
         yield return new Target("all checks of a million moves, collisions among them", "s", 2, Time(() => PrintCheck.Run(toolpath, new PrintSetup())));
     }
 
-    // Processor time by itself: decoding and comparing, one thread, against writing. And the time for which one waits longer, as both go on at once.
+    // Processor time by itself, one thread, against writing; and the time for which one waits longer, as both go on at once.
     private static IEnumerable<Target> Guard()
     {
-        var toolpath = Samples.Print(1_000_000);
-        var setup = new PrintSetup();
-        var format = SetupFormat.Of(setup, toolpath).Value ?? new GCodeFormat();
-        var text = GCodeWriter.ToBytes(toolpath, format);
-        var lines = new WrittenLines(toolpath.Count);
-        new GCodeWriter(toolpath, format) { Written = lines }.WriteAll(Stream.Null);
-        var options = new DecodeOptions { Dialect = setup.Printer.Dialect, Threads = 1 };
-        DecodedGCode? read = null;
-        var writing = Time(() => GCodeWriter.Write(toolpath, format, Stream.Null));
-        var decoding = Time(() => read = GCodeDecoder.DecodeStream(new MemoryStream(text), options).Value);
-        var comparing = Time(() => PlanComparison.Run(toolpath, read!.Toolpath, format, lines, new Findings(setup.Printer, toolpath)));
-        yield return new Target("read-back of a million moves (decoded, compared) against half of writing them", "s", writing / 2, decoding + comparing,
+        var times = GuardTimes.Measure(15);
+        var (writing, reading, both) = (times.Writing, times.Reading, times.Both);
+        yield return new Target("read-back of a million moves (decoded, compared) against half of writing them, processor time", "s", writing.Processor / 2,
+            reading.Processor, string.Create(CultureInfo.InvariantCulture,
+                $"writing {writing.Processor:0.000} s, {reading.Processor / writing.Processor:0.00} × of it, one thread each"));
+        yield return new Target("time that reading back adds to writing them, both at once", "s", writing.Wall / 2, both.Wall - writing.Wall,
             string.Create(CultureInfo.InvariantCulture,
-                $"writing {writing:0.000} s, decoding {decoding:0.000} s, comparing {comparing:0.000} s, one thread each"));
-        var both = Time(() =>
-        {
-            var file = ReadBack.Read(setup, new GCodeWriter(toolpath, format) { Written = lines }, null, _ => { }, null, default);
-            PlanComparison.Run(toolpath, file.Toolpath, format, lines, new Findings(setup.Printer, toolpath));
-        });
-        yield return new Target("time that reading back adds to writing them, both at once", "s", writing / 2, both - writing,
-            string.Create(CultureInfo.InvariantCulture, $"written, read and compared in {both:0.000} s"));
+                $"writing {writing.Wall:0.000} s, written, read and compared in {both.Wall:0.000} s: {both.Wall / writing.Wall - 1:0.00} × more"));
     }
 
     private static IEnumerable<Target> Meshes(string program, string folder, string work)

@@ -20,9 +20,6 @@ internal sealed class EarlyCheck : IDisposable
 {
     // Blocks that wait to be checked, at most.
     private const int Waiting = 8;
-
-    // Small, so that checking begins soon.
-    private const int ChunkSize = 64 * 1024;
     private readonly BlockingCollection<Toolpath> _planned = [];
     private readonly List<ulong> _digests = [];
     private readonly BytePipe _pipe = new();
@@ -110,7 +107,7 @@ internal sealed class EarlyCheck : IDisposable
     }
 
     private void Read(PrintSetup setup)
-        => ReadBack.Decode(_pipe, setup, new DecodeOptions { Threads = 1, ChunkSize = ChunkSize, KeepsBlocks = false, Follow = Follow }, _stop.Token).OrThrow();
+        => ReadBack.Decode(_pipe, setup, new DecodeOptions { Threads = 1, ChunkSize = ReadBack.ChunkSize, KeepsBlocks = false, Follow = Follow }, _stop.Token).OrThrow();
 
     private void Follow(DecodedBlock block)
     {

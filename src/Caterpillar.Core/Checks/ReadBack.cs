@@ -17,8 +17,8 @@ namespace Caterpillar.Checks;
 /// </summary>
 internal static class ReadBack
 {
-    // Small, so that reading ends soon after writing and few lines are in memory.
-    private const int ChunkSize = 256 * 1024;
+    /// <summary>Number of bytes that are read at a time: small, so that checks begin soon and what is read stays in the cache.</summary>
+    internal const int ChunkSize = 64 * 1024;
 
     /// <summary>
     /// Writes to a stream, if there is one, and returns what was found; with the number of lines and bytes. Nothing is read where all checks are off.

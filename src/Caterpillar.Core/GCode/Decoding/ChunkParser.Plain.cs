@@ -21,8 +21,8 @@ internal sealed partial class ChunkParser
     }
 
     // Reads lines until one is something else, or the records are full; returns where that is. AggressiveOptimization (512): it runs a few times only, each
-    // for a whole chunk.
-    [MethodImpl((MethodImplOptions)512)]
+    // for a whole chunk. Not inlined, as then others' variables would take the registers.
+    [MethodImpl((MethodImplOptions)512 | MethodImplOptions.NoInlining)]
     private int Plain<TPlaces>(byte[] text, int at, int safe, int end, TPlaces places)
         where TPlaces : struct, IPlaces
     {
