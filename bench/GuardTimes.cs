@@ -70,7 +70,8 @@ internal sealed class GuardTimes
         Console.WriteLine(string.Create(CultureInfo.InvariantCulture,
             $"| reading back / writing | {times.Reading.Wall / times.Writing.Wall:0.00} | {times.Reading.Processor / times.Writing.Processor:0.00} |"));
         Console.WriteLine(string.Create(CultureInfo.InvariantCulture,
-            $"| (both at once − writing) / writing | {times.Both.Wall / times.Writing.Wall - 1:0.00} | {times.Both.Processor / times.Writing.Processor - 1:0.00} |"));
+            $"| (both at once − writing) / writing | {times.Both.Wall / times.Writing.Wall - 1:0.00} | "
+                + $"{times.Both.Processor / times.Writing.Processor - 1:0.00} |"));
     }
 
     private static string Row(string what, (double Wall, double Processor) time)
@@ -95,7 +96,8 @@ internal sealed class GuardTimes
         var lines = new WrittenLines(Moves);
         var comparison = Compare(lines);
         var blocks = 0;
-        var file = ReadBack.Read(_setup, new GCodeWriter(_plan, _format) { Written = lines }, null, block => Take(comparison, block, ref blocks), null, default);
+        var file = ReadBack.Read(_setup, new GCodeWriter(_plan, _format) { Written = lines }, null, block => Take(comparison, block, ref blocks), null,
+            default);
         comparison.End(file.Toolpath, blocks);
     }
 

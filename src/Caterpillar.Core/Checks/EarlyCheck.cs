@@ -107,7 +107,8 @@ internal sealed class EarlyCheck : IDisposable
     }
 
     private void Read(PrintSetup setup)
-        => ReadBack.Decode(_pipe, setup, new DecodeOptions { Threads = 1, ChunkSize = ReadBack.ChunkSize, KeepsBlocks = false, Follow = Follow }, _stop.Token).OrThrow();
+        => ReadBack.Decode(_pipe, setup, new DecodeOptions { Threads = 1, ChunkSize = ReadBack.ChunkSize, KeepsBlocks = false, Follow = Follow }, _stop.Token)
+            .OrThrow();
 
     private void Follow(DecodedBlock block)
     {

@@ -54,8 +54,9 @@ public class PlainFormTests
         {
             if (random.Next(12) == 0)
             {
-                text.Append(new[] { "G92 E0", "M83", "M82", "G91", "G90", "M221 S95", "G1 E-2", "G1 E2", ";TYPE:FILL", ";LAYER:3", "G92 X5", "T1",
-                    "" }[random.Next(13)]);
+                text.Append(new[] { "G92 E0", "M83", "M82", "G91", "G90", "M221 S95", "G1 E-2", "G1 E2", ";TYPE:FILL", ";LAYER:3", ";LAYER_CHANGE", ";Z:0.4",
+                    "M486 S1", "M486 S2", "G92 X5", "T1",
+                    "" }[random.Next(17)]);
             }
             else
             {
