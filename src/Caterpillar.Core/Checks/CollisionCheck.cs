@@ -53,16 +53,9 @@ internal sealed class CollisionCheck
         // One finding for a move, also for the chords of an arc.
         if (move.Index == _hit || IsAbove(move, tolerance)) return;
         _digs = null;
-        if (Hits(move, move.Start, move.End, tolerance, prints)) return;
-        // What is fresh at its start is not any more farther on.
-        for (var piece = 1; piece <= PrintedSoFar.FreshPieces && piece * _printed.FreshPiece < move.Length; piece++)
-        {
-            var at = Vec3.Lerp(move.Start, move.End, piece * _printed.FreshPiece / move.Length);
-            var count = _printed.Advance(piece * _printed.FreshPiece);
-            if (count > 0 && MeetsLast(count, move, at, tolerance, prints)) return;
-        }
+        if (Hits(move, tolerance, prints) || HitsLast(move, tolerance, prints)) _hit = move.Index;
         // Where it goes through something farther on, that is to be told.
-        if (_digs is { } digs) Digs(move, digs.From, digs.To, tolerance);
+        else if (_digs is { } digs) Digs(move, digs.From, digs.To, tolerance);
     }
 
     // Above all that is printed, also by this time: most moves of a flat print.
@@ -71,32 +64,36 @@ internal sealed class CollisionCheck
             + tolerance + _lowest);
 
     // All that is there at the start of a move.
-    private bool Hits(in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints)
+    private bool Hits(in CheckedMove move, double tolerance, bool prints)
     {
-        var hit = _clips is not null && Clips(move, a, b);
-        hit |= Meets(_printed.Deposit, move, a, b, tolerance, prints);
-        if (_printed.Object is { } thing) hit |= Meets(thing.Lines, move, a, b, tolerance, prints);
-        if (hit) _hit = move.Index;
+        var hit = _clips is not null && Clips(move, move.Start, move.End);
+        hit |= Meets(_printed.Deposit, move, tolerance, prints);
+        if (_printed.Object is { } thing) hit |= Meets(thing.Lines, move, tolerance, prints);
         return hit;
     }
 
-    private bool Meets(Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints)
+    private bool Meets(Deposit deposit, in CheckedMove move, double tolerance, bool prints)
     {
-        if (!(deposit.Highest > Math.Min(a.Z, b.Z) + tolerance + _lowest)) return false;
-        var contact = deposit.Meets(a, b, tolerance, _printed.Head, _digs is not null, out var strand);
-        return Nozzle(contact, deposit, move, a, b, tolerance, prints, strand) | Boxes(deposit, deposit.Highest, move, a, b, tolerance);
+        var contact = deposit.Meets(move.Start, move.End, tolerance, _printed.Head, _digs is not null, out var strand);
+        return Nozzle(contact, deposit, move, move.Start, move.End, tolerance, prints, strand)
+            | Boxes(deposit, deposit.Highest, move, move.Start, move.End, tolerance);
     }
 
-    // The rest of a move, against the last pieces that were fresh at its start.
-    private bool MeetsLast(int count, in CheckedMove move, Vec3 at, double tolerance, bool prints)
+    // What is fresh at its start is not any more farther on.
+    private bool HitsLast(in CheckedMove move, double tolerance, bool prints)
     {
-        var top = _printed.TopOfLast(count);
-        if (!(top > Math.Min(at.Z, move.End.Z) + tolerance + _lowest)) return false;
-        var contact = _printed.MeetsLast(count, at, move.End, tolerance, _digs is not null, out var strand);
-        if (!(Nozzle(contact, _printed.Deposit, move, at, move.End, tolerance, prints, strand) | Boxes(_printed.Deposit, top, move, at, move.End, tolerance)))
-            return false;
-        _hit = move.Index;
-        return true;
+        for (var piece = 1; piece <= PrintedSoFar.FreshPieces && piece * _printed.FreshPiece < move.Length; piece++)
+        {
+            var at = Vec3.Lerp(move.Start, move.End, piece * _printed.FreshPiece / move.Length);
+            var count = _printed.Advance(piece * _printed.FreshPiece);
+            var contact = _printed.MeetsLast(count, at, move.End, tolerance, _digs is not null, out var strand);
+            if (Nozzle(contact, _printed.Deposit, move, at, move.End, tolerance, prints, strand)
+                | Boxes(_printed.Deposit, _printed.TopOfLast(count), move, at, move.End, tolerance))
+            {
+                return true;
+            }
+        }
+        return false;
     }
 
     private bool Nozzle(HeadContact contact, Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints, int strand)

@@ -144,6 +144,26 @@ public class CollisionTests
             Is.EqualTo("The flat of the nozzle digs into a slope beside it by more than 0.05 mm between (50, 50.4, 100) and (50, 50.4, 4.8)."));
     }
 
+    // Straight down from the end of a strand, whose last 1.4 mm are fresh: after 0.7 mm its part up to 0.7 mm before the end is not any more, and the tip,
+    // 0.75 mm below, reaches 0.77 mm to its axis. A box of the head below 0.3 mm reaches as far.
+    [TestCase(4.2, 0, "collision.travel")]
+    [TestCase(4.31, 0, "")]
+    [TestCase(4.2, 0.71, "collision.travel collision.head")]
+    [TestCase(4.2, 0.4, "collision.travel")]
+    [TestCase(3.4, 0, "collision.travel")]
+    public void What_stops_to_be_fresh_in_the_middle_of_a_move_is_hit_by_the_rest_of_it(double z, double box, string codes)
+    {
+        var setup = SmallPrint.Setup(p => p with
+        {
+            HeadOutline = new(new HeadPoint(0.5, 0), new(4, 6)),
+            HeadBoxes = box > 0 ? new(new Bounds(new Vec3(-box, -box, 0.3), new Vec3(box, box, 10))) : ValueList<Bounds>.Empty,
+        });
+        var found = SmallPrint.Find(new SmallPrint(50, 50, 5).Print(60, 50, 5).Go(60, 50, z).Build(), setup, "collision.");
+        Assert.That(string.Join(" ", found.Select(d => d.Code)), Is.EqualTo(codes));
+        Assert.That(found.Select(d => (d.Count, d.Source!.Move)), Is.All.EqualTo((1, 1)));
+        Assert.That(found.Select(d => d.Message), Is.All.Contain("what was printed before (move 0)"));
+    }
+
     [Test]
     public void The_message_names_what_is_hit_and_where()
     {

@@ -68,6 +68,31 @@ public class PrintedSoFarTests
         Assert.That(printed.Highest, Is.EqualTo(1));
     }
 
+    // A strand that rises or falls by 1 mm; its last 0.7 mm and the 0.7 mm before stop to be fresh one after the other.
+    [TestCase(1, 2)]
+    [TestCase(2, 1)]
+    public void What_has_just_stopped_to_be_fresh_can_be_asked_for(double from, double to)
+    {
+        var printed = new PrintedSoFar(SmallPrint.Setup(), null);
+        Vec3 start = new(0, 0, from), end = new(10, 0, to);
+        printed.Add(Move(start, end, 0.1) with { Index = 7 }, 1);
+        double Height(double rest) => to + (from - to) * rest / start.DistanceTo(end);
+        Assert.That((printed.Advance(0), printed.Advance(0.6), printed.TopOfLast(0)), Is.EqualTo((1, 0, double.NegativeInfinity)));
+        Assert.That(printed.Advance(0.7), Is.EqualTo(1));
+        Assert.That(printed.TopOfLast(1), Is.EqualTo(Math.Max(Height(0.7), Height(1.4))).Within(1e-9));
+        Assert.That(printed.TopOfLast(2), Is.EqualTo(Math.Max(Height(0.7), from)).Within(1e-9));
+        // Across the path, at the middle of the piece and of what went before.
+        foreach (var (x, contact, tag) in new[] { (8.9, HeadContact.Hits, 7), (5.0, HeadContact.None, -1), (14.0, HeadContact.None, -1) })
+        {
+            Vec3 a = new(x, -2, 0.2), b = new(x, 2, 0.2);
+            Assert.That((printed.MeetsLast(1, a, b, 0, true, out var move), move), Is.EqualTo((contact, tag)), $"{x}");
+        }
+        Assert.That(printed.MeetsLast(2, new Vec3(5, 0, 0.2), new Vec3(5, 1, 0.2), 0, true, out _), Is.EqualTo(HeadContact.Hits));
+        Assert.That(printed.MeetsLast(1, new Vec3(8.9, 0, 2.1), new Vec3(8.9, 1, 2.1), 0, true, out _), Is.EqualTo(HeadContact.None));
+        Assert.That(printed.Advance(1.4), Is.EqualTo(1));
+        Assert.That(printed.Deposit.StrandCount, Is.EqualTo(1), "one strand in the end");
+    }
+
     // 10 mm² in 1 mm would be 10 mm wide.
     [Test]
     public void No_strand_is_wider_than_twelve_nozzles()
