@@ -164,6 +164,16 @@ public class CollisionTests
         Assert.That(found.Select(d => d.Message), Is.All.Contain("what was printed before (move 0)"));
     }
 
+    // The same down and aside: 0.65 mm below, the flat of the tip reaches 0.71 mm to the axis, which is 0.76 mm away, and 1 mm where it digs.
+    [Test]
+    public void What_stops_to_be_fresh_in_the_middle_of_a_move_is_dug_into_by_the_rest_of_it()
+    {
+        var setup = SmallPrint.Setup(p => p with { HeadOutline = new(new HeadPoint(0.5, 0), new(4, 6)) });
+        var print = new SmallPrint(50, 50, 5).Print(60, 50, 5).Go(60, 50.3, 4.3);
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.DigsIn).Select(d => (d.Count, d.Source!.Move)), Is.EqualTo(new[] { (1, (int?)1) }));
+        Assert.That(SmallPrint.Find(print.Build(), setup, "collision."), Is.Empty);
+    }
+
     [Test]
     public void The_message_names_what_is_hit_and_where()
     {
