@@ -41,7 +41,7 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     public double Overlap => Settings.WallCount == 0 ? 0 : Settings.InfillOverlapPercent / 100 * Settings.LineWidth;
 
     /// <summary>How far the turns of lines that close an area do: with more, as much is printed twice as stays open with less.</summary>
-    public double SolidOverlap => Overlap / 8;
+    public double SolidOverlap => Overlap * 2 / 3;
 
     /// <summary>Area filled per length of infill; 0 for no infill.</summary>
     public double InfillSpacing => Settings.InfillSpacing > 0

@@ -40,7 +40,7 @@ internal static class SettingsKeys
 
     public static readonly ProfileKey<PrintSettings, double> InfillOverlapPercent = K.Number(
         "infill_overlap_percent", 0, 100, s => s.InfillOverlapPercent, (s, v) => s with { InfillOverlapPercent = v },
-        "Overlap of the infill with the innermost wall, % of the line width; lines of closed areas overlap by an eighth of it.");
+        "Overlap of the infill with the innermost wall, % of the line width; lines of closed areas overlap by two thirds of it.");
 
     public static readonly ProfileKey<PrintSettings, double> SimplifyTolerance = K.Number(
         "simplify_tolerance_mm", 0, 100, s => s.SimplifyTolerance, (s, v) => s with { SimplifyTolerance = v },

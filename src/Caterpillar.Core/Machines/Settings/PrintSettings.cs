@@ -38,7 +38,7 @@ public sealed partial record PrintSettings
     /// <summary>Direction of the infill in the first layer, degrees from +X.</summary>
     public double InfillAngle { get; init => field = SettingsKeys.InfillAngle.Check(value); } = 45;
 
-    /// <summary>Overlap of the infill with the innermost wall, % of the line width; lines of closed areas overlap by an eighth of it.</summary>
+    /// <summary>Overlap of the infill with the innermost wall, % of the line width; lines of closed areas overlap by two thirds of it.</summary>
     public double InfillOverlapPercent { get; init => field = SettingsKeys.InfillOverlapPercent.Check(value); } = 15;
 
     /// <summary>Maximum deviation of simplified contours, mm.</summary>

@@ -22,12 +22,12 @@ public class InfillTurnTests
     [TestCase(0.5)]
     public void Slanting_rows_leave_early_and_meet_the_boundary_at_a_right_angle(double width)
     {
-        // At 45°, left 0.65 widths before the end, with the foot below; the acute corner at 2 stays.
-        var leave = 0.65 * width * Diagonal;
+        // At 45°, left 0.9 widths before the end, with the foot below; the acute corner at 2 stays.
+        var leave = 0.9 * width * Diagonal;
         var line = Join(Region.Rectangle(0, 0, 20, 10), width, Row(2, 0, 12, 10), Row(4, 0, 14, 10)).Single();
         Expect(line, new(12, 10), new(2, 0), new(4 + leave, 0), new(4 + leave, leave), new(14, 10));
-        Assert.That(line.Flow, Is.EquivalentTo(new[] { 1, 1, 0.65, 1 }));
-        Assert.That(line.Flow![line.Points[0].X < 13 ? 2 : 1], Is.EqualTo(0.65));
+        Assert.That(line.Flow, Is.EquivalentTo(new[] { 1, 1, 0.5, 1 }));
+        Assert.That(line.Flow![line.Points[0].X < 13 ? 2 : 1], Is.EqualTo(0.5));
     }
 
     [Test]
@@ -40,8 +40,8 @@ public class InfillTurnTests
     [Test]
     public void Short_rows_keep_their_corners()
     {
-        // Twice 0.65 widths, less a little.
-        var end = 1.29 * Diagonal;
+        // Twice 0.9 widths, less a little.
+        var end = 1.79 * Diagonal;
         var points = Join(Region.Rectangle(0, 0, 20, end), 1, Row(2, 0, 2 + end, end), Row(4, 0, 4 + end, end)).Single();
         Assert.That(points.Points, Has.Length.EqualTo(4));
     }
@@ -51,7 +51,7 @@ public class InfillTurnTests
     {
         // The row at 5.2 ends 1.2 past the one at 4, where 0.2 are left; the one at 6.2 leaves more than is wanted.
         Assert.That(Foot(5.2), Is.EqualTo(4.2).Within(1e-4));
-        Assert.That(Foot(6.2), Is.EqualTo(4 + 0.65 * Diagonal).Within(1e-4));
+        Assert.That(Foot(6.2), Is.EqualTo(4 + 0.9 * Diagonal).Within(1e-4));
         Assert.That(Foot(4.9), Is.EqualTo(4).Within(1e-4));
 
         static double Foot(double next)
