@@ -83,7 +83,7 @@ internal sealed class SliceVerb : Verb
         var (read, models) = Models(files, arguments, ref setup, session);
         if (pipeline is not null)
         {
-            if (!_write.Overrides(arguments) && ModelCheck.IsHopeless([.. models.Where(m => m.Settings.ModelUse == ModelUse.Part).Select(m => m.Mesh)], setup))
+            if (!_write.Overrides(arguments) && ModelCheck.IsTooLarge([.. models.Where(m => m.Settings.ModelUse == ModelUse.Part).Select(m => m.Mesh)], setup))
             {
                 session.Print([new Diagnostic(Severity.Error, "write.refused",
                     $"Nothing was sliced: it would not fit. --override slices it all the same.{_placing.ScaleAdvice(arguments)}")]);

@@ -112,10 +112,10 @@ public class ModelPlacementTests
     {
         NamedMesh[] Box(double size) => [new("box", MeshMaker.Box(0, 0, 0, size, 60, 60))];
         var setup = new PrintSetup { Printer = new Printer { BuildVolume = new Vec3(100, 80, 70) } };
-        Assert.That(ModelCheck.IsHopeless(Box(100.5), setup), Is.False, "strands keep half a width from the outline");
-        Assert.That(ModelCheck.IsHopeless(Box(103), setup));
-        Assert.That(ModelCheck.IsHopeless([], setup), Is.False);
-        Assert.That(ModelCheck.IsHopeless(Box(103), setup.With("check_severities=bed.outside=warning").Value!), Is.False);
+        Assert.That(ModelCheck.IsTooLarge(Box(100.5), setup), Is.False, "strands keep half a width from the outline");
+        Assert.That(ModelCheck.IsTooLarge(Box(103), setup));
+        Assert.That(ModelCheck.IsTooLarge([], setup), Is.False);
+        Assert.That(ModelCheck.IsTooLarge(Box(103), setup.With("check_severities=bed.outside=warning").Value!), Is.False);
     }
 
     [Test]

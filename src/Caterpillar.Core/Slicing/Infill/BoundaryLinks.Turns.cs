@@ -8,8 +8,8 @@ namespace Caterpillar.Slicing;
 // it. There the row leaves its direction before its end and goes straight to the boundary, where the link begins earlier, so that it reaches into the wedge.
 internal sealed partial class BoundaryLinks
 {
-    // In widths: how far before its end a row is left at most, and at least. Found by painting the strands of whole layers: little stays open, and not much more
-    // material is needed than with straight ends.
+    // In widths: how far before its end a row is left at most, and at least. Found by painting the strands of whole layers: little stays open, and not much
+    // more material is needed than with straight ends.
     private const double Longest = 0.9;
     private const double Shortest = 0.1;
 

@@ -53,7 +53,7 @@ public static class ModelCheck
     /// Whether models are larger than the build volume by more than the strands may keep away from the outline, so that the check of the finished print
     /// (<c>bed.outside</c>) is bound to refuse them wherever they stand.
     /// </summary>
-    public static bool IsHopeless(IReadOnlyList<NamedMesh> models, PrintSetup setup)
+    public static bool IsTooLarge(IReadOnlyList<NamedMesh> models, PrintSetup setup)
     {
         if (models is null) throw new ArgumentNullException(nameof(models));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
