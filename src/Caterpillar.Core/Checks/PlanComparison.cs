@@ -168,9 +168,9 @@ internal sealed class PlanComparison
     {
         var (plan, i, last) = (_plan.Blocks[_block].Columns, _at, _lines.OfMove(_move).Last);
         var wanted = new Vec3(plan.X[i], plan.Y[i], plan.Z[i]);
-        if (_known && !IsNear(_head, wanted)) Moved(_move, last, wanted);
-        else if (plan.TryGetArc(i, out var turn)) Turned(plan, _block, i, _move, last, turn, _from, wanted, _length);
-        if (!_retracts) Extruded(plan, i, _move, last, _e);
+        if (_known && !IsNear(_head, wanted)) Moved(last, wanted);
+        else if (plan.TryGetArc(i, out var turn)) Turned(plan, i, last, turn, wanted);
+        if (!_retracts) Extruded(plan, i, last);
         _isOpen = false;
         GoTo(_move + 1, i + 1);
     }
@@ -184,24 +184,24 @@ internal sealed class PlanComparison
     private bool IsNear(Vec3 a, Vec3 b)
         => Math.Abs(a.X - b.X) <= _allowed && Math.Abs(a.Y - b.Y) <= _allowed && Math.Abs(a.Z - b.Z) <= _allowed;
 
-    private void Moved(int move, int line, Vec3 wanted)
+    private void Moved(int line, Vec3 wanted)
     {
-        var at = _head;
+        var (at, move) = (_head, _move);
         _findings.Add(CheckCodes.FilePosition, () => WrittenPlaces.OfMove(_plan, move, line),
             () => $"The head is at {at} after this line; the plan has it at {wanted}.");
     }
 
-    private void Turned(ToolpathColumns plan, int block, int i, int move, int line, Arc arc, Vec3 from, Vec3 wanted, double length)
+    private void Turned(ToolpathColumns plan, int i, int line, Arc arc, Vec3 wanted)
     {
-        var start = i > 0 ? new Vec3(plan.X[i - 1], plan.Y[i - 1], plan.Z[i - 1]) : _plan.StartOf(block);
-        if (!IsNear(from, start)) return;
-        var planned = arc.Length(start, wanted);
+        var start = i > 0 ? new Vec3(plan.X[i - 1], plan.Y[i - 1], plan.Z[i - 1]) : _plan.StartOf(_block);
+        if (!IsNear(_from, start)) return;
+        var (move, length, planned) = (_move, _length, arc.Length(start, wanted));
         if (Math.Abs(length - planned) <= ArcTolerance + planned * 0.01) return;
         _findings.Add(CheckCodes.FilePosition, () => WrittenPlaces.OfMove(_plan, move, line),
             () => $"An arc is {NumberFormatter.Format(length, 2)} mm long by this line; the plan has {NumberFormatter.Format(planned, 2)} mm.");
     }
 
-    private void Extruded(ToolpathColumns plan, int i, int move, int line, double e)
+    private void Extruded(ToolpathColumns plan, int i, int line)
     {
         if (plan.Tool[i] != _tool)
         {
@@ -209,10 +209,10 @@ internal sealed class PlanComparison
             _tool = plan.Tool[i];
             _drifts.TryGetValue(_tool, out _drift);
         }
-        _drift += e - plan.E[i];
+        _drift += _e - plan.E[i];
         if (!(Math.Abs(_drift) > _allowedE + 1e-12 * Math.Abs(plan.E[i]))) return;
         _drift = 0;
-        Report(move, line, e, plan.E[i]);
+        Report(_move, line, _e, plan.E[i]);
     }
 
     // Apart from the above, which would allocate what is captured here for each move.

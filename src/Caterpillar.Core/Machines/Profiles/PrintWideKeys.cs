@@ -14,7 +14,7 @@ internal static class PrintWideKeys
         SurfaceKeys.MinSpeed, TravelKeys.LayerWait, .. BedKeys.All,
     ];
 
-    /// <summary>Names of such keys that the settings of a model set: they differ from those of the print, and from what stands there by default.</summary>
+    /// <summary>Names of such keys that a model sets: their values differ from those of the print, and from the defaults.</summary>
     public static IReadOnlyList<string> SetBy(PrintSettings model, PrintSettings print)
     {
         if (ReferenceEquals(print, model)) return [];
