@@ -119,9 +119,7 @@ internal sealed class CollisionCheck
 
     private bool Clips(in CheckedMove move, Vec3 a, Vec3 b)
     {
-        var low = Math.Min(a.Z, b.Z);
-        if (!(_clips!.Highest > low)) return false;
-        var part = _clips.Meets(a, b, 0, _printed.Head, false, out var clip) != HeadContact.None ? "nozzle" : "";
+        var part = _clips!.Meets(a, b, 0, _printed.Head, false, out var clip) != HeadContact.None ? "nozzle" : "";
         foreach (var (box, code) in _boxes)
         {
             if (part.Length == 0 && _clips.MeetsBox(a, b, 0, box, out clip)) part = code == CheckCodes.HeadHits ? "head" : "gantry";

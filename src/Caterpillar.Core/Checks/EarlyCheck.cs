@@ -25,8 +25,7 @@ internal sealed class EarlyCheck : IDisposable
     private readonly BytePipe _pipe = new();
     private readonly CancellationTokenSource _stop;
     private readonly DepositFollower _follower;
-    private readonly Task _writing;
-    private readonly Task _reading;
+    private readonly Task _both;
     private volatile bool _isOver;
     private volatile int _blocks;
 
@@ -34,8 +33,7 @@ internal sealed class EarlyCheck : IDisposable
     {
         _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
         _follower = new DepositFollower(tools, setup, Waiting, cancel);
-        _writing = OwnThread.Run(() => Write(format));
-        _reading = OwnThread.Run(() => Read(setup));
+        _both = Task.WhenAll(OwnThread.Run(() => Write(format)), OwnThread.Run(() => Read(setup)));
     }
 
     /// <summary>Begins; null where nothing is looked for, or a template of the printer needs to know the whole print first.</summary>
@@ -59,9 +57,8 @@ internal sealed class EarlyCheck : IDisposable
     public IReadOnlyList<Diagnostic>? Finish(Toolpath read, WrittenPlaces places, IProgress<double>? progress)
     {
         End();
-        OwnThread.Wait(_writing);
-        OwnThread.Wait(_reading);
-        if (_writing.Status != TaskStatus.RanToCompletion || _reading.Status != TaskStatus.RanToCompletion) return null;
+        OwnThread.Wait(_both);
+        if (_both.Status != TaskStatus.RanToCompletion) return null;
         var same = 0;
         foreach (var block in CheckRun.BlocksOf(read, 0))
         {
@@ -78,8 +75,7 @@ internal sealed class EarlyCheck : IDisposable
         End();
         _pipe.Stop();
         _follower.Stop();
-        OwnThread.Wait(_writing);
-        OwnThread.Wait(_reading);
+        OwnThread.Wait(_both);
         _follower.Dispose();
         _pipe.Dispose();
         _planned.Dispose();

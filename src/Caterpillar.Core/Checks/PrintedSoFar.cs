@@ -71,12 +71,13 @@ internal sealed class PrintedSoFar
     public int Advance(double ahead)
     {
         var first = _oldest;
-        while (_oldest < _newest && _fresh[_oldest].Distance + Lag <= _distance + ahead + 1e-9)
+        var fresh = _distance + ahead - Lag + 1e-9;
+        while (_oldest < _newest && _fresh[_oldest].Distance <= fresh)
         {
             ref var strand = ref _fresh[_oldest++];
             var to = strand.To;
             // Pieces of a line are one strand, also where they stop to be fresh one after the other.
-            while (_oldest < _newest && _fresh[_oldest].GoesOn && _fresh[_oldest].Distance + Lag <= _distance + ahead + 1e-9) to = _fresh[_oldest++].To;
+            while (_oldest < _newest && _fresh[_oldest].GoesOn && _fresh[_oldest].Distance <= fresh) to = _fresh[_oldest++].To;
             if (strand.GoesOn) Deposit.GoOn(strand.From, to, strand.Half, strand.Move);
             else Deposit.Add(strand.From, to, strand.Half, strand.Move);
         }

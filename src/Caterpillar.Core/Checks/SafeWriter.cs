@@ -90,14 +90,13 @@ public static class SafeWriter
         // With a reason what was found stands at the top of the file: it is written again, where something was.
         var isOverridden = WriteGuard.IsReason(reason);
         var direct = isDraft && (!isOverridden || stream.CanSeek);
-        var start = direct && isOverridden ? stream.Position : 0;
         var (findings, lines, bytes) = ReadBack.Write(timed, setup, plain, direct ? stream : null, early, progress.Part(0, direct ? 1 : 0.7), cancel);
         var guard = new WriteGuard(findings, reason);
         if (guard.Refuses) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
         if (!direct || guard.Overridden > 0)
         {
             // The position goes back with the end.
-            if (direct) stream.SetLength(start);
+            if (direct) stream.SetLength(stream.Position - bytes);
             var writer = new GCodeWriter(timed, plain with { Header = [.. guard.Comments(), .. plain.Header] });
             writer.WriteAll(stream, direct ? null : progress.Part(0.7, 1), cancel);
             (lines, bytes) = (writer.Lines, writer.Bytes);

@@ -72,7 +72,7 @@ internal sealed class StrandCheck
         var nominal = known ? move.Thickness : _usualHeight;
         // On curved layers strands may be much thinner than their layer says: what they lie on is nearer, then.
         var least = Math.Min(nominal, area / _printer.NozzleDiameter);
-        var count = (int)Math.Min(Math.Max(Math.Ceiling(move.Length / SampleStep), 1), MostSamples);
+        var count = (int)Math.Min(Math.Ceiling(move.Length / SampleStep), MostSamples);
         var step = move.Length / count;
         var reach = 2 * Math.Max(nominal, _printer.NozzleDiameter / 2) + Touch;
         var gap = double.NaN;
@@ -83,9 +83,8 @@ internal sealed class StrandCheck
             var floor = _printed.FloorUnder(p);
             var (top, under) = _printed.Deposit.CellAt(p.X, p.Y);
             gap = Gap(p.Z, top, under, floor, nominal);
-            if (gap < tight) tight = gap;
-            var lies = gap <= reach || Gap(p.Z, top, under, floor, least) <= reach;
-            if (lies || move.Role == Role.Purge) Land(move.Index);
+            tight = Math.Min(tight, gap);
+            if (Gap(p.Z, top, under, floor, least) <= reach || move.Role == Role.Purge) Land(move.Index);
             else Fly(move.Index, step);
             if (gap == p.Z - floor && gap <= reach
                 && move.Role is not (Role.Skirt or Role.Purge)) _standing += step * area / Math.Max(gap, nominal / 2);
@@ -214,7 +213,7 @@ internal sealed class StrandCheck
         var half = new Bead(area, height).Width(_shape) / 2;
         // Thin strands above each other are not in each other's place.
         var thickness = Math.Min(height, area / _printer.NozzleDiameter);
-        var count = (int)Math.Min(Math.Max(Math.Ceiling(move.Length), 1), 16);
+        var count = (int)Math.Min(Math.Ceiling(move.Length), 16);
         for (var k = 0; k < count; k++)
         {
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);

@@ -166,7 +166,7 @@ internal sealed class CruiseLookAhead : LookAhead
     // From the last to the first; the peak of segments in which the slower profile only falls stays open (NaN): it is that of the segment before.
     private static void Brake(Segment[] run, int count, double next, double slowNext)
     {
-        var highest = 0.0;
+        var highest = double.NaN;
         var open = 0;
         for (var i = count - 1; i >= 0; i--)
         {

@@ -34,7 +34,7 @@ internal sealed class PathIndex
         _sums = new PathSums[toolpath.Blocks.Count][];
         _layerStarts = new int[toolpath.Layers.Count];
         for (var i = 0; i < _layerStarts.Length; i++) _layerStarts[i] = toolpath.Count;
-        var before = -1;
+        var before = int.MinValue;
         for (var block = 0; block < _sums.Length; block++) before = Scan(block, before);
         foreach (var (move, what) in toolpath.Events)
         {
@@ -59,7 +59,8 @@ internal sealed class PathIndex
     /// <summary>The first printing move that ends at a height or above, mm; the number of moves where none does.</summary>
     public int FirstAbove(double z)
     {
-        var at = FirstNotBelow(_heights, z);
+        var at = _heights.BinarySearch(z);
+        if (at < 0) at = ~at;
         return at < _heights.Count ? _heightMoves[at] : _toolpath.Count;
     }
 
@@ -116,7 +117,7 @@ internal sealed class PathIndex
         var first = _toolpath.FirstOf(block);
         var sums = _sums[block] = new PathSums[columns.Count / Step + 1];
         var top = _heights.Count > 0 ? _heights[_heights.Count - 1] : double.NegativeInfinity;
-        var layer = -1;
+        var layer = int.MinValue;
         var running = Total;
         for (var i = 0; i < columns.Count; i += Step)
         {
@@ -148,7 +149,7 @@ internal sealed class PathIndex
         var c = _toolpath.Blocks[block].Columns;
         var start = from > 0 ? new Vec3(c.X[from - 1], c.Y[from - 1], c.Z[from - 1]) : _toolpath.StartOf(block);
         double path = sums.Length, filament = sums.Filament, volume = sums.Volume;
-        var tool = -1;
+        var tool = int.MinValue;
         var factor = 0.0;
         for (at = from; at < to; at++)
         {
@@ -165,17 +166,5 @@ internal sealed class PathIndex
             start = end;
         }
         return new PathSums(path, filament, volume);
-    }
-
-    private static int FirstNotBelow(List<double> values, double value)
-    {
-        int low = 0, high = values.Count;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (values[middle] < value) low = middle + 1;
-            else high = middle;
-        }
-        return low;
     }
 }

@@ -230,8 +230,14 @@ public class CheckBoundaryTests
 
     // The file has one move where the edit has two: a thousandth of length and material may be lost.
     [TestCase("X200 E199.9", 0, 0)]
+    [TestCase("X200 E199.797", 0, 0)]
+    [TestCase("X200 E200.203", 0, 0)]
+    [TestCase("X200 E199.793", 1, 0)]
     [TestCase("X200 E199.5", 1, 0)]
     [TestCase("X199.9 E200", 0, 0)]
+    [TestCase("X199.807 E200", 0, 0)]
+    [TestCase("X200.193 E200", 0, 0)]
+    [TestCase("X199.801 E200", 0, 1)]
     [TestCase("X199.7 E200", 0, 1)]
     public void An_edit_that_joins_moves_keeps_their_material(string strand, int amounts, int lengths)
     {

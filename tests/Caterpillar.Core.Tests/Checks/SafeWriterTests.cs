@@ -87,11 +87,38 @@ public class SafeWriterTests
         }
     }
 
-    [TestCase("")]
-    [TestCase("   ")]
-    [TestCase("1")]
-    public void An_override_needs_a_reason(string reason)
-        => Assert.That(SafeWriter.ToDocument(Line(500), new PrintSetup(), reason).Value, Is.Null);
+    [TestCase(null, "Nothing was written.")]
+    [TestCase("", "An override needs a reason in words.")]
+    [TestCase("   ", "An override needs a reason in words.")]
+    [TestCase("1", "An override needs a reason in words.")]
+    public void An_override_needs_a_reason(string? reason, string message)
+    {
+        var refused = SafeWriter.ToDocument(Line(500), new PrintSetup(), reason);
+        Assert.That(refused.Value, Is.Null);
+        Assert.That(refused.Diagnostics.Single(d => d.Code == SafeWriter.Refused).Message, Is.EqualTo(message));
+    }
+
+    // A draft is written while it is checked, whether its stream can go back or not; only with a reason it has to.
+    [TestCase(null, true, true, true)]
+    [TestCase(null, true, false, true)]
+    [TestCase("1", true, false, true)]
+    [TestCase(null, false, true, false)]
+    [TestCase(null, false, false, false)]
+    public void What_is_refused_is_in_drafts_only(string? reason, bool isDraft, bool canSeek, bool written)
+    {
+        using var stream = new OneWay(canSeek);
+        var refused = isDraft ? SafeWriter.WriteDraft(Line(500), new PrintSetup(), stream, reason) : SafeWriter.Write(Line(500), new PrintSetup(), stream, reason);
+        Assert.That((refused.Value is null, stream.Length > 0), Is.EqualTo((true, written)));
+    }
+
+    [Test]
+    public void An_override_to_a_stream_that_cannot_go_back_is_written_once([Values] bool isDraft, [Values] bool canSeek)
+    {
+        using var stream = new OneWay(canSeek);
+        var written = isDraft ? SafeWriter.WriteDraft(Line(500), new PrintSetup(), stream, "a test") : SafeWriter.Write(Line(500), new PrintSetup(), stream, "a test");
+        Assert.That(stream.ToArray(), Is.EqualTo(SafeWriter.ToDocument(Line(500), new PrintSetup(), "a test").Value!.ToBytes()));
+        Assert.That((written.Value!.Bytes, written.Value.Overridden), Is.EqualTo((stream.Length, 1)));
+    }
 
     [Test]
     public void A_reason_overrides_and_stays_in_the_file()
@@ -122,5 +149,10 @@ public class SafeWriterTests
         var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
         builder.Add(new Vec3(to, 10, 0.2), 0.5, 0.5, 20, MoveKind.Print, Role.OuterWall, -1, 0, 0);
         return builder.Build([new ToolpathTool(new PrintSetup().Extrusion.VolumePerE)]);
+    }
+
+    private sealed class OneWay(bool canSeek) : MemoryStream
+    {
+        public override bool CanSeek => canSeek;
     }
 }

@@ -1,0 +1,162 @@
+using System;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Checks;
+
+/// <summary>Runs of moves that are compared with the plan in one go, and blocks of moves as checks get them.</summary>
+public class MoveRunTests
+{
+    private const int Count = 40;
+    private static readonly PrintSetup Setup = SmallPrint.Setup(p => p with { ExtrusionMode = ExtrusionMode.Relative });
+
+    [Test]
+    public void Moves_as_planned_are_passed_at_once()
+    {
+        var (plan, lines, read) = Written(Print(20));
+        Assert.That(Passed(plan, lines, read), Is.EqualTo(read.Count - 1), "the last may go on");
+    }
+
+    // What differs is left to the comparison of single moves: the number of moves before it.
+    [TestCase("X", 0.01)]
+    [TestCase("Y", -0.01)]
+    [TestCase("Z", 0.01)]
+    [TestCase("E", 0.001)]
+    [TestCase("X", double.NaN)]
+    public void A_run_ends_where_a_move_is_elsewhere(string column, double change)
+    {
+        var (plan, lines, read) = Written(Print(20));
+        var values = column switch { "X" => read.X, "Y" => read.Y, "Z" => read.Z, _ => read.E };
+        values[17] += change;
+        Assert.That(Passed(plan, lines, read), Is.EqualTo(17));
+    }
+
+    [Test]
+    public void A_run_ends_at_another_tool_and_at_a_move_of_several_lines_and_at_a_line_that_is_not_planned()
+    {
+        var (plan, lines, read) = Written(Print(20).Print(15, 15, 1.5, tool: 1).Print(25, 35, 1.5, tool: 1));
+        Assert.That(Passed(plan, lines, read), Is.EqualTo(Count));
+
+        (plan, lines, read) = Written(Print(20));
+        read.Source[18] = read.Source[17];
+        Assert.That(Passed(plan, lines, read), Is.EqualTo(17), "two moves of a line");
+
+        (plan, lines, read) = Written(Print(20));
+        for (var i = 17; i < read.Count; i++) read.Source[i]++;
+        Assert.That(Passed(plan, lines, read), Is.EqualTo(17), "a line after");
+    }
+
+    [Test]
+    public void Blocks_with_arcs_are_compared_move_by_move()
+    {
+        var (plan, lines, read) = Written(Print(20));
+        read.ArcMoves = [5];
+        read.Arcs = [new Arc(new Vec3(30, 30, 1), 90)];
+        Assert.That(Passed(plan, lines, read), Is.Zero, "in the file");
+        var print = Print(20);
+        (plan, lines, read) = Written(print.Arc(print.At.X + 10, print.At.Y + 10, 1.5, print.At + new Vec3(0, 10), 90, SmallPrint.Area));
+        (read.ArcMoves, read.Arcs) = ([], []);
+        Assert.That(Passed(plan, lines, read), Is.Zero, "in the plan");
+    }
+
+    // An arc that the file goes straight ends at the same place.
+    [Test]
+    public void An_arc_that_becomes_a_line_is_found()
+    {
+        var print = Print(20);
+        var (plan, lines, read) = Written(print.Arc(print.At.X + 10, print.At.Y + 10, 1.5, print.At + new Vec3(0, 10), 90, SmallPrint.Area));
+        (read.ArcMoves, read.Arcs) = ([], []);
+        var findings = new Findings(Setup.Printer, plan);
+        PlanComparison.Run(plan, plan.WithBlocks([new ToolpathBlock(read)]), SetupFormat.Of(Setup, plan).Value!, lines, findings);
+        Assert.That(findings.ToList().Select(d => (d.Code, d.Source!.Move)), Is.EqualTo(new[] { (CheckCodes.FilePosition, (int?)Count) }));
+    }
+
+    // Each event goes with the block of its move, once.
+    [Test]
+    public void Blocks_from_any_one_on_have_their_own_events()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        for (var i = 0; i < 140_000; i++)
+        {
+            if (i % 1000 == 0 || i is 65_535 or 65_536 or 65_537) builder.AddEvent(new FanEvent(i / 200_000.0));
+            builder.Add(new Vec3(i % 2, 0), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, i);
+        }
+        builder.AddEvent(new FanEvent(1));
+        var toolpath = builder.Build([new ToolpathTool(1)]);
+        Assert.That(toolpath.Blocks.Count, Is.GreaterThan(2));
+        for (var from = 0; from <= toolpath.Blocks.Count; from++)
+        {
+            var blocks = CheckRun.BlocksOf(toolpath, from).ToArray();
+            Assert.That(blocks.Select(b => b.First), Is.EqualTo(Enumerable.Range(from, toolpath.Blocks.Count - from).Select(toolpath.FirstOf)));
+            foreach (var block in blocks)
+            {
+                var own = toolpath.Events.Where(e => e.Move >= block.First && e.Move < block.First + block.Columns.Count);
+                Assert.That(block.Events, Is.EqualTo(own.ToArray()), $"{block.First}");
+            }
+        }
+    }
+
+    [Test]
+    public void A_number_that_no_file_can_state_is_named_by_its_move_in_any_block()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        for (var i = 0; i < 70_000; i++) builder.Add(new Vec3(i == 69_000 ? 1e9 : i % 2, 0), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, i);
+        Assert.That(PrintableNumbers.Check(builder.Build([new ToolpathTool(1)]))!.Source!.Move, Is.EqualTo(69_000));
+    }
+
+    [Test]
+    public void A_digest_tells_every_change_of_an_arc_and_of_what_homes()
+    {
+        var print = new SmallPrint(50, 50, 1).Print(60, 50, 1).Arc(70, 60, 1, new Vec3(60, 60, 1), 90, SmallPrint.Area).Print(80, 50, 1);
+        var block = CheckRun.BlocksOf(print.Build(), 0).Single();
+        DecodedBlock With(int move, Arc arc)
+        {
+            var columns = block.Columns.Copy(block.Columns.Count);
+            (columns.ArcMoves, columns.Arcs) = ([move], [arc]);
+            return block with { Columns = columns };
+        }
+
+        var center = new Vec3(60, 60, 1);
+        DecodedBlock[] all =
+        [
+            block, With(2, new Arc(center, 90)), With(1, new Arc(center, -90)), With(1, new Arc(center + Vec3.UnitX, 90)),
+            With(1, new Arc(center + Vec3.UnitY, 90)), With(1, new Arc(center + Vec3.UnitZ, 90)), With(1, new Arc(center, 90, ArcPlane.ZX)),
+            block with { Events = [new MoveEvent(1, new HomeEvent(true, false, false))] },
+            block with { Events = [new MoveEvent(2, new HomeEvent(true, false, false))] },
+            block with { Events = [new MoveEvent(1, new HomeEvent(false, true, false))] }, block with { Start = null },
+        ];
+        Assert.That(MoveDigest.Of(With(1, new Arc(center, 90))), Is.EqualTo(MoveDigest.Of(block)));
+        Assert.That(all.Select(MoveDigest.Of), Is.Unique);
+    }
+
+    // How many moves the comparison passes in one go.
+    private static int Passed(Toolpath plan, WrittenLines lines, ToolpathColumns read)
+    {
+        var findings = new Findings(Setup.Printer, plan);
+        return new PlanComparison(plan, SetupFormat.Of(Setup, plan).Value!, lines, findings).Equal(read, 0, plan.Count);
+    }
+
+    // Zigzags that also climb, so that no coordinate is 0 or stays.
+    private static SmallPrint Print(double x)
+    {
+        var print = new SmallPrint(x, 20, 1);
+        for (var i = 1; i <= Count; i++) print.Print(x + i % 2, 20 + 0.5 * i, 1 + 0.01 * i);
+        return print;
+    }
+
+    private static (Toolpath Plan, WrittenLines Lines, ToolpathColumns Read) Written(SmallPrint print)
+    {
+        var plan = print.Build().WithTools([new ToolpathTool(SmallPrint.FilamentArea), new ToolpathTool(SmallPrint.FilamentArea)]);
+        var (file, lines, _) = SmallPrint.Written(plan, Setup);
+        var all = file.Toolpath.Blocks.Single().Columns;
+        // Without the travel to the start, if the file has one.
+        Assert.That(all.Source[0], Is.EqualTo(lines.OfMove(0).Last));
+        return (plan, lines, all.Copy(all.Count));
+    }
+}
