@@ -42,10 +42,7 @@ internal sealed class WriteGuard
     public IReadOnlyList<Diagnostic> Remarks(IReadOnlyList<Diagnostic> others)
     {
         var list = new DiagnosticList();
-        // The comments stand before everything that the lines of the findings are counted in.
-        var shift = Comments().Count;
-        list.AddRange(_findings.Select(d => (d.Severity == Severity.Error ? d with { Severity = Severity.Warning } : d)
-            .WithSource(s => s?.Line is { } line && s.File is null ? s with { Line = line + shift } : s)));
+        list.AddRange(_findings.Select(d => Shifted(d.Severity == Severity.Error ? d with { Severity = Severity.Warning } : d)));
         list.AddRange(others);
         return list.ToList();
     }
@@ -55,6 +52,13 @@ internal sealed class WriteGuard
     {
         if (_errors.Length == 0) return [];
         var reason = string.Join(" ", _reason!.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries));
-        return ["Written in spite of these findings. Reason: " + reason, .. _errors.Select(e => e.ToString())];
+        return ["Written in spite of these findings. Reason: " + reason, .. _errors.Select(e => Shifted(e).ToString())];
+    }
+
+    // The comments, the reason and one for each error, stand before everything that the lines of the findings are counted in.
+    private Diagnostic Shifted(Diagnostic finding)
+    {
+        var shift = _errors.Length > 0 ? _errors.Length + 1 : 0;
+        return finding.WithSource(s => s?.Line is { } line && s.File is null ? s with { Line = line + shift } : s);
     }
 }

@@ -162,7 +162,7 @@ internal sealed class SquareCornerRules(MachineLimits limits, double extruderJum
         var cosine = -(before.X * move.X + before.Y * move.Y + before.Z * move.Z);
         var sine = Math.Sqrt(Math.Max(0.5 * (1 - cosine), 0));
         var half = Math.Sqrt(Math.Max(0.5 * (1 + cosine), 0));
-        if (!(sine < 1) || !(half > 0)) return limit;
+        if (!(sine < 1)) return limit;
         limit = Math.Min(limit, sine / (1 - sine) * Math.Min(before.Deviation * before.Acceleration, move.Deviation * move.Acceleration));
         var touch = 0.5 * sine / half;
         return Math.Min(limit, touch * Math.Min(move.Acceleration * move.Length, before.Acceleration * before.Length));

@@ -73,7 +73,7 @@ public sealed class Timeline
     }
 
     /// <summary>Seconds until a move is over.</summary>
-    public double EndOf(int move) => move >= 0 && move < Toolpath.Count ? StartOf(move + 1) : throw new ArgumentOutOfRangeException(nameof(move));
+    public double EndOf(int move) => move >= 0 ? StartOf(move + 1) : throw new ArgumentOutOfRangeException(nameof(move));
 
     /// <summary>Seconds that the machine waits before a move begins to move: dwells, heat, tools, homing.</summary>
     public double WaitBefore(int move)

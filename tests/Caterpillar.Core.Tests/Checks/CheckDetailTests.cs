@@ -33,6 +33,21 @@ public class CheckDetailTests
         Assert.That(SmallPrint.Find(first.Build(), Setup, CheckCodes.Unsupported).Single().Worst, Is.Null, "it is the first");
     }
 
+    // A first finding without a size says nothing about which is the worst.
+    [TestCase(0, 5, false)]
+    [TestCase(1, 5, true)]
+    [TestCase(5, 1, false)]
+    [TestCase(1, 1.02, false)]
+    [TestCase(1, 0, false)]
+    public void The_worst_is_told_where_it_is_worse_than_the_first(double first, double second, bool told)
+    {
+        var findings = new Findings(new Printer(), _ => null, _ => null);
+        findings.Add(CheckCodes.Width, 0, () => "first", first);
+        findings.Add(CheckCodes.Width, 1, () => "second", second);
+        var found = findings.ToList().Single();
+        Assert.That((found.Message, found.Count, found.Worst?.Message), Is.EqualTo(("first", 2, told ? "second" : null)));
+    }
+
     [Test]
     public void Places_name_object_and_layer_where_the_design_states_no_line()
     {

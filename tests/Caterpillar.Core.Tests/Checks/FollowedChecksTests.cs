@@ -33,6 +33,15 @@ public sealed class FollowedChecksTests
         Assert.That(written.Diagnostics.Where(IsOfPrints).Select(Told), Is.EqualTo(expected));
     }
 
+    // Only its end says how high a print is.
+    [Test]
+    public void A_slender_print_is_named_while_it_is_written()
+    {
+        var tower = new SmallPrint().Wall(50, 55, 50, 30).Build();
+        var found = SafeWriter.WriteDraft(tower, Setup, new MemoryStream()).Diagnostics.Single(d => d.Code == CheckCodes.FirstLayer);
+        Assert.That(found.Message, Is.EqualTo(SmallPrint.Find(tower, Setup, CheckCodes.FirstLayer).Single().Message));
+    }
+
     // While it is written, and while it is checked.
     [TestCase(0.3)]
     [TestCase(0.6)]

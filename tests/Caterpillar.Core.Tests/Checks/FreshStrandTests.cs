@@ -61,7 +61,8 @@ public class FreshStrandTests
         var print = new SmallPrint(150, 50, 5).Arc(50 + 100 * cos, 50 + 100 * sin, 5, new Vec3(50, 50, 5), 10, SmallPrint.Area);
         (sin, cos) = Angle.SinCos(degrees);
         print.Go(print.At.X, print.At.Y, 50).Go(50 + 90 * cos, 50 + 90 * sin, 50).Go(50 + 90 * cos, 50 + 90 * sin, 4.8).Go(50 + 110 * cos, 50 + 110 * sin, 4.8);
-        Assert.That(SmallPrint.Find(print.Build(), Plain, "collision.").Select(d => (d.Code, d.Source!.Move)), Is.EqualTo(new[] { (CheckCodes.TravelHits, (int?)4) }));
+        Assert.That(SmallPrint.Find(print.Build(), Plain, "collision.").Select(d => (d.Code, d.Source!.Move)),
+            Is.EqualTo(new[] { (CheckCodes.TravelHits, (int?)4) }));
         var without = new SmallPrint(150, 50, 5).Go(140, 50, 50);
         Assert.That(SmallPrint.Find(without.Build(), Plain, "collision."), Is.Empty);
     }

@@ -129,7 +129,7 @@ public class MoveRunTests
             With(1, new Arc(center + Vec3.UnitY, 90)), With(1, new Arc(center + Vec3.UnitZ, 90)), With(1, new Arc(center, 90, ArcPlane.ZX)),
             block with { Events = [new MoveEvent(1, new HomeEvent(true, false, false))] },
             block with { Events = [new MoveEvent(2, new HomeEvent(true, false, false))] },
-            block with { Events = [new MoveEvent(1, new HomeEvent(false, true, false))] }, block with { Start = null },
+            block with { Events = [new MoveEvent(1, new HomeEvent(false, true, false))] }, block with { Start = null }, block with { Start = Vec3.Zero },
         ];
         Assert.That(MoveDigest.Of(With(1, new Arc(center, 90))), Is.EqualTo(MoveDigest.Of(block)));
         Assert.That(all.Select(MoveDigest.Of), Is.Unique);

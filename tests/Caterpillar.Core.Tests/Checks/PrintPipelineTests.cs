@@ -127,6 +127,11 @@ public sealed class PrintPipelineTests
         var changed = plan.Blocks[1].Columns.Copy(plan.Blocks[1].Count);
         Assert.That(Timed(plan.WithBlocks([plan.Blocks[0], new ToolpathBlock(changed), .. plan.Blocks.Skip(2)])), Is.Null);
         Assert.That(new EarlyTiming(Plain).Finish(plan, default), Is.Null);
+        var all = new EarlyTiming(Plain);
+        all.Take(plan, default);
+        Assert.That(all.Finish(soFar[0], default), Is.Null, "less than was planned");
+        Assert.That(all.Finish(plan, default)!.TotalTime, Is.EqualTo(expected.TotalTime), "all was planned");
+        Assert.That(all.Finish(plan, default), Is.Null, "once");
     }
 
     [Test]

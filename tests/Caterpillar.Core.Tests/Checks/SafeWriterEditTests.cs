@@ -48,4 +48,22 @@ public sealed class SafeWriterEditTests
         Assert.That(Text(overridden.Value!), Does.Contain("Reason: the table moves"));
         Assert.That(overridden.HasErrors, Is.False);
     }
+
+    // Of two strands one leaves the bed.
+    [Test]
+    public void A_single_finding_is_overridden_with_its_comment_too()
+    {
+        var decoding = GCodeDecoder.Decode(Encoding.ASCII.GetBytes("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.5\nG1 X300 E5\nM104 S0\n"))
+            .Value!;
+        var overridden = SafeWriter.ToDocument(decoding, decoding.Toolpath, new PrintSetup(), "the table moves");
+        Assert.That(overridden.Diagnostics.Single(d => d.Code == CheckCodes.Outside).Count, Is.EqualTo(1));
+        var lines = Text(overridden.Value!).Split('\n');
+        Assert.That(lines.Skip(4).Take(2), Is.EqualTo(new[]
+        {
+            "; Written in spite of these findings. Reason: the table moves",
+            "; layer 0 -> line 9, move 2: error bed.outside: A move goes to (300, 10, 0.2), outside the build volume of Generic printer: (0, 0, 0) to (220, "
+                + "220, 250).",
+        }));
+        Assert.That(lines[8], Is.EqualTo("G1 X300 E5"));
+    }
 }

@@ -107,7 +107,8 @@ public class SafeWriterTests
     public void What_is_refused_is_in_drafts_only(string? reason, bool isDraft, bool canSeek, bool written)
     {
         using var stream = new OneWay(canSeek);
-        var refused = isDraft ? SafeWriter.WriteDraft(Line(500), new PrintSetup(), stream, reason) : SafeWriter.Write(Line(500), new PrintSetup(), stream, reason);
+        var refused = isDraft ? SafeWriter.WriteDraft(Line(500), new PrintSetup(), stream, reason)
+            : SafeWriter.Write(Line(500), new PrintSetup(), stream, reason);
         Assert.That((refused.Value is null, stream.Length > 0), Is.EqualTo((true, written)));
     }
 
@@ -115,7 +116,8 @@ public class SafeWriterTests
     public void An_override_to_a_stream_that_cannot_go_back_is_written_once([Values] bool isDraft, [Values] bool canSeek)
     {
         using var stream = new OneWay(canSeek);
-        var written = isDraft ? SafeWriter.WriteDraft(Line(500), new PrintSetup(), stream, "a test") : SafeWriter.Write(Line(500), new PrintSetup(), stream, "a test");
+        var written = isDraft ? SafeWriter.WriteDraft(Line(500), new PrintSetup(), stream, "a test")
+            : SafeWriter.Write(Line(500), new PrintSetup(), stream, "a test");
         Assert.That(stream.ToArray(), Is.EqualTo(SafeWriter.ToDocument(Line(500), new PrintSetup(), "a test").Value!.ToBytes()));
         Assert.That((written.Value!.Bytes, written.Value.Overridden), Is.EqualTo((stream.Length, 1)));
     }
