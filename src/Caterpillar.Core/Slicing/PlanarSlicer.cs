@@ -104,9 +104,11 @@ public static class PlanarSlicer
             ? bodies.OrderBy(b => b.Model.Mesh.Bounds.Max.Z).ThenBy(b => b.Number).SelectMany(b => b.Layers).ToArray()
             : bodies.SelectMany(b => b.Layers).OrderBy(l => l.Plan.Top).ThenBy(l => l.Body.Number).ToArray();
         var parallel = new ParallelOptions { CancellationToken = cancel, MaxDegreeOfParallelism = threads > 0 ? threads : -1 };
-        var finish = new LayerFinish(ordered, bodies, common, problems, options.Follow);
-        foreach (var layer in affordable.Watch(new LayerStream(ordered, threads, cancel).Run(progress.Part(0.4, 1)))) finish.Add(layer);
-        var kept = finish.End(layers => PrintSupports.Add(layers, ordered, bodies, helpers, common, parallel));
+        var stream = new LayerStream(ordered, threads, cancel);
+        using var supports = PrintSupports.Begin(ordered, bodies, helpers, common, parallel);
+        var finish = new LayerFinish(ordered, bodies, common, supports, problems, options.Follow);
+        foreach (var layer in affordable.Watch(stream.Run(progress.Part(0.4, 1)))) finish.Add(layer);
+        var kept = finish.End();
         foreach (var body in bodies) ThinPlaces.Report(body, findings);
         if (kept.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.nothing", Nothing(models, ordered));

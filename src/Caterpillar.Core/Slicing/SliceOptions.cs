@@ -16,7 +16,7 @@ public sealed record SliceOptions
 
     /// <summary>
     /// Gets the layers as soon as they are finished, those of a height together and from below, on a thread of the slicer; the layers of the result are then
-    /// without steps. Where a layer depends on later ones (supports, objects printed one after the other) all come at the end.
+    /// without steps. With supports the first come once those are found; of objects that are printed one after the other all come at the end.
     /// </summary>
     public Action<IReadOnlyList<SlicedLayer>>? Follow { get; init; }
 

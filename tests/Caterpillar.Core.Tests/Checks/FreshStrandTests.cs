@@ -16,7 +16,7 @@ public class FreshStrandTests
 {
     private static readonly PrintSetup Plain = SmallPrint.Setup();
 
-    // A strand of 1 mm, and a travel back along it that sinks by 2 mm on its way: after 0.7 mm the head is beside the older piece, and below it.
+    // A strand of 1 mm, and a travel back along it that sinks by 2 mm: after 0.7 mm the head is beside the older piece, and below it.
     [TestCase(-9)]
     [TestCase(-0.2)]
     public void A_head_that_sinks_into_the_strand_it_has_just_printed_is_found(double x)

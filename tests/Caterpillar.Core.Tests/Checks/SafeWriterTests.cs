@@ -106,7 +106,7 @@ public class SafeWriterTests
     [TestCase(null, false, false, false)]
     public void What_is_refused_is_in_drafts_only(string? reason, bool isDraft, bool canSeek, bool written)
     {
-        using var stream = new OneWay(canSeek);
+        using var stream = new PlainStream(canSeek);
         var refused = isDraft ? SafeWriter.WriteDraft(Line(500), new PrintSetup(), stream, reason)
             : SafeWriter.Write(Line(500), new PrintSetup(), stream, reason);
         Assert.That((refused.Value is null, stream.Length > 0), Is.EqualTo((true, written)));
@@ -115,7 +115,7 @@ public class SafeWriterTests
     [Test]
     public void An_override_to_a_stream_that_cannot_go_back_is_written_once([Values] bool isDraft, [Values] bool canSeek)
     {
-        using var stream = new OneWay(canSeek);
+        using var stream = new PlainStream(canSeek);
         var written = isDraft ? SafeWriter.WriteDraft(Line(500), new PrintSetup(), stream, "a test")
             : SafeWriter.Write(Line(500), new PrintSetup(), stream, "a test");
         Assert.That(stream.ToArray(), Is.EqualTo(SafeWriter.ToDocument(Line(500), new PrintSetup(), "a test").Value!.ToBytes()));
@@ -153,7 +153,7 @@ public class SafeWriterTests
         return builder.Build([new ToolpathTool(new PrintSetup().Extrusion.VolumePerE)]);
     }
 
-    private sealed class OneWay(bool canSeek) : MemoryStream
+    private sealed class PlainStream(bool canSeek) : MemoryStream
     {
         public override bool CanSeek => canSeek;
     }

@@ -145,11 +145,8 @@ internal sealed class Arrangement
         if (!Tree.Fresh[Tree.LevelStart[level] + node] || Tree.Monotone[Tree.LevelStart[level] + node] != 0) return;
         if (level == 0)
         {
-            var end = Tree.LeafStart[node + 1];
-            for (var i = Tree.LeafStart[node]; i < end; i++)
-            {
-                for (var j = i + 1; j < end; j++) Test(i, j, Tree.LeafContour[node], Tree.LeafContour[node]);
-            }
+            var (end, contour) = (Tree.LeafStart[node + 1], Tree.LeafContour[node]);
+            for (var i = Tree.LeafStart[node]; i < end; i++) TestAll(i, GridBox.Of(Segments[i]), i + 1, end, contour, contour);
             return;
         }
         var left = 2 * node;
@@ -179,17 +176,26 @@ internal sealed class Arrangement
 
     private void PairOfLeaves(int m, int n)
     {
-        ref readonly var box = ref Tree.Boxes[n];
-        var end = Tree.LeafStart[n + 1];
+        ref readonly var other = ref Tree.Boxes[n];
+        var (start, end) = (Tree.LeafStart[n], Tree.LeafStart[n + 1]);
         for (var i = Tree.LeafStart[m]; i < Tree.LeafStart[m + 1]; i++)
         {
-            ref readonly var s = ref Segments[i];
-            if ((s.Ax < box.MinX && s.Bx < box.MinX) || (s.Ax > box.MaxX && s.Bx > box.MaxX)
-                || (s.Ay < box.MinY && s.By < box.MinY) || (s.Ay > box.MaxY && s.By > box.MaxY))
-            {
-                continue;
-            }
-            for (var j = Tree.LeafStart[n]; j < end; j++) Test(i, j, Tree.LeafContour[m], Tree.LeafContour[n]);
+            var box = GridBox.Of(Segments[i]);
+            if (GridBox.Overlap(box, other)) TestAll(i, box, start, end, Tree.LeafContour[m], Tree.LeafContour[n]);
+        }
+    }
+
+    // A segment against a run of others, most of which are beside its box.
+    private void TestAll(int i, in GridBox box, int from, int end, int contourI, int contourJ)
+    {
+        var segments = Segments;
+        var (minX, minY, maxX, maxY) = (box.MinX, box.MinY, box.MaxX, box.MaxY);
+        for (var j = from; j < end; j++)
+        {
+            ref readonly var t = ref segments[j];
+            if (((t.Ax < minX) & (t.Bx < minX)) | ((t.Ax > maxX) & (t.Bx > maxX))
+                || ((t.Ay < minY) & (t.By < minY)) | ((t.Ay > maxY) & (t.By > maxY))) continue;
+            if (_fresh[i] | _fresh[j]) Test(i, j, contourI, contourJ);
         }
     }
 
@@ -197,12 +203,6 @@ internal sealed class Arrangement
     {
         ref readonly var s = ref Segments[i];
         ref readonly var t = ref Segments[j];
-        if (Math.Max(s.Ax, s.Bx) < Math.Min(t.Ax, t.Bx) || Math.Max(t.Ax, t.Bx) < Math.Min(s.Ax, s.Bx)
-            || Math.Max(s.Ay, s.By) < Math.Min(t.Ay, t.By) || Math.Max(t.Ay, t.By) < Math.Min(s.Ay, s.By))
-        {
-            return;
-        }
-        if (!(_fresh[i] | _fresh[j])) return;
         bool aa = s.Ax == t.Ax && s.Ay == t.Ay, ab = s.Ax == t.Bx && s.Ay == t.By;
         bool ba = s.Bx == t.Ax && s.By == t.Ay, bb = s.Bx == t.Bx && s.By == t.By;
         if (aa | ab | ba | bb)

@@ -49,18 +49,22 @@ internal sealed class BoxTree
         Need(ref Monotone, 2 * leaves + 32);
         for (var leaf = 0; leaf < leaves; leaf++)
         {
-            var box = GridBox.Nothing;
+            var (i, end) = (LeafStart[leaf], LeafStart[leaf + 1]);
+            int minX = segments[i].Ax, maxX = minX, minY = segments[i].Ay, maxY = minY;
             var any = false;
             var directions = 15;
-            for (var i = LeafStart[leaf]; i < LeafStart[leaf + 1]; i++)
+            for (; i < end; i++)
             {
+                // It begins where the one before ends.
                 ref readonly var s = ref segments[i];
-                box.Include(s.Ax, s.Ay);
-                box.Include(s.Bx, s.By);
+                minX = Math.Min(minX, s.Bx);
+                maxX = Math.Max(maxX, s.Bx);
+                minY = Math.Min(minY, s.By);
+                maxY = Math.Max(maxY, s.By);
                 directions &= (s.Bx > s.Ax ? 1 : s.Bx < s.Ax ? 2 : 0) | (s.By > s.Ay ? 4 : s.By < s.Ay ? 8 : 0);
                 if (fresh is not null) any |= fresh[i];
             }
-            Boxes[leaf] = box;
+            Boxes[leaf] = new GridBox { MinX = minX, MinY = minY, MaxX = maxX, MaxY = maxY };
             Fresh[leaf] = any;
             Monotone[leaf] = (byte)directions;
         }

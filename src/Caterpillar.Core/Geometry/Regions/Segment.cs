@@ -54,6 +54,9 @@ internal struct GridBox
 
     public static bool Overlap(in GridBox a, in GridBox b) => a.MinX <= b.MaxX && b.MinX <= a.MaxX && a.MinY <= b.MaxY && b.MinY <= a.MaxY;
 
+    public static GridBox Of(in Segment s)
+        => new() { MinX = Math.Min(s.Ax, s.Bx), MinY = Math.Min(s.Ay, s.By), MaxX = Math.Max(s.Ax, s.Bx), MaxY = Math.Max(s.Ay, s.By) };
+
     public static GridBox Of(GridPoint[] points)
     {
         var box = Nothing;

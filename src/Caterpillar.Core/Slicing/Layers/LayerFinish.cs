@@ -21,6 +21,7 @@ internal sealed class LayerFinish
     private readonly Dictionary<Body, (VaseSpiral Spiral, int Last)> _vases = [];
     private readonly Dictionary<Body, SeamPlacer> _seams = [];
     private readonly LayerTime _time;
+    private readonly PrintSupports? _supports;
     private readonly bool _waits, _isByObject;
 
     // All layers, null once they are given on.
@@ -38,16 +39,18 @@ internal sealed class LayerFinish
     /// <param name="works">The layers in their order, as they are sliced.</param>
     /// <param name="bodies">What is printed.</param>
     /// <param name="settings">The settings of the print.</param>
+    /// <param name="supports">Adds supports; null where nobody wants them.</param>
     /// <param name="problems">Gets what is noticed.</param>
     /// <param name="follow">Gets finished layers; null for nobody.</param>
     public LayerFinish(
-        LayerWork[] works, IReadOnlyList<Body> bodies, PrintSettings settings, DiagnosticList problems, Action<IReadOnlyList<SlicedLayer>>? follow)
+        LayerWork[] works, IReadOnlyList<Body> bodies, PrintSettings settings, PrintSupports? supports, DiagnosticList problems,
+        Action<IReadOnlyList<SlicedLayer>>? follow)
     {
-        (_works, _settings, _problems, _follow) = (works, settings, problems, follow);
+        (_works, _settings, _supports, _problems, _follow) = (works, settings, supports, problems, follow);
         _time = new LayerTime(settings);
         // The skirt goes around all that stands on the bed.
         _isByObject = bodies.Count > 1 && settings.PrintSequence == PrintSequence.ByObject;
-        _waits = follow is null || _isByObject || works.Any(w => w.Rules.Settings.Support != SupportKind.None);
+        _waits = follow is null || _isByObject;
     }
 
     /// <summary>The next layer.</summary>
@@ -69,24 +72,21 @@ internal sealed class LayerFinish
         _all.Add(finished);
         if (_waits) return;
         // The highest layer of a vase may yet become its end.
-        var open = _all.Count;
+        var open = _supports?.AddTo(_all, waits: false) ?? _all.Count;
         foreach (var vase in _vases.Values) open = Math.Min(open, vase.Last);
         Release(open);
     }
 
     /// <summary>All finished layers that print something.</summary>
-    /// <param name="supports">Adds supports to all layers, and gives how many have theirs so far.</param>
-    public SlicedLayer[] End(Func<List<SlicedLayer>, IEnumerable<int>> supports)
+    public SlicedLayer[] End()
     {
         foreach (var body in _vases.Keys.OrderBy(b => b.Number)) EndVase(_vases[body].Spiral, _vases[body].Last, body);
-        if (_waits)
+        for (var supported = 0; _supports is not null && supported < _all.Count;)
         {
-            foreach (var supported in supports(_all!))
-            {
-                if (!_isByObject) Release(supported);
-            }
-            if (_isByObject) _low = Low();
+            supported = _supports.AddTo(_all, waits: true);
+            if (!_isByObject) Release(supported);
         }
+        if (_isByObject) _low = Low();
         Release(_all.Count);
         EndLevel();
         _time.Report(_problems);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
+using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using Caterpillar.Basics;
@@ -66,7 +67,9 @@ internal sealed class LayerStream
         var next = new Front(Math.Min(_layers.Length, reached.Outlined + Block), reached.Filled);
         while (next.Filled < _layers.Length && _needed[next.Filled] < reached.Outlined) next = next with { Filled = next.Filled + 1 };
         int fills = next.Filled - reached.Filled, all = fills + next.Outlined - reached.Outlined;
-        void Work() => Parallel.For(0, all, _options, Take, (i, _, tools) =>
+        // One by one, for some take many times as long as others.
+        var each = Partitioner.Create(Enumerable.Range(0, all), EnumerablePartitionerOptions.NoBuffering);
+        void Work() => Parallel.ForEach(each, _options, Take, (i, _, tools) =>
         {
             if (i < fills) done[reached.Filled + i] = FillStage.Run(_layers[reached.Filled + i], tools);
             else OutlineStage.Run(_layers[reached.Outlined + i - fills], tools);

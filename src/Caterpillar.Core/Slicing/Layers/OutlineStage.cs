@@ -7,7 +7,8 @@ namespace Caterpillar.Slicing;
 /// <summary>First stage of a layer, which needs no neighbors: its section becomes a region, islands, and their walls.</summary>
 internal static class OutlineStage
 {
-    public static void Run(LayerWork layer, LayerTools tools)
+    /// <summary>Only the region, where others need that of all layers first.</summary>
+    public static void FindRegion(LayerWork layer, LayerTools tools)
     {
         if (layer.Section is not { } section) return;
         layer.Section = null;
@@ -15,6 +16,13 @@ internal static class OutlineStage
         if (settings.OpenMeshes == OpenMeshes.Walls) layer.OpenLines = section.OpenLines;
         var region = Region.From(section.Loops, FillRule.NonZero, false, engine).Simplified(settings.SimplifyTolerance, engine);
         layer.Region = Compensated(region, layer, engine);
+    }
+
+    public static void Run(LayerWork layer, LayerTools tools)
+    {
+        FindRegion(layer, tools);
+        if (layer.Region.IsEmpty) return;
+        var (settings, engine) = (layer.Rules.Settings, tools.Engine);
         if (settings.Vase && layer.Index >= settings.BottomLayers)
         {
             layer.VaseLoop = VaseSpiral.Loop(layer, engine);

@@ -1,64 +1,136 @@
+using System;
+using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using System.Threading.Tasks;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>The supports of a print: found once the regions of all layers are known, and printed with the layers beside them.</summary>
-internal static class PrintSupports
+/// <summary>
+/// The supports of a print. They need the regions of all layers and nothing else, so they are found and filled while the layers are filled, and printed with
+/// the layers beside them.
+/// </summary>
+internal sealed class PrintSupports : IDisposable
 {
-    // Levels that are filled before their layers are taken.
+    // Levels that are filled before they are given on.
     private const int Block = 32;
+    private readonly CancellationToken _cancel;
+    private readonly CancellationTokenSource _stop;
+    private readonly BlockingCollection<Filled[]> _filled = [];
+    private readonly Task _work;
 
-    /// <summary>Adds supports to finished layers, in place and from below; gives how many layers from the lowest on have theirs.</summary>
-    /// <param name="layers">The finished layers, also those without steps.</param>
-    /// <param name="works">The same layers as they were sliced.</param>
+    // What is filled and waits for its layers, and the number of layers from the lowest on that have their supports.
+    private Filled[] _next = [];
+    private int _at;
+    private int _supported;
+
+    private PrintSupports(LayerWork[] works, Func<ParallelOptions, List<SupportStack>> build, ParallelOptions options)
+    {
+        _cancel = options.CancellationToken;
+        _stop = CancellationTokenSource.CreateLinkedTokenSource(_cancel);
+        var own = new ParallelOptions { CancellationToken = _stop.Token, MaxDegreeOfParallelism = options.MaxDegreeOfParallelism };
+        void Work()
+        {
+            try
+            {
+                Fill(build(own), works, own);
+            }
+            finally
+            {
+                _filled.CompleteAdding();
+            }
+        }
+        _work = OwnThread.Run(Work);
+    }
+
+    /// <summary>Begins; null where nobody wants supports. The regions of all layers are known afterwards.</summary>
+    /// <param name="works">The layers in their order, before they are sliced.</param>
     /// <param name="bodies">What is printed.</param>
     /// <param name="helpers">Bodies in which supports are blocked or enforced.</param>
     /// <param name="common">The settings of the print.</param>
     /// <param name="options">Threads, and cancelling.</param>
-    public static IEnumerable<int> Add(
-        List<SlicedLayer> layers, LayerWork[] works, IReadOnlyList<Body> bodies, IReadOnlyList<SliceModel> helpers, PrintSettings common,
-            ParallelOptions options)
+    public static PrintSupports? Begin(
+        LayerWork[] works, IReadOnlyList<Body> bodies, IReadOnlyList<SliceModel> helpers, PrintSettings common, ParallelOptions options)
+    {
+        if (!works.Any(w => w.Rules.Settings.Support != SupportKind.None)) return null;
+        Parallel.For(0, works.Length, options, () => new LayerTools(), (i, _, tools) =>
+        {
+            OutlineStage.FindRegion(works[i], tools);
+            return tools;
+        }, _ => { });
+        return new PrintSupports(works, own => Build(works, bodies, helpers, common, own), options);
+    }
+
+    /// <summary>Adds what is filled to layers, in place; returns how many of them, from the lowest on, have their supports now.</summary>
+    /// <param name="layers">The layers so far, also those without steps; null where they need nothing any more.</param>
+    /// <param name="waits">Waits until something is filled.</param>
+    public int AddTo(List<SlicedLayer?> layers, bool waits)
+    {
+        if (_at == _next.Length && _filled.TryTake(out var next, waits ? Timeout.Infinite : 0, _cancel)) (_next, _at) = (next, 0);
+        for (; _at < _next.Length && _next[_at].Layer < layers.Count; _at++)
+        {
+            var (at, support, steps) = _next[_at];
+            var layer = layers[at]!;
+            if (steps.Count > 0) layers[at] = layer with { Steps = [.. layer.Steps, .. steps], Support = support };
+            _supported = at + 1;
+        }
+        if (_at < _next.Length || !_filled.IsCompleted) return _supported;
+        OwnThread.Wait(_work);
+        _work.GetAwaiter().GetResult();
+        return layers.Count;
+    }
+
+    /// <summary>Stops where it is not finished, and waits for that.</summary>
+    public void Dispose()
+    {
+        _stop.Cancel();
+        OwnThread.Wait(_work);
+        _filled.Dispose();
+        _stop.Dispose();
+    }
+
+    private static List<SupportStack> Build(
+        LayerWork[] works, IReadOnlyList<Body> bodies, IReadOnlyList<SliceModel> helpers, PrintSettings common, ParallelOptions options)
     {
         var stacks = SupportStack.Of(bodies, common);
-        var wanted = new List<(int Layer, SupportLevel Level, PrintSettings Settings)>();
         TriMesh[] Used(ModelUse use) => helpers.Where(h => h.Settings.ModelUse == use).Select(h => h.Mesh.Mesh).ToArray();
         var (blockers, enforcers) = (Used(ModelUse.SupportBlocker), Used(ModelUse.SupportEnforcer));
-        var places = new Dictionary<LayerWork, int>();
-        for (var i = 0; i < works.Length; i++) places.Add(works[i], i);
         foreach (var stack in stacks)
         {
             // Bodies that stand in this stack need no second look: its levels hold them.
             var others = works.Where(w => w.Rules.Settings != stack.Settings || common.PrintSequence == PrintSequence.ByObject || stack.Settings.AdaptiveLayers)
                 .Where(w => w.Body != stack.Levels[0].Work.Body).ToArray();
             SupportBuilder.Build(stack, others, blockers, enforcers, options);
-            foreach (var level in stack.Levels)
-            {
-                if (!level.Support.IsEmpty) wanted.Add((places[level.Work], level, stack.Settings));
-            }
         }
-        wanted.Sort((a, b) => a.Layer.CompareTo(b.Layer));
-        for (var first = 0; first < wanted.Count; first += Block)
+        return stacks;
+    }
+
+    private void Fill(List<SupportStack> stacks, LayerWork[] works, ParallelOptions options)
+    {
+        var places = new Dictionary<LayerWork, int>();
+        for (var i = 0; i < works.Length; i++) places.Add(works[i], i);
+        var levels = stacks.SelectMany(s => s.Levels.Where(l => !l.Support.IsEmpty).Select(l => (Layer: places[l.Work], Level: l, s.Settings)))
+            .OrderBy(l => l.Layer).ToArray();
+        for (var first = 0; first < levels.Length; first += Block)
         {
-            var steps = new List<PathStep>[System.Math.Min(Block, wanted.Count - first)];
-            Parallel.For(0, steps.Length, options, () => new LayerTools(), (i, _, tools) =>
+            var filled = new Filled[Math.Min(Block, levels.Length - first)];
+            Parallel.For(0, filled.Length, options, () => new LayerTools(), (i, _, tools) =>
             {
-                var (_, level, settings) = wanted[first + i];
-                SupportFiller.Add(level, settings, tools, steps[i] = []);
+                var (layer, level, settings) = levels[first + i];
+                var steps = new List<PathStep>();
+                SupportFiller.Add(level, settings, tools, steps);
+                filled[i] = new Filled(layer, level.Support, steps);
                 return tools;
             }, _ => { });
-            for (var i = 0; i < steps.Length; i++)
-            {
-                if (steps[i].Count == 0) continue;
-                var (at, level, _) = wanted[first + i];
-                layers[at] = layers[at] with { Steps = [.. layers[at].Steps, .. steps[i]], Support = level.Support };
-            }
-            yield return wanted[first + steps.Length - 1].Layer + 1;
+            _filled.Add(filled);
         }
-        yield return layers.Count;
     }
+
+    // The supports of a layer.
+    private readonly record struct Filled(int Layer, Region Support, List<PathStep> Steps);
 }
