@@ -36,7 +36,7 @@ public static class CollisionFreeOrder
         if (paths is null) throw new ArgumentNullException(nameof(paths));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         var problems = new List<Diagnostic>();
-        var top = Math.Max(setup.PrintedOn?.Bounds.Max.Z ?? 0, paths.Count == 0 ? 0 : paths.Max(p => p.Bounds.Max.Z));
+        var top = paths.Select(p => p.Bounds.Max.Z).Append(setup.PrintedOn?.Bounds.Max.Z ?? 0).Max();
         var trial = new OrderTrial(setup, top + Math.Max(setup.Printer.LiftClearance, 1));
         var turned = paths.Select((p, i) => Turned(p, i, trial, problems)).ToArray();
         var before = problems.Count > 0 ? null : Constraints(turned, trial, problems, progress, cancel);

@@ -68,7 +68,7 @@ internal sealed class Findings
             return;
         }
         _list.Add(severity, code, "");
-        if (size > 0 && _worst.TryGetValue(code, out var worst) && size > worst.Size * Worse)
+        if (_worst.TryGetValue(code, out var worst) && size > worst.Size * Worse)
             _worst[code] = (size, new Diagnostic(severity, code, message()), place);
     }
 

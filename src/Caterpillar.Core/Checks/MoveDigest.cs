@@ -24,13 +24,13 @@ internal static class MoveDigest
             sum = Mix(Mix(Mix(sum, c.X[i]), c.Y[i]), c.Z[i]);
             sum = Mix(Mix(Mix(sum, c.E[i]), c.Deposited[i]), c.Speed[i]);
             sum = Mix(sum, layer >= 0 ? block.Thicknesses![layer] : 0);
-            sum = Mix(sum, (ulong)(byte)c.Kind[i] | ((ulong)(byte)c.Role[i] << 8) | ((ulong)(ushort)c.Tool[i] << 16));
+            sum = Mix(Mix(Mix(sum, (ulong)c.Kind[i]), (ulong)c.Role[i]), (ulong)c.Tool[i]);
         }
         for (var i = 0; i < c.Arcs.Length; i++)
         {
             var arc = c.Arcs[i];
             sum = Mix(Mix(Mix(Mix(sum, arc.Center.X), arc.Center.Y), arc.Center.Z), arc.Sweep);
-            sum = Mix(sum, (ulong)(uint)c.ArcMoves[i] | ((ulong)(byte)arc.Plane << 32));
+            sum = Mix(Mix(sum, (ulong)c.ArcMoves[i]), (ulong)arc.Plane);
         }
         foreach (var entry in block.Events)
         {

@@ -71,7 +71,7 @@ internal static class RawModes
             ('G', 21) => this with { Inches = false },
             ('M', 82) => this with { RelativeE = false },
             ('M', 83) => this with { RelativeE = true },
-            ('M', 200) => this with { IsVolume = (Word(code, 'D') ?? 1) > 0 && (Word(code, 'S') ?? 1) > 0 },
+            ('M', 200) => this with { IsVolume = Word(code, 'D') is not 0 && Word(code, 'S') is not 0 },
             ('M', 221) => this with { Flow = Word(code, 'S') ?? Flow },
             _ => this,
         };

@@ -49,9 +49,9 @@ public static class SafeWriter
         DecodedGCode decoding, Toolpath edited, PrintSetup setup, string path, string? reason = null, EditOptions? code = null,
         IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        var (document, overridden) = Edited(decoding, edited, setup, reason, code, progress, cancel);
+        var (document, guard) = Edited(decoding, edited, setup, reason, code, progress, cancel);
         document.Value?.WriteFile(path, null, cancel);
-        var written = document.Value is { } text ? new WrittenGCode(text.Length, text.LineCount, overridden) : null;
+        var written = document.Value is { } text ? new WrittenGCode(text.Length, text.LineCount, guard!.Overridden) : null;
         return new Result<WrittenGCode>(written, document.Diagnostics);
     }
 
@@ -129,7 +129,7 @@ public static class SafeWriter
         CancellationToken cancel = default)
         => Edited(decoding, edited, setup, reason, code, progress, cancel).Document;
 
-    private static (Result<GCodeDocument> Document, int Overridden) Edited(
+    private static (Result<GCodeDocument> Document, WriteGuard? Guard) Edited(
         DecodedGCode decoding, Toolpath edited, PrintSetup setup, string? reason, EditOptions? code, IProgress<double>? progress, CancellationToken cancel)
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
@@ -137,22 +137,22 @@ public static class SafeWriter
         if (code is { Start: not null } or { End: not null })
         {
             var replaced = GCodeEditor.ToDocument(decoding, edited, code, null, cancel);
-            if (replaced.Value is null) return (replaced, 0);
+            if (replaced.Value is null) return (replaced, null);
             var options = new DecodeOptions { Dialect = decoding.Dialect, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
             decoding = GCodeDecoder.Decode(replaced.Value, options, null, cancel).Value!;
             edited = decoding.Toolpath;
         }
         var written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0, 0.4), cancel);
-        if (written.Value is null) return (written, 0);
+        if (written.Value is null) return (written, null);
         var findings = EditCheck.Run(decoding, edited, written.Value, setup, progress.Part(0.4, 0.8), cancel);
         var guard = new WriteGuard(findings, reason);
-        if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal(written.Diagnostics)), 0);
+        if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal(written.Diagnostics)), guard);
         if (guard.Overridden > 0)
         {
             foreach (var comment in guard.Comments()) edited = edited.Insert(0, new CommentEvent(comment));
             written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0.8, 1), cancel);
         }
         progress?.Report(1);
-        return (new Result<GCodeDocument>(written.Value, guard.Remarks(written.Diagnostics)), guard.Overridden);
+        return (new Result<GCodeDocument>(written.Value, guard.Remarks(written.Diagnostics)), guard);
     }
 }

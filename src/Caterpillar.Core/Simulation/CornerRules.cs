@@ -117,7 +117,7 @@ internal sealed class DeviationRules(MachineLimits limits) : AxisRules(limits)
         if (move.Length < ShortLength && cosine < GentleTurn)
         {
             var turn = Math.Atan(Math.Sqrt(Math.Max(1 - cosine * cosine, 0)) / -cosine);
-            if (move.Length * acceleration < limit * turn) limit = move.Length * acceleration / turn;
+            limit = Math.Min(limit, move.Length * acceleration / turn);
         }
         return Math.Min(limit, speed2);
     }
@@ -146,7 +146,7 @@ internal sealed class SquareCornerRules(MachineLimits limits, double extruderJum
         move.Deviation = Square(Limits[MotionLimit.SquareCornerVelocity]) * Sqrt2Minus1 / Limits.HeadAcceleration;
         if (!move.InPlace) move.Speed = Math.Min(move.Speed, Limits[MotionLimit.Speed]);
         if (move.Z != 0) Limit(ref move, Math.Abs(move.Z), Limits[MotionLimit.SpeedZ], Limits[MotionLimit.AccelerationZ]);
-        if (move.E < 0 || (move.E > 0 && move.X == 0 && move.Y == 0))
+        if (move.E < 0 || (move.X == 0 && move.Y == 0))
         {
             var acceleration = Math.Min(Limits[MotionLimit.AccelerationE], Limits[MotionLimit.RetractionAcceleration]);
             Limit(ref move, Math.Abs(move.E), Limits[MotionLimit.SpeedE], acceleration);

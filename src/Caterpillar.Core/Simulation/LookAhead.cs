@@ -150,7 +150,7 @@ internal sealed class CruiseLookAhead : LookAhead
             var slowReach = slowNext + s.SlowGain;
             if (s.Start2 <= reach && s.Slow2 < slowReach && HasTop(run[i - 1], s.Slow2))
             {
-                _tryAt = FirstTry;
+                _tryAt = count - i + FirstTry;
                 return i;
             }
             next = Math.Min(s.Start2, reach);

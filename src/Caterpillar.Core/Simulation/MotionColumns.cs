@@ -55,7 +55,7 @@ internal sealed class MotionColumns
     /// <summary>There are so many moves, at least.</summary>
     public void Reserve(int moves)
     {
-        if (First.Length <= moves) Array.Resize(ref First, checked(moves + moves / 2) + 1);
+        if (First.Length <= moves) Array.Resize(ref First, 2 * moves + 1);
     }
 
     /// <summary>Seconds from the start to the start of a trapezoid.</summary>
@@ -65,7 +65,7 @@ internal sealed class MotionColumns
 
     private void Grow()
     {
-        var size = checked(Count + Count / 2 + Spare);
+        var size = checked(2 * Count);
         Array.Resize(ref EndTime, size);
         if (Start.Length == 0) return;
         Array.Resize(ref Start, size);

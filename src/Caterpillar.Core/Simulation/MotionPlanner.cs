@@ -211,7 +211,7 @@ internal sealed class MotionPlanner
         s.Entry2 = _before.Length > 0 ? _rules.Corner2(_before, move) : s.Rest2;
         _before = move;
         _count++;
-        if ((_count & 1023) == 0) Plan(ends: false);
+        Plan(ends: false);
     }
 
     private void Stop()
@@ -223,13 +223,14 @@ internal sealed class MotionPlanner
     private void Plan(bool ends)
     {
         var done = _lookAhead.Plan(_run, _count, ends);
+        if (done == 0) return;
         for (var i = 0; i < done; i++)
         {
             ref var s = ref _run[i];
             _out.Add(Trapezoid.Over(s.Length, s.Start2, s.Peak2, s.End2, s.Acceleration));
         }
-        if (done > 0) Array.Copy(_run, done, _run, 0, _count - done);
         _count -= done;
+        Array.Copy(_run, done, _run, 0, _count);
     }
 
     /// <summary>mm of filament for a unit of E of each tool, of one at least.</summary>

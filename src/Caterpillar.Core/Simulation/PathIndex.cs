@@ -91,23 +91,24 @@ internal sealed class PathIndex
     public (int Move, PathSums Before) AtLength(double length)
     {
         if (!(length < Total.Length)) return (_toolpath.Count, Total);
-        int low = 0, high = _sums.Length - 1;
+        // The last block, and the last kept sum of it, that begins at the length or before.
+        int low = 0, high = _sums.Length;
         while (low < high)
         {
-            var middle = (low + high + 1) / 2;
-            if (_sums[middle][0].Length <= length) low = middle;
-            else high = middle - 1;
+            var middle = (low + high) / 2;
+            if (_sums[middle][0].Length <= length) low = middle + 1;
+            else high = middle;
         }
-        var block = low;
-        int first = 0, last = (_toolpath.Blocks[block].Count - 1) / Step;
-        while (first < last)
+        var block = low - 1;
+        var count = _toolpath.Blocks[block].Count;
+        (low, high) = (0, (count - 1) / Step + 1);
+        while (low < high)
         {
-            var middle = (first + last + 1) / 2;
-            if (_sums[block][middle].Length <= length) first = middle;
-            else last = middle - 1;
+            var middle = (low + high) / 2;
+            if (_sums[block][middle].Length <= length) low = middle + 1;
+            else high = middle;
         }
-        var to = Math.Min((first + 1) * Step, _toolpath.Blocks[block].Count);
-        var before = Add(block, first * Step, to, _sums[block][first], length, out var at);
+        var before = Add(block, (low - 1) * Step, Math.Min(low * Step, count), _sums[block][low - 1], length, out var at);
         return (_toolpath.FirstOf(block) + at, before);
     }
 
@@ -149,20 +150,14 @@ internal sealed class PathIndex
         var c = _toolpath.Blocks[block].Columns;
         var start = from > 0 ? new Vec3(c.X[from - 1], c.Y[from - 1], c.Z[from - 1]) : _toolpath.StartOf(block);
         double path = sums.Length, filament = sums.Filament, volume = sums.Volume;
-        var tool = int.MinValue;
-        var factor = 0.0;
         for (at = from; at < to; at++)
         {
             var end = new Vec3(c.X[at], c.Y[at], c.Z[at]);
             var own = c.TryGetArc(at, out var arc) ? arc.Length(start, end) : start.DistanceTo(end);
             if (path + own > length) break;
             path += own;
-            if (c.Deposited[at] != 0)
-            {
-                if (c.Tool[at] != tool) factor = _toolpath.VolumePerE(tool = c.Tool[at]) ?? 0;
-                filament += c.Deposited[at];
-                volume += c.Deposited[at] * factor;
-            }
+            filament += c.Deposited[at];
+            volume += c.Deposited[at] * (_toolpath.VolumePerE(c.Tool[at]) ?? 0);
             start = end;
         }
         return new PathSums(path, filament, volume);

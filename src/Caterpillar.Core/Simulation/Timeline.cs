@@ -179,8 +179,8 @@ public sealed class Timeline
             var middle = (int)(((uint)low + (uint)high) / 2);
             // A move without a source goes with the next that has one.
             var next = middle;
-            while (next < high && Toolpath[next].Source < 0) next++;
-            if (next < high && Toolpath[next].Source < source) low = next + 1;
+            while (Toolpath[next].Source < 0) next++;
+            if (Toolpath[next].Source < source) low = next + 1;
             else high = middle;
         }
         return low < _path.SourcedMoves ? low : Toolpath.Count;
@@ -194,7 +194,7 @@ public sealed class Timeline
         if (first == end) return AtMove(move);
         // The pieces of an arc are equally long.
         var at = done * (end - first);
-        var piece = Math.Min((int)at, end - first - 1);
+        var piece = (int)at;
         var trapezoid = _motion[first + piece];
         var time = _motion.StartTime(first + piece) + trapezoid.TimeAt((at - piece) * trapezoid.Length);
         return State(move, first + piece, time);

@@ -37,6 +37,36 @@ public class MoveRunTests
         Assert.That(Passed(plan, lines, read), Is.EqualTo(17));
     }
 
+    // Half of the last decimal, and rounding: exactly as much and the least bit more. The last move of a block is compared by itself.
+    [TestCase("X", 17)]
+    [TestCase("Y", 17)]
+    [TestCase("Z", 17)]
+    [TestCase("E", 17)]
+    [TestCase("X", Count - 1)]
+    [TestCase("Y", Count - 1)]
+    [TestCase("Z", Count - 1)]
+    [TestCase("E", Count - 1)]
+    public void A_move_may_differ_by_as_much_as_is_allowed_and_no_more(string column, int move)
+    {
+        var (plan, lines, read) = Written(Print(20));
+        var format = SetupFormat.Of(Setup, plan).Value!;
+        var planned = plan.Blocks.Single().Columns;
+        double[] Values(ToolpathColumns of) => column switch { "X" => of.X, "Y" => of.Y, "Z" => of.Z, _ => of.E };
+        Array.Copy(read.E, planned.E, Count);
+        Values(planned)[move] = 0;
+        var allowed = column == "E"
+            ? NumberFormatter.FromUnits(1, format.DecimalsE) * 1.01 + 1e-8 : 0.5 * NumberFormatter.FromUnits(1, format.DecimalsXyz) + 1e-7;
+        foreach (var sign in new[] { 1, -1 })
+        {
+            Values(read)[move] = sign * allowed;
+            Assert.That(Passed(plan, lines, read), Is.EqualTo(Count - 1));
+            Assert.That(Compared(plan, lines, read), Is.Empty);
+            Values(read)[move] = sign * BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(allowed) + 1);
+            Assert.That(Passed(plan, lines, read), Is.EqualTo(Math.Min(move, Count - 1)));
+            Assert.That(Compared(plan, lines, read), Is.EqualTo(new[] { (column == "E" ? CheckCodes.FileExtrusion : CheckCodes.FilePosition, (int?)move) }));
+        }
+    }
+
     [Test]
     public void A_run_ends_at_another_tool_and_at_a_move_of_several_lines_and_at_a_line_that_is_not_planned()
     {
@@ -72,9 +102,7 @@ public class MoveRunTests
         var print = Print(20);
         var (plan, lines, read) = Written(print.Arc(print.At.X + 10, print.At.Y + 10, 1.5, print.At + new Vec3(0, 10), 90, SmallPrint.Area));
         (read.ArcMoves, read.Arcs) = ([], []);
-        var findings = new Findings(Setup.Printer, plan);
-        PlanComparison.Run(plan, plan.WithBlocks([new ToolpathBlock(read)]), SetupFormat.Of(Setup, plan).Value!, lines, findings);
-        Assert.That(findings.ToList().Select(d => (d.Code, d.Source!.Move)), Is.EqualTo(new[] { (CheckCodes.FilePosition, (int?)Count) }));
+        Assert.That(Compared(plan, lines, read), Is.EqualTo(new[] { (CheckCodes.FilePosition, (int?)Count) }));
     }
 
     // Each event goes with the block of its move, once.
@@ -133,6 +161,13 @@ public class MoveRunTests
         ];
         Assert.That(MoveDigest.Of(With(1, new Arc(center, 90))), Is.EqualTo(MoveDigest.Of(block)));
         Assert.That(all.Select(MoveDigest.Of), Is.Unique);
+    }
+
+    private static (string Code, int? Move)[] Compared(Toolpath plan, WrittenLines lines, ToolpathColumns read)
+    {
+        var findings = new Findings(Setup.Printer, plan);
+        PlanComparison.Run(plan, plan.WithBlocks([new ToolpathBlock(read)]), SetupFormat.Of(Setup, plan).Value!, lines, findings);
+        return findings.ToList().Select(d => (d.Code, d.Source?.Move)).ToArray();
     }
 
     // How many moves the comparison passes in one go.

@@ -4,6 +4,7 @@ using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.GCode;
@@ -132,6 +133,9 @@ public sealed class PrintPipelineTests
         Assert.That(all.Finish(soFar[0], default), Is.Null, "less than was planned");
         Assert.That(all.Finish(plan, default)!.TotalTime, Is.EqualTo(expected.TotalTime), "all was planned");
         Assert.That(all.Finish(plan, default), Is.Null, "once");
+        var more = new EarlyTiming(Plain);
+        more.Take(plan.Insert(plan.Count, new DwellEvent(3)), default);
+        Assert.That(more.Finish(plan, default)!.TotalTime, Is.EqualTo(expected.TotalTime), "what may still be put off");
     }
 
     [Test]
@@ -149,7 +153,7 @@ public sealed class PrintPipelineTests
         Assert.That(After(_ => { }), Is.EqualTo(before));
         Action<ToolpathColumns>[] changes =
         [
-            c => c.X[7] = BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(c.X[7]) + 1), c => c.Y[7] = -c.Y[7],
+            c => c.X[0]++, c => c.X[7] = BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(c.X[7]) + 1), c => c.Y[7] = -c.Y[7],
             c => c.Z[7]++, c => c.E[7] = 1e-5, c => c.Deposited[7] = 1e-5, c => c.Speed[7]++,
             c => c.Kind[7] = MoveKind.Wipe, c => c.Role[7] = Role.Skirt, c => c.Tool[7] = 1, c => c.Count--,
             c => (c.Y[7], c.Y[11]) = (c.Y[11], c.Y[7]), c => (c.ArcMoves, c.Arcs) = ([7], [new Arc(Vec3.Zero, 90)]),
@@ -192,6 +196,7 @@ public sealed class PrintPipelineTests
             foreach (var layer in layers) pipeline.Add(layer);
         }
         Assert.That(clock.Elapsed.TotalSeconds, Is.LessThan(10));
+        Assert.That(Task.Run(() => new PrintPipeline(Plain).Dispose()).Wait(10_000), "nothing was ever printed");
     }
 
     [Test]

@@ -93,6 +93,14 @@ public class PrintedSoFarTests
         Assert.That(printed.Deposit.StrandCount, Is.EqualTo(1), "one strand in the end");
     }
 
+    [Test]
+    public void A_printing_move_without_material_leaves_nothing()
+    {
+        var printed = new PrintedSoFar(SmallPrint.Setup(), null);
+        printed.Add(Move(new Vec3(0, 0, 1), new Vec3(10, 0, 1), 0) with { Kind = MoveKind.Print }, 1);
+        Assert.That((printed.Advance(2), printed.Highest), Is.EqualTo((0, double.NegativeInfinity)));
+    }
+
     // 10 mm² in 1 mm would be 10 mm wide.
     [Test]
     public void No_strand_is_wider_than_twelve_nozzles()

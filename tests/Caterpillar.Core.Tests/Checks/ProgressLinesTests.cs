@@ -42,6 +42,15 @@ public class ProgressLinesTests
         Assert.That(quiet.Any(l => l.StartsWith("M73", StringComparison.Ordinal) || l.StartsWith(";TIME", StringComparison.Ordinal)), Is.False);
     }
 
+    [Test]
+    public void A_print_of_less_than_a_second_has_progress_too()
+    {
+        var (toolpath, all) = ProgressLines.Add(new SmallPrint().Print(12, 10, 0.2).Build(), SmallPrint.Setup(), null, default);
+        Assert.That(all, Is.InRange(0.01, 0.9));
+        var shown = toolpath.Events.Select(e => (e.Move, e.Event));
+        Assert.That(shown, Is.EqualTo(new[] { (0, (PrinterEvent)new ProgressEvent(0, 0)), (1, new ProgressEvent(100, 0)) }));
+    }
+
     // Minutes are the nearest: 100 minutes and a few seconds.
     [TestCase(6000, "M73 P0 R100")]
     [TestCase(5969, "M73 P0 R100")]

@@ -3,6 +3,7 @@ using System.Text;
 using Caterpillar.Checks;
 using Caterpillar.Dialects;
 using Caterpillar.GCode;
+using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -65,5 +66,26 @@ public sealed class SafeWriterEditTests
                 + "220, 250).",
         }));
         Assert.That(lines[8], Is.EqualTo("G1 X300 E5"));
+    }
+
+    // A strand of 2 mm with 0.1 mm of filament that the edit divides: a tenth of a percent and 0.006 mm of each sum may be lost.
+    [TestCase(0, 0, null)]
+    [TestCase(0.0078, 0, null)]
+    [TestCase(0.0082, 0, CheckCodes.FilePosition)]
+    [TestCase(-0.0082, 0, CheckCodes.FilePosition)]
+    [TestCase(0, 0.006, null)]
+    [TestCase(0, 0.0063, CheckCodes.FileExtrusion)]
+    [TestCase(0, -0.0063, CheckCodes.FileExtrusion)]
+    public void Sums_are_compared_where_an_edit_divides_moves(double length, double e, string? code)
+    {
+        var document = GCodeDocument.FromText("G28\nM109 S210\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X12 E0.1 F1200\nM104 S0\n");
+        var decoding = GCodeDecoder.Decode(document).Value!;
+        var edited = new ToolpathBuilder(MoveSource.Lines, null);
+        edited.Add(new Vec3(10, 10, 0.2), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 5);
+        edited.Add(new Vec3(11, 10, 0.2), 0.05, 0.05, 20, MoveKind.Print, Role.Unspecified, -1, 0, 6);
+        edited.Add(new Vec3(12 + length, 10, 0.2), 0.05 + e, 0.05 + e, 20, MoveKind.Print, Role.Unspecified, -1, 0, 6);
+        var findings = EditCheck.Run(decoding, edited.Build(decoding.Toolpath.Tools), document, new PrintSetup(), null, default);
+        var found = findings.Select(d => d.Code).Where(c => c is CheckCodes.FilePosition or CheckCodes.FileExtrusion);
+        Assert.That(found, Is.EqualTo(code is null ? [] : new[] { code }));
     }
 }

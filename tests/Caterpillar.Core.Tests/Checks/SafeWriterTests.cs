@@ -60,6 +60,39 @@ public class SafeWriterTests
         Assert.That(Directory.GetFiles(_folder), Has.Length.EqualTo(1));
     }
 
+    // Also where a file is written twice, and where it is edited.
+    [Test]
+    public void Progress_ascends_from_0_to_1()
+    {
+        var setup = new PrintSetup();
+        var decoding = GCodeDecoder.Decode(SafeWriter.ToDocument(Line(50), setup).Value!).Value!;
+        Action<IProgress<double>>[] all =
+        [
+            p => SafeWriter.Write(Line(50), setup, new MemoryStream(), null, p), p => SafeWriter.Write(Line(500), setup, new MemoryStream(), "a test", p),
+            p => SafeWriter.WriteDraft(Line(50), setup, new MemoryStream(), null, p),
+            p => SafeWriter.WriteDraft(Line(500), setup, new MemoryStream(), "a test", p),
+            p => SafeWriter.ToDocument(decoding, decoding.Toolpath, setup, null, null, p),
+            p => SafeWriter.ToDocument(decoding, decoding.Toolpath.Transform(Affine.Move(new(500, 0))), setup, "a test", null, p),
+        ];
+        foreach (var write in all)
+        {
+            var shares = new Shares();
+            write(shares);
+            Assert.That(shares.All, Is.Ordered.And.All.InRange(0, 1));
+            Assert.That(shares.All.Last(), Is.EqualTo(1));
+        }
+    }
+
+    private sealed class Shares : IProgress<double>
+    {
+        public System.Collections.Generic.List<double> All { get; } = [];
+
+        public void Report(double value)
+        {
+            lock (All) All.Add(value);
+        }
+    }
+
     private static readonly double[] NoNumbers = [double.NaN, double.PositiveInfinity, double.NegativeInfinity, 1e300, -1e9];
 
     [TestCaseSource(nameof(NoNumbers))]

@@ -13,6 +13,14 @@ public class StrandRuleTests
 {
     private static readonly PrintSetup Setup = SmallPrint.Setup();
 
+    // A quarter circle of 20 mm: each chord of it counts, the first and the last too.
+    [Test]
+    public void An_arc_in_the_air_is_as_long_as_it_is()
+    {
+        var arc = new SmallPrint(50, 50, 30).Arc(70, 70, 30, new Vec3(50, 70, 30), 90, SmallPrint.Area).Build();
+        Assert.That(SmallPrint.Find(arc, SmallPrint.Setup(), CheckCodes.Unsupported).Single().Message, Does.StartWith("31.4 mm of a strand lie in the air"));
+    }
+
     // A strand in the air and one along it a little higher: what is nearer than half a height lies beside it, and carries nothing.
     [TestCase(0.09, 2)]
     [TestCase(0.11, 1)]

@@ -1,6 +1,8 @@
 using System.Linq;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 using Caterpillar.Simulation;
+using Caterpillar.Toolpaths;
 using NUnit.Framework;
 using Segment = Caterpillar.Simulation.Segment;
 
@@ -24,6 +26,14 @@ public class MotionDetailTests
     [TestCase(0.9e-9, false)]
     public void A_motion_straight_up_has_the_axes_of_the_world(double y, bool turned)
         => Assert.That(new MachineState { Direction = new Vec3(0, y, 1) }.Frame.X, Is.EqualTo(turned ? Vec3.UnitY : Vec3.UnitX));
+
+    [Test]
+    public void Firmware_retracts_once_and_restores_at_a_speed_of_its_own()
+    {
+        var retraction = new FirmwareRetraction(new Printer { RetractionDistance = 2, RetractionSpeed = 40, RestoreSpeed = 0.5, RestoreExtra = 0.25 });
+        MoveKind[] kinds = [MoveKind.Restore, MoveKind.Retract, MoveKind.Retract, MoveKind.Restore, MoveKind.Restore];
+        Assert.That(kinds.Select(retraction.Move), Is.EqualTo(new[] { (0.0, 0.0), (-2, 40), (0, 0), (2.25, 0.5), (0, 0) }));
+    }
 
     // All segments enter at 95 mm²/s² at most, and the slower profile changes that by 10 for each: ten segments before the end nothing can change any more.
     [Test]

@@ -65,6 +65,64 @@ public class TimelineRuleTests
     }
 
     [Test]
+    public void Flow_is_that_of_the_strand_however_short_it_is()
+    {
+        // 0.25 mm of filament of 2 mm² over half a millimeter, and a move without displacement.
+        var timeline = Of(b => b.Print(0.5, 0, 0, 0.25, 20).Prime(0, 10));
+        var middle = timeline.At(timeline.Duration / 2);
+        Assert.That(middle.Speed, Is.GreaterThan(10));
+        Assert.That(middle.Flow, Is.EqualTo(middle.Speed).Within(1e-9));
+        Assert.That(timeline.AtMove(1).Flow, Is.Zero);
+    }
+
+    // Only the extruder alone, with or without Z, and what pulls back is as slow as the extruder.
+    [TestCase(100, 0, 0, 1, false)]
+    [TestCase(0, 100, 0, 1, false)]
+    [TestCase(100, 0, 0, -1, true)]
+    [TestCase(0, 0, 100, 1, true)]
+    [TestCase(0, 0, 100, 0, false)]
+    [TestCase(0, 0, 0, 1, true)]
+    public void By_Klipper_the_extruder_limits_moves_of_its_own(double x, double y, double z, double e, bool limited)
+    {
+        double Time(double most)
+        {
+            var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+            builder.Add(new Vec3(x, y, z), e, Math.Max(e, 0), 50, e > 0 ? MoveKind.Print : MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+            return Timeline.Of(builder.Build([new ToolpathTool(2)]), Setup(Klipper with { MaxSpeed = new(500, 500, 500, most) })).Duration;
+        }
+
+        Assert.That(Time(0.01), limited ? Is.GreaterThan(90) : Is.EqualTo(Time(500)));
+    }
+
+    [Test]
+    public void Without_junction_deviation_straight_lines_are_not_stopped_at()
+    {
+        var printer = Rigid with { CornerRule = CornerRule.JunctionDeviation };
+        double Time(params double[] ends)
+        {
+            var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+            builder.AddEvent(new LimitEvent(MotionLimit.JunctionDeviation, 0));
+            foreach (var x in ends) builder.Add(new Vec3(x, 0), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+            return Timeline.Of(builder.Build([new ToolpathTool(2)]), Setup(printer)).Duration;
+        }
+
+        Assert.That(Time(40, 100), Is.EqualTo(Time(100)).Within(1e-9));
+    }
+
+    [Test]
+    public void The_first_move_may_have_the_greatest_flow_and_cheap_material_has_a_cost()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        builder.Add(new Vec3(100, 0), 10, 10, 50, MoveKind.Print, Role.Infill, -1, 0, 0);
+        builder.Add(new Vec3(0, 0), 5, 5, 50, MoveKind.Print, Role.Infill, -1, 0, 1);
+        var setup = Setup(Rigid) with { Material = new Material { CostPerKg = 0.5, Density = 2 } };
+        var s = PrintStatistics.Of(Timeline.Of(builder.Build([new ToolpathTool(2)]), setup));
+        Assert.That((s.GreatestFlowMove, s.GreatestFlow), Is.EqualTo((0, 10.0)));
+        // 30 mm³ of 2 g/cm³.
+        Assert.That((s.Mass, s.Cost), Is.EqualTo((0.06, 0.06 / 1000 * 0.5)));
+    }
+
+    [Test]
     public void Material_in_place_flows_at_the_speed_of_the_filament()
     {
         // 1 mm of filament of 2 mm² at 10 mm/s.
