@@ -1,0 +1,84 @@
+using System;
+using System.Linq;
+using Caterpillar.Checks;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Checks;
+
+/// <summary>Limits of strands at exactly their value: lengths in halves of a millimeter, which add up without rounding.</summary>
+public class ExactLimitTests
+{
+    private const double Area = 0.0625;
+    private static readonly PrintSetup Setup = SmallPrint.Setup();
+
+    // 16 mm of a strand 1 mm wide: the root of the area is 4 mm.
+    [TestCase(32, 0)]
+    [TestCase(32.5, 1)]
+    public void A_print_may_be_as_high_as_eight_roots_of_the_area_it_stands_on(double top, int found)
+        => Assert.That(Found(CheckCodes.FirstLayer, new Vec3(0, 0, 0.25), 0.25, (new Vec3(16, 0, 0.25), Role.Infill), (new Vec3(16, 0, top), Role.Purge)),
+            Is.EqualTo(found));
+
+    [TestCase(5, 0)]
+    [TestCase(5.5, 1)]
+    public void The_free_end_of_a_strand_may_be_5_mm_long(double length, int found)
+    {
+        Vec3 start = new(0, 0, 32), end = new(length, 0, 32);
+        Assert.That(Found(CheckCodes.Unsupported, start, Area, (end, Role.Infill)), Is.EqualTo(found));
+        Assert.That(Found(CheckCodes.Unsupported, start, Area, (end, Role.Infill), (end + Vec3.UnitX, Role.Purge)), Is.EqualTo(found));
+    }
+
+    [TestCase(60, 0)]
+    [TestCase(60.5, 1)]
+    public void A_bridge_may_be_60_mm_long(double length, int found)
+        => Assert.That(Found(CheckCodes.Unsupported, new Vec3(0, 0, 32), Area, (new Vec3(1, 0, 32), Role.Purge), (new Vec3(1 + length, 0, 32), Role.Infill),
+            (new Vec3(2 + length, 0, 32), Role.Purge)), Is.EqualTo(found));
+
+    // 3 mm wide, with a nozzle of 0.4 mm.
+    [TestCase(5, 0)]
+    [TestCase(5.5, 1)]
+    public void Strands_may_be_too_wide_for_5_mm(double length, int found)
+        => Assert.That(Found(CheckCodes.Width, new Vec3(0, 0, 0.25), 0.75, (new Vec3(length, 0, 0.25), Role.Infill)), Is.EqualTo(found));
+
+    [TestCase(4, 0)]
+    [TestCase(4.5, 1)]
+    public void Strands_may_lie_in_the_place_of_others_for_20_mm(double length, int found)
+        => Assert.That(Found(CheckCodes.Doubled, new Vec3(0, 0, 0.25), Area, (new Vec3(16, 0, 0.25), Role.Infill),
+            (new Vec3(16 + length, 0, 0.25), Role.Infill)), Is.EqualTo(found));
+
+    [Test]
+    public void Material_in_place_may_be_as_much_as_the_printer_allows()
+    {
+        int Count(double volume)
+        {
+            var findings = new Findings(Setup.Printer, _ => null, _ => null);
+            new StationaryCheck(Setup.Printer, findings).Move(new CheckedMove { StartKnown = true, Kind = MoveKind.Prime, Pushed = volume });
+            return findings.ToList().Count;
+        }
+
+        var most = Setup.Printer.MaxStationaryVolume * (1 + 1e-9);
+        Assert.That((Count(most), Count(BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(most) + 1))), Is.EqualTo((0, 1)));
+    }
+
+    // Strands 0.25 mm high that follow each other, above one that is printed along the X axis already.
+    private static int Found(string code, Vec3 start, double area, params (Vec3 End, Role Role)[] strands)
+    {
+        var findings = new Findings(Setup.Printer, _ => null, _ => null);
+        var printed = new PrintedSoFar(Setup, null);
+        if (code == CheckCodes.Doubled) printed.Deposit.Add(new Vec3(-10, 0, 0.25), new Vec3(50, 0, 0.25), 0.25, 0);
+        var check = new StrandCheck(Setup, printed, findings);
+        foreach (var (end, role) in strands)
+        {
+            var length = start.DistanceTo(end);
+            check.Strand(new CheckedMove
+            {
+                Start = start, End = end, StartKnown = true, Kind = MoveKind.Print, Role = role, Length = length, Deposited = length * area, Thickness = 0.25,
+            });
+            start = end;
+        }
+        check.End();
+        return findings.ToList().Where(d => d.Code == code).Sum(d => d.Count);
+    }
+}
