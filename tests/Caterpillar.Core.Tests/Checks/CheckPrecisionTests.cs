@@ -49,6 +49,16 @@ public class CheckPrecisionTests
         Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Width).Sum(d => d.Count), Is.EqualTo(found));
     }
 
+    // One that crosses at the same height lies beside it.
+    [Test]
+    public void What_crosses_a_thin_strand_at_its_height_is_not_below_it()
+    {
+        var setup = Setup with { Settings = new PrintSettings { BeadShape = BeadShape.Rectangle } };
+        var print = new SmallPrint(55, 40, 0.15).Print(55, 60, 0.15, 0.06).Over(55, 40, 0.2).Print(55, 60, 0.2, 0.06).Over(50, 50, 0.2)
+            .Print(60, 50, 0.2, 0.01);
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Width), Is.Empty);
+    }
+
     // Five million millimeters of filament in one move: rounding takes a third of the last decimal.
     [TestCase("5000000.00001", 0)]
     [TestCase("5000000.00002", 1)]

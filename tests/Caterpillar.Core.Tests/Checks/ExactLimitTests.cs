@@ -48,6 +48,33 @@ public class ExactLimitTests
         => Assert.That(Found(CheckCodes.Doubled, new Vec3(0, 0, 0.25), Area, (new Vec3(16, 0, 0.25), Role.Infill),
             (new Vec3(16 + length, 0, 0.25), Role.Infill)), Is.EqualTo(found));
 
+    // In a gap of 0.25 mm.
+    [TestCase(0.4, 0)]
+    [TestCase(0.4001, 1)]
+    public void A_strand_may_be_squeezed_to_four_nozzles(double area, int found)
+        => Assert.That(Found(CheckCodes.Squeezed, new Vec3(0, 0, 0.25), area, (new Vec3(2, 0, 0.25), Role.Infill)), Is.EqualTo(found));
+
+    [TestCase(0, 1)]
+    [TestCase(1e-9, 0)]
+    public void Strands_that_turn_by_ten_degrees_at_a_gap_go_on(double more, int found)
+    {
+        const double Straight = 0.985;
+        var findings = new Findings(Setup.Printer, _ => null, _ => null);
+        var check = new GapCheck(findings);
+        var end = new Vec3(Straight, Math.Sqrt(1 - Straight * Straight) + more);
+        if (more == 0) Assert.That(end.Length, Is.EqualTo(1));
+        Vec3[] ends = [new(-0.5, 0), Vec3.Zero, end];
+        var at = new Vec3(-1.5, 0);
+        for (var i = 0; i < ends.Length; i++)
+        {
+            var length = at.DistanceTo(ends[i]);
+            var kind = i == 1 ? MoveKind.Travel : MoveKind.Print;
+            check.Move(new CheckedMove { Start = at, End = ends[i], StartKnown = true, Kind = kind, Length = length, Deposited = i == 1 ? 0 : length });
+            at = ends[i];
+        }
+        Assert.That(findings.ToList(), Has.Count.EqualTo(found));
+    }
+
     [Test]
     public void Material_in_place_may_be_as_much_as_the_printer_allows()
     {

@@ -25,8 +25,13 @@ public sealed class FollowedChecksTests
         var file = SmallPrint.Written(toolpath, Setup).File;
         var whole = PrintCheck.Run(file.Toolpath.WithTools(toolpath.Tools), Setup);
 
-        var written = SafeWriter.WriteDraft(toolpath, Setup, new MemoryStream());
+        var shares = new Shares();
 
+        var written = SafeWriter.WriteDraft(toolpath, Setup, new MemoryStream(), null, shares);
+
+        Assert.That(shares.All, Is.Ordered.And.All.InRange(0, 1));
+        Assert.That(shares.All[0], Is.LessThan(0.5));
+        Assert.That(shares.All.Last(), Is.EqualTo(1));
         var expected = whole.Where(IsOfPrints).Select(Told).ToArray();
         Assert.That(expected.Select(d => d.Code), Does.Contain(CheckCodes.TravelHits).And.Contain(CheckCodes.Unsupported));
         Assert.That(expected.Single(d => d.Code == CheckCodes.TravelHits).Count, Is.GreaterThan(2), "in the first block and in the last");

@@ -68,6 +68,20 @@ public sealed class SafeWriterEditTests
         Assert.That(lines[8], Is.EqualTo("G1 X300 E5"));
     }
 
+    // The file has 0.006 mm where the edit has none.
+    [Test]
+    public void An_edit_may_differ_by_six_thousandths()
+    {
+        var document = GCodeDocument.FromText("G28\nM109 S210\nG90\nM83\nG1 X0.006 Y0.006 Z0.006 F3000\nG1 X20 E0.006 F1200\nM104 S0\n");
+        var decoding = GCodeDecoder.Decode(document).Value!;
+        Assert.That(decoding.Toolpath[1].E, Is.EqualTo(0.006));
+        var edited = new ToolpathBuilder(MoveSource.Lines, null);
+        edited.Add(Vec3.Zero, 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 5);
+        edited.Add(new Vec3(20, 0.006, 0.006), 0, 0, 20, MoveKind.Print, Role.Unspecified, -1, 0, 6);
+        var findings = EditCheck.Run(decoding, edited.Build(decoding.Toolpath.Tools), document, new PrintSetup(), null, default);
+        Assert.That(findings.Where(d => d.Code is CheckCodes.FilePosition or CheckCodes.FileExtrusion), Is.Empty);
+    }
+
     // A strand of 2 mm with 0.1 mm of filament that the edit divides: a tenth of a percent and 0.006 mm of each sum may be lost.
     [TestCase(0, 0, null)]
     [TestCase(0.0078, 0, null)]

@@ -83,16 +83,6 @@ public class SafeWriterTests
         }
     }
 
-    private sealed class Shares : IProgress<double>
-    {
-        public System.Collections.Generic.List<double> All { get; } = [];
-
-        public void Report(double value)
-        {
-            lock (All) All.Add(value);
-        }
-    }
-
     private static readonly double[] NoNumbers = [double.NaN, double.PositiveInfinity, double.NegativeInfinity, 1e300, -1e9];
 
     [TestCaseSource(nameof(NoNumbers))]

@@ -12,6 +12,17 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Tests.Checks;
 
+/// <summary>Takes down the progress that is reported, from any thread.</summary>
+internal sealed class Shares : IProgress<double>
+{
+    public List<double> All { get; } = [];
+
+    public void Report(double value)
+    {
+        lock (All) All.Add(value);
+    }
+}
+
 /// <summary>Builds small prints for tests: strands 0.4 mm wide and 0.2 mm high unless they say otherwise.</summary>
 internal sealed class SmallPrint
 {
