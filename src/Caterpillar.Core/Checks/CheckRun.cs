@@ -52,7 +52,7 @@ internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> 
         var next = 0;
         for (var i = 0; i < c.Count; i++)
         {
-            if ((i & (Pulse - 1)) == 0)
+            if (i % Pulse == 0)
             {
                 cancel.ThrowIfCancellationRequested();
                 pulse(block.First + i);

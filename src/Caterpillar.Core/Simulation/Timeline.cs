@@ -153,14 +153,14 @@ public sealed class Timeline
     // The last move that begins with this trapezoid or before.
     private int MoveOf(int trapezoid)
     {
-        int low = 0, high = Toolpath.Count;
+        int low = 0, high = Toolpath.Count + 1;
         while (low < high)
         {
-            var middle = (int)(((uint)low + (uint)high + 1) / 2);
-            if (_motion.First[middle] <= trapezoid) low = middle;
-            else high = middle - 1;
+            var middle = (int)(((uint)low + (uint)high) / 2);
+            if (_motion.First[middle] <= trapezoid) low = middle + 1;
+            else high = middle;
         }
-        return low;
+        return low - 1;
     }
 
     private int MoveAtSource(int source)

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -73,6 +74,36 @@ public class ExactLimitTests
             at = ends[i];
         }
         Assert.That(findings.ToList(), Has.Count.EqualTo(found));
+    }
+
+    // As far as a kilometer nothing is looked at; a bit less is.
+    [TestCase(1e6, 0, 0)]
+    [TestCase(0, -1e6, 0)]
+    [TestCase(0, 0, 1e6)]
+    public void What_is_a_kilometer_away_is_outside_every_machine(double x, double y, double z)
+    {
+        int Count(Vec3 from)
+        {
+            var findings = new Findings(Setup.Printer, _ => null, _ => null);
+            var check = new DepositCheck(Setup, findings);
+            var end = new Vec3(0, 0, 32);
+            var length = from.DistanceTo(end);
+            check.Move(new CheckedMove { Start = from, End = end, StartKnown = true, Kind = MoveKind.Print, Length = length, Deposited = length * Area });
+            check.End(new ToolpathBuilder(MoveSource.Steps, null).Build([new ToolpathTool(1)]));
+            return findings.ToList().Count(d => d.Code == CheckCodes.Unsupported);
+        }
+
+        Vec3 far = new(x, y, z);
+        Assert.That((Count(far), Count(0.5 * far + 32 * Vec3.UnitZ)), Is.EqualTo((0, 1)));
+    }
+
+    [Test]
+    public void Lines_are_places_from_the_first_on()
+    {
+        var plan = new SmallPrint().Print(20, 10, 0.2).Build();
+        var places = new WrittenPlaces(plan, _ => null, SmallPrint.Written(plan, Setup).Lines, Setup.Printer);
+        MoveEvent At(int line) => new(0, new FanEvent(1)) { Source = line };
+        Assert.That((places.Of(At(1))?.Line, places.Of(At(0))), Is.EqualTo(((int?)1, (SourceLocation?)null)));
     }
 
     [Test]

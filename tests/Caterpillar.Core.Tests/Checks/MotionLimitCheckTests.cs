@@ -74,6 +74,8 @@ public class MotionLimitCheckTests
         var found = SmallPrint.Find(print.Build(), Marlin, "limit.").Single();
         Assert.That((found.Code, found.Count, found.Source!.Move, found.Message),
             Is.EqualTo((CheckCodes.Speed, 1, (int?)1, "A move asks for 100 mm/s; Generic printer moves there at 50 mm/s and will slow down.")));
+        var shortest = new SmallPrint().Event(new LimitEvent(MotionLimit.SpeedX, 50)).Print(10.5, 10, 0.2, speed: 100);
+        Assert.That(SmallPrint.Find(shortest.Build(), Marlin, CheckCodes.Speed).Single().Message, Does.Contain("moves there at"));
         var head = new SmallPrint().Event(new LimitEvent(MotionLimit.Speed, 50)).Print(30, 10, 0.2, speed: 60);
         Assert.That(SmallPrint.Find(head.Build(), Klipper, CheckCodes.Speed).Single().Message, Does.Contain("at 50 mm/s"));
         Assert.That(SmallPrint.Find(head.Build(), Marlin, CheckCodes.Speed), Is.Empty, "Marlin has no limit of the head");

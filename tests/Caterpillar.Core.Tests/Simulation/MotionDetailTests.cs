@@ -23,6 +23,7 @@ public class MotionDetailTests
     public void A_move_without_length_and_speed_takes_no_time() => Assert.That(Trapezoid.Over(0, 0, 0, 0, 1).Duration, Is.Zero);
 
     [TestCase(1.2e-9, true)]
+    [TestCase(1e-9, false)]
     [TestCase(0.9e-9, false)]
     public void A_motion_straight_up_has_the_axes_of_the_world(double y, bool turned)
         => Assert.That(new MachineState { Direction = new Vec3(0, y, 1) }.Frame.X, Is.EqualTo(turned ? Vec3.UnitY : Vec3.UnitX));
@@ -35,11 +36,15 @@ public class MotionDetailTests
         Assert.That(kinds.Select(retraction.Move), Is.EqualTo(new[] { (0.0, 0.0), (-2, 40), (0, 0), (2.25, 0.5), (0, 0) }));
     }
 
-    // All segments enter at 95 mm²/s² at most, and the slower profile changes that by 10 for each: ten segments before the end nothing can change any more.
-    [Test]
-    public void A_run_is_divided_as_close_to_its_end_as_it_can_be_braked()
+    // All segments enter at 95 mm²/s² at most, and the slower profile changes that by 10 for each: ten segments before the end nothing can
+    // change any more, eleven where it just reaches that; so with the faster profile, where that is the slower one.
+    [TestCase(95, 10, 10, 10)]
+    [TestCase(100, 10, 10, 11)]
+    [TestCase(90, 5, 20, 9)]
+    [TestCase(91, 5, 20, 10)]
+    public void A_run_is_divided_as_close_to_its_end_as_it_can_be_braked(double speed2, double acceleration, double slowGain, int kept)
     {
-        var run = Enumerable.Repeat(new Segment { Length = 1, Acceleration = 10, Speed2 = 95, Entry2 = 95, SlowGain = 10 }, 2000).ToArray();
-        Assert.That(new CruiseLookAhead().Plan(run, run.Length, ends: false), Is.EqualTo(2000 - 10));
+        var segment = new Segment { Length = 1, Acceleration = acceleration, Speed2 = speed2, Entry2 = speed2, SlowGain = slowGain };
+        Assert.That(new CruiseLookAhead().Plan(Enumerable.Repeat(segment, 2000).ToArray(), 2000, ends: false), Is.EqualTo(2000 - kept));
     }
 }
