@@ -19,6 +19,8 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanRepo
             var start = Math.Min(rules.StartDistance, length / 2);
             if (start > 0) emitter.Prime(emitter.ToolRules.EOf(start * path.BeadOf(0).Area), emitter.ToolRules.RestoreSpeed);
         }
+        if (!rules.AddsNothing && rules.SeamGap > 0 && path.IsClosed && path.Role is Role.OuterWall or Role.InnerWall)
+            stopAt = Math.Min(stopAt, length - Math.Min(rules.SeamGap, length / 10));
         var points = path.RawPoints;
         var done = 0.0;
         for (var i = 0; i < path.SegmentCount; i++)

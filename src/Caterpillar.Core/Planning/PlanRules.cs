@@ -92,6 +92,9 @@ internal sealed record PlanRules
     /// <summary>The extruder stops this far before the end of a path.</summary>
     public double StopDistance { get; init; }
 
+    /// <summary>The extruder stops this far before the end of a closed wall.</summary>
+    public double SeamGap { get; init; }
+
     public bool RestoreDuringDescent { get; init; }
 
     public BeadShape Shape { get; init; }

@@ -104,6 +104,7 @@ public static class Planner
             WipeDistance = printer.FirmwareRetraction ? 0 : settings.WipeDistance,
             StartDistance = settings.StartDistance,
             StopDistance = settings.StopDistance,
+            SeamGap = settings.SeamGap,
             RestoreDuringDescent = settings.RestoreDuringDescent && !printer.FirmwareRetraction,
             Shape = settings.BeadShape,
             NozzleTemperature = material.NozzleTemperature > 0 ? material.NozzleTemperature : null,

@@ -246,6 +246,26 @@ public class PlanningTests
     }
 
     [Test]
+    public void A_closed_wall_stops_before_its_start_by_the_gap_of_seams()
+    {
+        var rules = Rules with { SeamGap = 0.5 };
+        PrintPath Square(double side, Role role, bool closed = true) => new PrintPath(
+            closed ? [new Vec3(0, 0), new Vec3(side, 0), new Vec3(side, side), new Vec3(0, side)]
+                : [new Vec3(0, 0), new Vec3(side, 0), new Vec3(side, side), new Vec3(0, side), new Vec3(0, 0)], new Bead(0.5), closed).With(role);
+        foreach (var role in new[] { Role.OuterWall, Role.InnerWall })
+        {
+            Assert.That(Moves([Square(10, role)], rules).Skip(3), Is.EqualTo(new[] { "Print 0,0.5,0 2.375 50", "Travel 0,0,0 0 50" }));
+            // A tenth of 4 mm.
+            Assert.That(Moves([Square(1, role)], rules).Skip(3), Is.EqualTo(new[] { "Print 0,0.4,0 0.15 50", "Travel 0,0,0 0 50" }));
+            Assert.That(Moves([Square(10, role, closed: false)], rules), Has.Length.EqualTo(4), "an open one");
+            Assert.That(Moves([Square(10, role)]), Has.Length.EqualTo(4), "no gap");
+            Assert.That(Moves([Square(10, role)], rules with { StopDistance = 3 }).Skip(3), Is.EqualTo(new[] { "Print 0,3,0 1.75 50", "Travel 0,0,0 0 50" }));
+            Assert.That(Moves([Square(10, role)], rules with { Policy = PlanPolicy.AsDrawn }).Last(), Does.StartWith("Print 0,0,0"), "as drawn");
+        }
+        Assert.That(Moves([Square(10, Role.Infill)], rules), Has.Length.EqualTo(4), "no wall");
+    }
+
+    [Test]
     public void Strokes_without_material_are_printed_without_E()
     {
         Assert.That(Moves([new PrintPath([new Vec3(0, 0), new Vec3(5, 0)], new Bead(0))]), Is.EqualTo(new[] { "Print 5,0,0 0 50" }));

@@ -10,7 +10,8 @@ internal static class PrintWideKeys
     [
         SettingsKeys.TravelSpeed, SettingsKeys.TravelLift, SettingsKeys.LiftMinTravel, SettingsKeys.Detour, SettingsKeys.Comb, TravelKeys.CombDetour,
         SettingsKeys.RetractionMinTravel, SettingsKeys.WipeDistance, SettingsKeys.RestoreDuringDescent, SettingsKeys.StartDistance,
-        SettingsKeys.StopDistance, SettingsKeys.SortPaths, SettingsKeys.PrintSequence, SettingsKeys.MergeOverlapping, SurfaceKeys.MinLayerTime,
+        SettingsKeys.StopDistance, SeamKeys.SeamGap, SettingsKeys.SortPaths, SettingsKeys.PrintSequence, SettingsKeys.MergeOverlapping,
+            SurfaceKeys.MinLayerTime,
         SurfaceKeys.MinSpeed, TravelKeys.LayerWait, .. BedKeys.All,
     ];
 

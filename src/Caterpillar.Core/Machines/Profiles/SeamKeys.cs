@@ -28,6 +28,10 @@ internal static class SeamKeys
     public static readonly ProfileKey<PrintSettings, int> SeamSeed = K.Integer(
         "seam_seed", 0, 1_000_000_000, s => s.SeamSeed, (s, v) => s with { SeamSeed = v }, "Seed of the random numbers of seam_position random.");
 
+    public static readonly ProfileKey<PrintSettings, double> SeamGap = K.Number(
+        "seam_gap_mm", 0, 10, s => s.SeamGap, (s, v) => s with { SeamGap = v },
+        "So far before it has gone around a wall the extruder stops, for the strand begins round; at most a tenth of the wall. 0 for none.");
+
     public static readonly ProfileKey<PrintSettings, double> ScarfLength = K.NumberOrZero(
         "scarf_length_mm", 0.1, 1000, s => s.ScarfLength, (s, v) => s with { ScarfLength = v },
         "Length over which an outer wall rises at its start and runs out over that ramp at its end; 0 for a plain seam.");
@@ -48,6 +52,6 @@ internal static class SeamKeys
 
     public static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [
-        SeamPosition, SeamPoint, SeamMarks, SeamSeed, ScarfLength, ScarfSteps, WallOrder, OverhangWallOrder,
+        SeamPosition, SeamPoint, SeamMarks, SeamSeed, SeamGap, ScarfLength, ScarfSteps, WallOrder, OverhangWallOrder,
     ];
 }

@@ -17,6 +17,12 @@ public sealed partial record PrintSettings
     /// <summary>Seed of the random numbers of <see cref="SeamPosition.Random"/>.</summary>
     public int SeamSeed { get; init => field = SeamKeys.SeamSeed.Check(value); } = 1;
 
+    /// <summary>
+    /// So far before it has gone around a closed wall the extruder stops, mm, at most a tenth of the wall: beads begin and end round, so that two ends in one
+    /// place would be a blob.
+    /// </summary>
+    public double SeamGap { get; init => field = SeamKeys.SeamGap.Check(value); } = 0.06;
+
     /// <summary>Length over which an outer wall rises at its start and runs out over that ramp at its end, mm; 0 for a plain seam.</summary>
     public double ScarfLength { get; init => field = SeamKeys.ScarfLength.Check(value); }
 

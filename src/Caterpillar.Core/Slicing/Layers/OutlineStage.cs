@@ -14,8 +14,10 @@ internal static class OutlineStage
         layer.Section = null;
         var (settings, engine) = (layer.Rules.Settings, tools.Engine);
         if (settings.OpenMeshes == OpenMeshes.Walls) layer.OpenLines = section.OpenLines;
-        var region = Region.From(section.Loops, FillRule.NonZero, false, engine).Simplified(settings.SimplifyTolerance, engine);
-        layer.Region = Compensated(region, layer, engine);
+        var region = Region.From(section.Loops, FillRule.NonZero, false, engine);
+        // What simplifying cuts off stays open where there is nothing but walls.
+        var tolerance = IsAllWalls(region, layer.Rules.Walls) ? settings.SimplifyTolerance / 2 : settings.SimplifyTolerance;
+        layer.Region = Compensated(region.Simplified(tolerance, engine), layer, engine);
     }
 
     public static void Run(LayerWork layer, LayerTools tools)
@@ -41,6 +43,10 @@ internal static class OutlineStage
         }
         layer.Islands = islands.ToArray();
     }
+
+    // On average the walls of both sides fill the layer.
+    private static bool IsAllWalls(Region region, WallRules walls)
+        => walls.Count > 0 && region.Area < region.Perimeter * (walls.Edge + walls.OuterSpacing + (walls.Count - 1) * walls.InnerSpacing);
 
     // Outlines and holes moved by the compensations of the settings.
     private static Region Compensated(Region region, LayerWork layer, RegionEngine engine)

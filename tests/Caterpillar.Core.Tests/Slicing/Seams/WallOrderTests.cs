@@ -13,7 +13,7 @@ public class WallOrderTests
     private static readonly PrintSettings Bare = new()
     {
         LineWidth = 0.4, BeadShape = BeadShape.Rectangle, SimplifyTolerance = 0, TopLayers = 0, BottomLayers = 0, InfillPercent = 0,
-        WallCount = 3, MinLayerTime = 0,
+        WallCount = 3, MinLayerTime = 0, SeamGap = 0,
     };
 
     // A square frame of 30 mm with a hole of 10 mm.
