@@ -22,7 +22,7 @@ internal sealed class DepositFollower : IDisposable
     private readonly IReadOnlyList<ToolpathTool> _tools;
     private readonly PrintSetup _setup;
     private readonly Findings _findings;
-    private Task? _work;
+    private Task<Findings>? _work;
     private bool _isLate;
     private int _blocks;
     private volatile IProgress<double>? _progress;
@@ -71,10 +71,10 @@ internal sealed class DepositFollower : IDisposable
         _queue.CompleteAdding();
         OwnThread.Wait(_work);
         _cancel.ThrowIfCancellationRequested();
-        _work.GetAwaiter().GetResult();
+        var findings = _work.GetAwaiter().GetResult();
         if (_namesPlaces) return null;
         _places = places;
-        return _findings.ToList();
+        return findings.ToList();
     }
 
     /// <summary>Nothing more is checked.</summary>
@@ -113,7 +113,7 @@ internal sealed class DepositFollower : IDisposable
         return null;
     }
 
-    private void Work()
+    private Findings Work()
     {
         var run = new CheckRun([new DepositCheck(_setup, _findings)], _tools, _stop.Token);
         var keeps = _places is not null;
@@ -127,5 +127,6 @@ internal sealed class DepositFollower : IDisposable
         }
         _stop.Token.ThrowIfCancellationRequested();
         run.End(_whole!);
+        return _findings;
     }
 }

@@ -91,16 +91,14 @@ internal sealed class MotionPlanner
         var columns = _toolpath.Blocks[block].Columns;
         var first = _toolpath.FirstOf(block);
         var at = _toolpath.StartOf(block);
-        var nextEvent = NextEvent();
         for (var i = 0; i < columns.Count; i++)
         {
             // Whatever waits in the run comes before this move.
             _out.First[first + i] = _out.Count + _count;
             var homes = false;
-            if (first + i >= nextEvent)
+            if (first + i >= NextEvent())
             {
                 Events(first + i);
-                nextEvent = NextEvent();
                 homes = _toolpath.HomeOf(_toolpath[first + i]) is not null;
             }
             var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);

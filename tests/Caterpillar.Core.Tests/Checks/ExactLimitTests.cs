@@ -76,7 +76,18 @@ public class ExactLimitTests
         Assert.That(findings.ToList(), Has.Count.EqualTo(found));
     }
 
-    // As far as a kilometer nothing is looked at; a bit less is.
+    // Of 0.1 mm with 3 decimals, both ends rounded: 0.102 mm at most.
+    [TestCase(0.999, 0)]
+    [TestCase(1.004, 1)]
+    public void In_short_moves_the_last_decimals_may_be_the_flow(double share, int found)
+    {
+        var setup = SmallPrint.Setup(p => p with { MaxFlow = 10, DecimalsXyz = 3, DecimalsE = 5 });
+        var volume = share * 10 * 1.001 * 0.102 / 50 + 1e-5 * SmallPrint.FilamentArea;
+        var print = new SmallPrint().Print(10.1, 10, 0.2, volume / 0.1);
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Flow), Has.Length.EqualTo(found));
+    }
+
+    // From a kilometer on nothing is looked at; half as far away it is.
     [TestCase(1e6, 0, 0)]
     [TestCase(0, -1e6, 0)]
     [TestCase(0, 0, 1e6)]

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -36,8 +37,31 @@ public class MotionDetailTests
         Assert.That(kinds.Select(retraction.Move), Is.EqualTo(new[] { (0.0, 0.0), (-2, 40), (0, 0), (2.25, 0.5), (0, 0) }));
     }
 
-    // All segments enter at 95 mm²/s² at most, and the slower profile changes that by 10 for each: ten segments before the end nothing can
-    // change any more, eleven where it just reaches that; so with the faster profile, where that is the slower one.
+    // The settings of a slicer: usual and silent; older Marlin travels with the acceleration of strands.
+    [TestCase("marlin", false, 1500)]
+    [TestCase("marlin2", false, 3000)]
+    [TestCase("marlin2", true, 2000)]
+    [TestCase(null, false, 3000)]
+    public void Limits_of_a_slicer_depend_on_the_flavor_of_its_code(string? flavor, bool silent, double travel)
+    {
+        var settings = new Dictionary<string, string>
+        {
+            ["machine_max_acceleration_extruding"] = "1500,1000", ["machine_max_acceleration_travel"] = "3000,2000",
+            ["machine_max_acceleration_retracting"] = "800",
+        };
+        foreach (var (name, value) in new[] { ("feedrate", "200, 100"), ("acceleration", "5000"), ("jerk", "8,4") })
+        {
+            foreach (var axis in "xyze") settings[$"machine_max_{name}_{axis}"] = value;
+        }
+        if (flavor is not null) settings["gcode_flavor"] = flavor;
+        var printer = SlicerLimits.Of(settings, new Printer(), silent)!;
+        Assert.That((printer.TravelAcceleration, printer.PrintAcceleration, printer.RetractionAcceleration),
+            Is.EqualTo((travel, silent ? 1000.0 : 1500, 800.0)));
+        Assert.That((printer.MaxSpeed.X, printer.MaxAcceleration.Y, printer.Jerk.E), Is.EqualTo((silent ? 100.0 : 200, 5000.0, silent ? 4.0 : 8)));
+    }
+
+    // All segments enter at the same square of the speed. From the end on the slower profile gains slowGain with each, the faster one twice the acceleration:
+    // nothing changes any more where the faster one reaches the entry and the slower one more than that.
     [TestCase(95, 10, 10, 10)]
     [TestCase(100, 10, 10, 11)]
     [TestCase(90, 5, 20, 9)]

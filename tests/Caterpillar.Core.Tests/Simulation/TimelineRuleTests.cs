@@ -94,19 +94,31 @@ public class TimelineRuleTests
         Assert.That(Time(0.01), limited ? Is.GreaterThan(90) : Is.EqualTo(Time(500)));
     }
 
-    [Test]
-    public void Without_junction_deviation_straight_lines_are_not_stopped_at()
+    [TestCase(CornerRule.JunctionDeviation, MotionLimit.JunctionDeviation)]
+    [TestCase(CornerRule.SquareCornerVelocity, MotionLimit.SquareCornerVelocity)]
+    public void Straight_lines_are_not_stopped_at_where_every_corner_is(CornerRule rule, MotionLimit limit)
     {
-        var printer = Rigid with { CornerRule = CornerRule.JunctionDeviation };
+        var printer = Rigid with { CornerRule = rule, MinimumCruiseRatio = 0 };
         double Time(params double[] ends)
         {
             var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
-            builder.AddEvent(new LimitEvent(MotionLimit.JunctionDeviation, 0));
+            builder.AddEvent(new LimitEvent(limit, 0));
             foreach (var x in ends) builder.Add(new Vec3(x, 0), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
             return Timeline.Of(builder.Build([new ToolpathTool(2)]), Setup(printer)).Duration;
         }
 
         Assert.That(Time(40, 100), Is.EqualTo(Time(100)).Within(1e-9));
+    }
+
+    [TestCase(1e-9, true)]
+    [TestCase(2e-9, false)]
+    public void A_move_of_a_billionth_of_a_millimeter_is_one_of_the_extruder(double length, bool inPlace)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        builder.Add(new Vec3(length, 0), 1, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        var s = PrintStatistics.Of(Timeline.Of(builder.Build([new ToolpathTool(2)]), Setup(Rigid)));
+        Assert.That((s.ExtruderTime > 0, s.TravelTime > 0), Is.EqualTo((inPlace, !inPlace)));
+        Assert.That(s.Duration > 0.1, Is.EqualTo(inPlace), "E is filament to turn where it is in place");
     }
 
     [Test]
