@@ -45,7 +45,8 @@ internal sealed class PrintSupports : IDisposable
                 _filled.CompleteAdding();
             }
         }
-        _work = OwnThread.Run(Work);
+        if (options.MaxDegreeOfParallelism == 1) Work();
+        _work = options.MaxDegreeOfParallelism == 1 ? Task.CompletedTask : OwnThread.Run(Work);
     }
 
     /// <summary>Begins; null where nobody wants supports. The regions of all layers are known afterwards.</summary>
