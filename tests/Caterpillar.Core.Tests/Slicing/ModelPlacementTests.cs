@@ -116,6 +116,9 @@ public class ModelPlacementTests
         Assert.That(ModelCheck.IsTooLarge(Box(103), setup));
         Assert.That(ModelCheck.IsTooLarge([], setup), Is.False);
         Assert.That(ModelCheck.IsTooLarge(Box(103), setup.With("check_severities=bed.outside=warning").Value!), Is.False);
+        Assert.That(ModelCheck.IsTooLarge(Box(103), setup.With("check_severities=bed.outside=off").Value!), Is.False);
+        Assert.That(ModelCheck.IsTooLarge(Box(103), setup.With("check_severities=bed.outside=error").Value!));
+        Assert.That(ModelCheck.IsTooLarge(Box(103), setup.With("check_severities=strand.gap=off").Value!), "other checks decide nothing here");
     }
 
     [Test]

@@ -57,7 +57,9 @@ public static class ModelCheck
     {
         if (models is null) throw new ArgumentNullException(nameof(models));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
-        if (setup.Printer.CheckSeverities.Count > 0) return false;
+        // The last word on a code counts, as in the check itself.
+        var own = setup.Printer.CheckSeverities.LastOrDefault(c => c.Code == CheckCodes.Outside);
+        if (own.Code is not null && own.Severity != Severity.Error) return false;
         var (box, bed) = (ModelPlacement.BoxOf(models), setup.Printer.BuildBounds);
         var spare = 4 * Math.Max(setup.Settings.LineWidth, setup.Settings.LayerHeight);
         return !box.IsEmpty && (box.Size.X > bed.Size.X + spare || box.Size.Y > bed.Size.Y + spare || box.Size.Z > bed.Size.Z + spare);
