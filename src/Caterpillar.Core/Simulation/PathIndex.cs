@@ -108,7 +108,7 @@ internal sealed class PathIndex
             if (_sums[block][middle].Length <= length) low = middle + 1;
             else high = middle;
         }
-        var before = Add(block, (low - 1) * Step, Math.Min(low * Step, count), _sums[block][low - 1], length, out var at);
+        var before = Add(block, (low - 1) * Step, count, _sums[block][low - 1], length, out var at);
         return (_toolpath.FirstOf(block) + at, before);
     }
 

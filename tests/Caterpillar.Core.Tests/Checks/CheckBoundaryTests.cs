@@ -174,6 +174,7 @@ public class CheckBoundaryTests
 
     [TestCase("G28\nM109 S200\nG1 X10\nG1 X20 E0.1\n", 0, null)]
     [TestCase("M109 S200\nG1 X10\nG1 X20 E0.1\nG1 X30 E0.1\n", 1, "The file prints before it says where the head is in YZ.")]
+    [TestCase("G28 X\nM109 S200\nG1 Y10\nG1 Y20 E0.1\nG1 Y30 E0.1\n", 0, "The file prints before it says where the head is in Z.")]
     [TestCase("G28 Y\nM109 S200\nG1 X10\nG1 X20 E0.1\nG1 X30 E0.1\n", 0, "The file prints before it says where the head is in Z.")]
     [TestCase("G28 Z\nM109 S200\nG1 X10\nG1 X20 E0.1\nG1 X30 E0.1\n", 0, "The file prints before it says where the head is in Y.")]
     public void Homing_an_axis_makes_its_position_known(string text, int homing, string? message)
