@@ -147,6 +147,17 @@ public class ReadBackTests
         }
     }
 
+    // Strands of 0.08 mm² at 50 mm/s are 4 mm³/s; as filament of 2.85 mm they would be 10.6.
+    [TestCase(5, false)]
+    [TestCase(3, true)]
+    public void Filament_is_as_thick_as_the_tools_of_the_plan_say(double most, bool found)
+    {
+        var setup = SmallPrint.Setup(p => p with { MaxFlow = most }) with { Material = new Material { FilamentDiameter = 2.85 } };
+        var plan = new SmallPrint(20, 20, 0.2).Print(60, 20, 0.2).Print(60, 60, 0.2).Build();
+        var written = SafeWriter.WriteDraft(plan, setup, new MemoryStream(), "a test");
+        Assert.That(written.Diagnostics.Any(d => d.Code == CheckCodes.Flow), Is.EqualTo(found));
+    }
+
     [Test]
     public void To_a_stream_nothing_is_written_before_all_is_checked()
     {
