@@ -12,7 +12,6 @@ public class NarrowAreaTests
 {
     private static readonly PrintSettings Full = new() { InfillPercent = 100, BeadShape = BeadShape.Rectangle, MinLayerTime = 0 };
 
-    // A square tube of 20 mm.
     // Two walls of 0.4 mm on each side are 1.6 mm. Without every other of its 192 corners an outline is up to 11 µm off.
     [TestCase(1.5, true)]
     [TestCase(1.7, false)]
@@ -32,6 +31,7 @@ public class NarrowAreaTests
         Assert.That(outline.Raw.Count(p => p.Length > 19.999), all ? Is.EqualTo(192) : Is.LessThan(100));
     }
 
+    // A square tube of 20 mm.
     private static TriMesh[] Tube(double wall) =>
     [
         Solids.Block(0, 0, 0, 20, wall, 2), Solids.Block(0, 20 - wall, 0, 20, 20, 2), Solids.Block(0, 0, 0, wall, 20, 2),
