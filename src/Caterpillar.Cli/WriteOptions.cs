@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Linq;
+using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.GCode;
@@ -69,6 +70,8 @@ internal sealed class WriteOptions
     {
         WrittenGCode? written = null;
         IReadOnlyList<Diagnostic> findings = [];
+        // While it is being written.
+        var figures = Task.Run(() => PrintFigures.Of(toolpath, setup, double.NaN));
         session.Write(file, (stream, isDraft) => BinaryGCode.WriteAs(file, stream, text =>
         {
             var reason = arguments.GetValue(_reason);
@@ -87,7 +90,7 @@ internal sealed class WriteOptions
                 throw new CliException(ExitCode.Refused,
                     $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than --max-size allows; nothing was written.");
         }, session.Cancel));
-        session.Made(() => PrintFigures.Of(toolpath, setup, Time(written!, toolpath, setup, session)), written!.Lines, written.Bytes,
+        session.Made(() => figures.GetAwaiter().GetResult() with { Seconds = Time(written!, toolpath, setup, session) }, written!.Lines, written.Bytes,
             print => $"{Session.NameOfOutput(file)}: {PrintSummary.Of(print)}; {Count(written.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
         return new WrittenFile(written!, findings);
     }

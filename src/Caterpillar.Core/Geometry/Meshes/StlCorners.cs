@@ -58,9 +58,10 @@ internal sealed class StlCorners(MeshSource source, int start, int facetBytes, i
                 _first[corner] = -1;
                 continue;
             }
-            if (shares > 1 && (int)(VertexWelder.Hash(p.X, p.Y, p.Z) & (ulong)(shares - 1)) != share) continue;
+            var hash = VertexWelder.Hash(p.X, p.Y, p.Z);
+            if ((int)(hash & (ulong)(shares - 1)) != share) continue;
             var known = welder.Count;
-            var number = welder.Add(p.X, p.Y, p.Z);
+            var number = welder.Add(p.X, p.Y, p.Z, hash);
             if (number == known)
             {
                 if (number == firsts.Length) Array.Resize(ref firsts, 2 * number);

@@ -30,8 +30,14 @@ internal sealed class VertexWelder
         x += 0.0;
         y += 0.0;
         z += 0.0;
+        return Add(x, y, z, Hash(x, y, z));
+    }
+
+    /// <summary>The same where the hash is at hand; −0.0 has to be 0.0.</summary>
+    public int Add(double x, double y, double z, ulong hash)
+    {
         var mask = _slots.Length - 1;
-        var slot = (int)(Hash(x, y, z) >> _shift);
+        var slot = (int)(hash >> _shift);
         for (; _slots[slot] != 0; slot = (slot + 1) & mask)
         {
             ref readonly var known = ref _points[_slots[slot] - 1];
