@@ -39,8 +39,9 @@ public static class CollisionFreeOrder
         var top = paths.Select(p => p.Bounds.Max.Z).Append(setup.PrintedOn?.Bounds.Max.Z ?? 0).Max();
         var trial = new OrderTrial(setup, top + Math.Max(setup.Printer.LiftClearance, 1));
         var turned = paths.Select((p, i) => Turned(p, i, trial, problems)).ToArray();
-        var before = problems.Count > 0 ? null : Constraints(turned, trial, problems, progress, cancel);
-        if (before is null || problems.Count > 0) return new Result<IReadOnlyList<Step>>(null, problems);
+        if (problems.Count > 0) return new Result<IReadOnlyList<Step>>(null, problems);
+        var before = Constraints(turned, trial, problems, progress, cancel);
+        if (problems.Count > 0) return new Result<IReadOnlyList<Step>>(null, problems);
         var order = Sorted(before, problems);
         if (order is null) return new Result<IReadOnlyList<Step>>(null, problems);
         progress?.Report(1);

@@ -92,7 +92,8 @@ internal sealed class DepositFollower : IDisposable
 
     private void Put(DecodedBlock block)
     {
-        while (!_work!.IsCompleted && !_stop.IsCancellationRequested && !_queue.TryAdd(block, 20))
+        // Where the work has failed or was stopped nobody makes room.
+        while (!_work!.IsCompleted && !_queue.TryAdd(block, 20))
         {
         }
     }

@@ -57,7 +57,6 @@ internal sealed class PlanComparison
         // Half of the last decimal, and rounding.
         _allowed = 0.5 * NumberFormatter.FromUnits(1, format.DecimalsXyz) + 1e-7;
         _allowedE = format.ExtruderLetter == 0 ? double.PositiveInfinity : NumberFormatter.FromUnits(1, format.DecimalsE) * 1.01 + 1e-8;
-        GoTo(0, 0);
     }
 
     /// <summary>What it finds.</summary>

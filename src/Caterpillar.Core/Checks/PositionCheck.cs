@@ -27,7 +27,7 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
         if (reachable && move.Arc is { } arc)
             reachable = printer.BedShape == BedShape.Round ? ReachesAlong(arc, start, end) : printer.BuildBounds.Contains(arc.Bounds(start, end), Tolerance);
         if (!reachable) Report(move.Index, end);
-        if (printer.ExcludedAreas.Count == 0 || move.Kind != MoveKind.Print || !(move.Length > 0)) return;
+        if (move.Kind != MoveKind.Print) return;
         foreach (var area in printer.ExcludedAreas)
         {
             if (!Crosses(move, area)) continue;

@@ -25,7 +25,6 @@ internal sealed class StationaryCheck(Printer printer, Findings findings) : IMov
             _pushed = 0;
             return;
         }
-        if (!(move.Pushed != 0)) return;
         var before = Math.Abs(_pushed);
         _pushed += move.Pushed;
         var most = printer.MaxStationaryVolume * (1 + 1e-9);

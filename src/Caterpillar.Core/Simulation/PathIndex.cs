@@ -27,6 +27,7 @@ internal sealed class PathIndex
     private readonly List<int> _heightMoves = [];
     private readonly List<double> _fans = [];
     private readonly List<int> _fanMoves = [];
+    private double _top = double.NegativeInfinity;
 
     public PathIndex(Toolpath toolpath)
     {
@@ -92,23 +93,22 @@ internal sealed class PathIndex
     {
         if (!(length < Total.Length)) return (_toolpath.Count, Total);
         // The last block, and the last kept sum of it, that begins at the length or before.
-        int low = 0, high = _sums.Length;
-        while (low < high)
+        int block = 0, high = _sums.Length;
+        while (high - block > 1)
         {
-            var middle = (low + high) / 2;
-            if (_sums[middle][0].Length <= length) low = middle + 1;
+            var middle = (block + high) / 2;
+            if (_sums[middle][0].Length <= length) block = middle;
             else high = middle;
         }
-        var block = low - 1;
-        var count = _toolpath.Blocks[block].Count;
-        (low, high) = (0, (count - 1) / Step + 1);
-        while (low < high)
+        var sum = 0;
+        high = _sums[block].Length;
+        while (high - sum > 1)
         {
-            var middle = (low + high) / 2;
-            if (_sums[block][middle].Length <= length) low = middle + 1;
+            var middle = (sum + high) / 2;
+            if (_sums[block][middle].Length <= length) sum = middle;
             else high = middle;
         }
-        var before = Add(block, (low - 1) * Step, count, _sums[block][low - 1], length, out var at);
+        var before = Add(block, sum * Step, _toolpath.Blocks[block].Count, _sums[block][sum], length, out var at);
         return (_toolpath.FirstOf(block) + at, before);
     }
 
@@ -116,9 +116,7 @@ internal sealed class PathIndex
     {
         var columns = _toolpath.Blocks[block].Columns;
         var first = _toolpath.FirstOf(block);
-        var sums = _sums[block] = new PathSums[columns.Count / Step + 1];
-        var top = _heights.Count > 0 ? _heights[_heights.Count - 1] : double.NegativeInfinity;
-        var layer = int.MinValue;
+        var sums = _sums[block] = new PathSums[(columns.Count + Step - 1) / Step];
         var running = Total;
         for (var i = 0; i < columns.Count; i += Step)
         {
@@ -128,11 +126,11 @@ internal sealed class PathIndex
         Total = running;
         for (var i = 0; i < columns.Count; i++)
         {
-            if (columns.Layer[i] != layer && (layer = columns.Layer[i]) >= 0 && _layerStarts[layer] == _toolpath.Count) _layerStarts[layer] = first + i;
-            if (columns.Kind[i] == MoveKind.Print && columns.Z[i] > top)
+            if (columns.Layer[i] is >= 0 and var layer && _layerStarts[layer] == _toolpath.Count) _layerStarts[layer] = first + i;
+            if (columns.Kind[i] == MoveKind.Print && columns.Z[i] > _top)
             {
-                top = columns.Z[i];
-                _heights.Add(top);
+                _top = columns.Z[i];
+                _heights.Add(_top);
                 _heightMoves.Add(first + i);
             }
             var own = columns.Source[i];
@@ -157,7 +155,7 @@ internal sealed class PathIndex
             if (path + own > length) break;
             path += own;
             filament += c.Deposited[at];
-            volume += c.Deposited[at] * (_toolpath.VolumePerE(c.Tool[at]) ?? 0);
+            volume += c.Deposited[at] * _toolpath.VolumePerE(c.Tool[at]).GetValueOrDefault();
             start = end;
         }
         return new PathSums(path, filament, volume);

@@ -205,8 +205,8 @@ public sealed class Timeline
         var over = number >= Toolpath.Count;
         var move = over ? Last() : Toolpath[number];
         double done = 0, speed = 0;
-        var end = over ? 0 : _motion.First[number + 1];
-        var waits = trapezoid < _motion.Count && (over || trapezoid < end) && _motion.Acceleration[trapezoid] == 0;
+        var end = over ? _motion.Count : _motion.First[number + 1];
+        var waits = trapezoid < end && _motion.Acceleration[trapezoid] == 0;
         if (!over && !waits && trapezoid < end)
         {
             var first = _motion.First[number];
@@ -219,7 +219,7 @@ public sealed class Timeline
         var sums = _path.Before(number);
         var part = over ? 0 : done;
         var length = move.Length;
-        var flow = Toolpath.VolumePerE(move.Tool) is { } factor ? over || waits ? 0 : FlowOf(move, length, speed) * factor : (double?)null;
+        var flow = Toolpath.VolumePerE(move.Tool) is { } factor ? FlowOf(move, length, speed) * factor : (double?)null;
         var position = over ? move.End : PointAt(move, done);
         var nozzle = _heat.NozzleOrNull(move.Tool);
         return new MachineState
@@ -258,8 +258,7 @@ public sealed class Timeline
 
     private static Vec3 PointAt(in Move move, double done)
     {
-        if (move.Arc is { } arc) return arc.PointAt(move.Start, move.End, done);
-        return done <= 0 ? move.Start : done >= 1 ? move.End : move.Start + (move.End - move.Start) * done;
+        return move.Arc is { } arc ? arc.PointAt(move.Start, move.End, done) : Vec3.Lerp(move.Start, move.End, done);
     }
 
     private static Vec3 DirectionAt(in Move move, double done)
@@ -268,7 +267,7 @@ public sealed class Timeline
         if (move.Arc is { } arc)
         {
             const double Near = 1e-4;
-            change = arc.PointAt(move.Start, move.End, Math.Min(done + Near, 1)) - arc.PointAt(move.Start, move.End, Math.Max(done - Near, 0));
+            change = arc.PointAt(move.Start, move.End, done + Near) - arc.PointAt(move.Start, move.End, done - Near);
         }
         var length = change.Length;
         return length > 0 ? change / length : Vec3.Zero;

@@ -106,6 +106,19 @@ public class PlanComparisonTests
         Assert.That((found.Code, found.Count, found.Source!.Move), Is.EqualTo((CheckCodes.FileExtrusion, 1, (int?)1)));
     }
 
+    [TestCase("E-0.8", "E-0.5", "E changes by -0.5 in this line; the plan has -0.8.")]
+    [TestCase("E-0.8", "E-0.1234567", "E changes by -0.12346 in this line; the plan has -0.8.")]
+    [TestCase("E-0.8", "E-0.8", null)]
+    public void A_retraction_of_another_length_is_found(string text, string instead, string? message)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
+        builder.Add(new Vec3(20, 10, 0.2), 0.5, 0.5, 20, MoveKind.Print, Role.Unspecified, -1, 0, 0);
+        builder.Add(new Vec3(20, 10, 0.2), -0.8, 0, 20, MoveKind.Retract, Role.Unspecified, -1, 0, 1);
+        builder.Add(new Vec3(40, 10, 0.2), 0, 0, 20, MoveKind.Travel, Role.Unspecified, -1, 0, 2);
+        var found = Compare(builder.Build([new ToolpathTool(SmallPrint.FilamentArea)]), all => all.Replace(text, instead));
+        Assert.That(found.Select(d => d.Message), Is.EqualTo(message is null ? Array.Empty<string>() : [message]));
+    }
+
     // Whatever is changed by hand, in files with templates, arcs, events and retractions: pieces find what the whole file does, which Compare holds.
     [Test]
     public void Any_change_is_found_in_pieces_too()

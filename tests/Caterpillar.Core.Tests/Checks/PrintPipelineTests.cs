@@ -127,12 +127,17 @@ public sealed class PrintPipelineTests
         Assert.That(Timed(plan.WithTools([new ToolpathTool(1)])), Is.Null);
         var changed = plan.Blocks[1].Columns.Copy(plan.Blocks[1].Count);
         Assert.That(Timed(plan.WithBlocks([plan.Blocks[0], new ToolpathBlock(changed), .. plan.Blocks.Skip(2)])), Is.Null);
+        Assert.That(Timed(plan.WithTools([.. plan.Tools, plan.Tools[0]])), Is.Null);
+        Assert.That(Timed(plan.With(new Vec3(1, 2, 3), plan.Layers)), Is.Null);
         Assert.That(new EarlyTiming(Plain).Finish(plan, default), Is.Null);
         var all = new EarlyTiming(Plain);
         all.Take(plan, default);
         Assert.That(all.Finish(soFar[0], default), Is.Null, "less than was planned");
         Assert.That(all.Finish(plan, default)!.TotalTime, Is.EqualTo(expected.TotalTime), "all was planned");
         Assert.That(all.Finish(plan, default), Is.Null, "once");
+        var wait = new EarlyTiming(Plain);
+        wait.Take(plan, default);
+        Assert.That(wait.Finish(plan.Insert(plan.Count, new DwellEvent(3)), default)!.TotalTime, Is.EqualTo(expected.TotalTime + 3).Within(1e-9), "a wait after all");
         var more = new EarlyTiming(Plain);
         more.Take(plan.Insert(plan.Count, new DwellEvent(3)), default);
         Assert.That(more.Finish(plan, default)!.TotalTime, Is.EqualTo(expected.TotalTime), "what may still be put off");

@@ -67,6 +67,16 @@ public class ProgressLinesTests
         Assert.That((move, $"M73 P{shown.Percent} R{shown.MinutesLeft}"), Is.EqualTo((0, first)));
     }
 
+    [Test]
+    public void After_the_last_move_all_is_done_also_where_the_machine_waits()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
+        builder.Add(new Vec3(20, 10, 0.2), 0.4, 0.4, 10, MoveKind.Print, Role.OuterWall, -1, 0, 0);
+        builder.AddEvent(new DwellEvent(600));
+        var (toolpath, _) = ProgressLines.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), null, default);
+        Assert.That(toolpath.Events.Select(e => e.Event).OfType<ProgressEvent>().Last(), Is.EqualTo(new ProgressEvent(100, 0)));
+    }
+
     [TestCase(0, 0)]
     [TestCase(1, 2)]
     public void A_print_that_takes_time_has_a_first_and_a_last_line(int moves, int lines)
