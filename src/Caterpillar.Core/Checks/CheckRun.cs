@@ -33,7 +33,7 @@ internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> 
     /// <summary>The blocks of a toolpath from one on, with their events.</summary>
     public static IEnumerable<DecodedBlock> BlocksOf(Toolpath toolpath, int block)
     {
-        var next = block > 0 && block < toolpath.Blocks.Count ? toolpath.FirstEventOf(toolpath.FirstOf(block)) : 0;
+        var next = block < toolpath.Blocks.Count ? toolpath.FirstEventOf(toolpath.FirstOf(block)) : 0;
         var thicknesses = toolpath.Layers.Select(l => l.Thickness).ToArray();
         for (; block < toolpath.Blocks.Count; block++)
         {

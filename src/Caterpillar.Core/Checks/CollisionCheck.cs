@@ -25,7 +25,7 @@ internal sealed class CollisionCheck
     private readonly PrintedSoFar _printed;
     private readonly Findings _findings;
     private readonly List<(Bounds Box, string Code)> _boxes = [];
-    private readonly Deposit? _clips;
+    private readonly Deposit _clips;
     private readonly double _lowest;
     private int? _hit;
     private (Vec3 From, Vec3 To)? _digs;
@@ -41,15 +41,15 @@ internal sealed class CollisionCheck
             _boxes.Add((box, CheckCodes.GantryHits));
         }
         foreach (var (box, _) in _boxes) _lowest = Math.Min(_lowest, box.Min.Z);
-        if (printer.Clips.Count > 0) _clips = Stand(printer.Clips);
+        _clips = Stand(printer.Clips);
     }
 
-    /// <summary>Checks a straight move that prints a strand of some height in mm, or none.</summary>
+    /// <summary>Checks a straight move that prints a strand of some height in mm, or of 0 where it prints none.</summary>
     public void Check(in CheckedMove move, double height)
     {
         var prints = move.Kind == MoveKind.Print;
         // A strand may be printed into another by half its height.
-        var tolerance = prints ? Math.Max(Flush, height / 2) : Flush;
+        var tolerance = Math.Max(Flush, height / 2);
         // One finding for a move, also for the chords of an arc.
         if (move.Index == _hit || IsAbove(move, tolerance)) return;
         _digs = null;
@@ -58,15 +58,18 @@ internal sealed class CollisionCheck
         else if (_digs is { } digs) Digs(move, digs.From, digs.To, tolerance);
     }
 
-    // Above all that is printed, also by this time: most moves of a flat print.
+    // Above all that is there, also by this time: most moves of a flat print.
     private bool IsAbove(in CheckedMove move, double tolerance)
-        => _clips is null && !(Math.Max(_printed.Highest, _printed.Object?.Lines.Highest ?? double.NegativeInfinity) > Math.Min(move.Start.Z, move.End.Z)
-            + tolerance + _lowest);
+    {
+        var low = Math.Min(move.Start.Z, move.End.Z) + _lowest;
+        var top = Math.Max(_printed.Highest, _printed.Object?.Lines.Highest ?? double.NegativeInfinity);
+        return !(top > low + tolerance) && !(_clips.Highest > low);
+    }
 
     // All that is there at the start of a move.
     private bool Hits(in CheckedMove move, double tolerance, bool prints)
     {
-        var hit = _clips is not null && Clips(move, move.Start, move.End);
+        var hit = Clips(move, move.Start, move.End);
         hit |= Meets(_printed.Deposit, move, tolerance, prints);
         if (_printed.Object is { } thing) hit |= Meets(thing.Lines, move, tolerance, prints);
         return hit;
@@ -119,7 +122,7 @@ internal sealed class CollisionCheck
 
     private bool Clips(in CheckedMove move, Vec3 a, Vec3 b)
     {
-        var part = _clips!.Meets(a, b, 0, _printed.Head, false, out var clip) != HeadContact.None ? "nozzle" : "";
+        var part = _clips.Meets(a, b, 0, _printed.Head, false, out var clip) != HeadContact.None ? "nozzle" : "";
         foreach (var (box, code) in _boxes)
         {
             if (part.Length == 0 && _clips.MeetsBox(a, b, 0, box, out clip)) part = code == CheckCodes.HeadHits ? "head" : "gantry";

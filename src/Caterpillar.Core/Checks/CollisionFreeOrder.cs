@@ -153,34 +153,47 @@ internal sealed class OrderTrial(PrintSetup setup, double travelHeight)
 
     private bool Collides(PrintPath[] paths)
     {
-        var builder = new ToolpathBuilder(MoveSource.Steps, null);
-        foreach (var step in Steps(paths)) Add(builder, step);
-        Travel(builder, builder.Position.WithZ(travelHeight));
-        var toolpath = builder.Build([new ToolpathTool(1)]);
         var collides = false;
-        var findings = new Findings(setup.Printer, toolpath)
+        var findings = new Findings(setup.Printer, _ => null, _ => null)
         {
             Heard = (code, _) => collides |= code.StartsWith("collision.", StringComparison.Ordinal),
         };
-        CheckRun.Run(toolpath, [new DepositCheck(setup, findings, _object)], null, CancellationToken.None);
+        var check = new DepositCheck(setup, findings, _object);
+        var move = default(CheckedMove);
+        foreach (var step in Steps(paths)) Show(step, ref move, check);
+        Travel(move.End.WithZ(travelHeight), ref move, check);
         return collides;
     }
 
-    private static void Add(ToolpathBuilder builder, Step step)
+    private static void Show(Step step, ref CheckedMove move, DepositCheck check)
     {
         if (step is TravelStep travel)
         {
-            foreach (var point in travel.Points) Travel(builder, point);
+            foreach (var point in travel.Points) Travel(point, ref move, check);
         }
         else if (step is PathStep { Path: var path })
         {
             for (var i = 0; i < path.SegmentCount; i++)
-                Move(builder, path.EndOf(i), path.LengthOf(i) * path.BeadOf(i).Area, MoveKind.Print, path.Role, path.ArcOf(i));
+            {
+                (move.Kind, move.Role, move.Arc) = (MoveKind.Print, path.Role, path.ArcOf(i));
+                move.Deposited = path.LengthOf(i) * path.BeadOf(i).Area;
+                Show(path.EndOf(i), path.LengthOf(i), ref move, check);
+            }
         }
     }
 
-    private static void Travel(ToolpathBuilder builder, Vec3 to) => Move(builder, to, 0, MoveKind.Travel, Role.Unspecified, null);
+    private static void Travel(Vec3 to, ref CheckedMove move, DepositCheck check)
+    {
+        (move.Kind, move.Role, move.Arc) = (MoveKind.Travel, Role.Unspecified, null);
+        Show(to, move.End.DistanceTo(to), ref move, check);
+    }
 
-    private static void Move(ToolpathBuilder builder, Vec3 to, double volume, MoveKind kind, Role role, Arc? arc)
-        => builder.Add(to, volume, volume, 1, kind, role, -1, 0, -1, arc);
+    // The head comes to the first point from wherever it is.
+    private static void Show(Vec3 to, double length, ref CheckedMove move, DepositCheck check)
+    {
+        (move.Start, move.End, move.Length) = (move.End, to, length);
+        check.Move(move);
+        move.StartKnown = true;
+        move.Index++;
+    }
 }

@@ -108,9 +108,9 @@ internal sealed class PrintedSoFar
             {
                 Ax = piece.From.X, Ay = piece.From.Y, Az = piece.From.Z, Bx = piece.To.X, By = piece.To.Y, Bz = piece.To.Z, Half = piece.Half,
             };
-            var hits = query.Meets(strand);
-            if (hits || (query.Digs && move < 0)) move = piece.Move;
-            if (hits) return HeadContact.Hits;
+            if (!query.Meets(strand)) continue;
+            move = piece.Move;
+            return HeadContact.Hits;
         }
         return query.Digs ? HeadContact.Digs : HeadContact.None;
     }
@@ -121,7 +121,7 @@ internal sealed class PrintedSoFar
     public void Add(in CheckedMove move, double height)
     {
         _distance += move.Length;
-        if (move.Kind != MoveKind.Print || !(move.Deposited > 0) || !move.End.IsFinite || !move.Start.IsFinite) return;
+        if (move.Kind != MoveKind.Print || !(move.Deposited > 0)) return;
         var bead = new Bead(move.Deposited / move.Length, height);
         // A bead of almost no height would be as wide as the bed.
         var half = Math.Min(bead.Width(_shape), _widest) / 2;

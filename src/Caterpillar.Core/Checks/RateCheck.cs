@@ -62,7 +62,7 @@ internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings fi
         if (move.Speed > most + _roundedF) ReportSpeed(move, most, move.Length > 0 ? "there at" : "at", " and will slow down");
         else if (_raised && _shares.MaxSpeed(move, filament, _own) is var own && move.Speed > own + _roundedF)
             ReportSpeed(move, own, "for", ", a limit that the file has raised");
-        if (move.Kind != MoveKind.Print || !(move.Length > 0)) return;
+        if (!(move.Length > 0)) return;
         var flow = move.Deposited / move.Length * Math.Min(move.Speed, most);
         // In short moves the last decimals count for more.
         var least = (move.Deposited - _roundedE * move.Pushed / move.E) / (move.Length + 2 * _roundedXyz) * Math.Min(move.Speed, most);

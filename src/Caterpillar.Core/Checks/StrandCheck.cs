@@ -65,8 +65,7 @@ internal sealed class StrandCheck
         _end = move.End;
         var area = move.Deposited / move.Length;
         // Layers much thicker or thinner than their strands say nothing about them: files without comments about layers, drawings.
-        var known = move.Thickness > 0 && area >= 0.5 * move.Thickness * move.Thickness
-            && area <= PrintedSoFar.Widest * _printer.NozzleDiameter * move.Thickness;
+        var known = area >= 0.5 * move.Thickness * move.Thickness && area <= PrintedSoFar.Widest * _printer.NozzleDiameter * move.Thickness;
         // Where nothing is looked for, others still need the heights.
         if (known && !_isAsked) return (move.Thickness, move.Thickness);
         var nominal = known ? move.Thickness : _usualHeight;

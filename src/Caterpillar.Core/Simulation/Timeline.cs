@@ -154,13 +154,13 @@ public sealed class Timeline
     private int MoveOf(int trapezoid)
     {
         int low = 0, high = Toolpath.Count + 1;
-        while (low < high)
+        while (high - low > 1)
         {
             var middle = (int)(((uint)low + (uint)high) / 2);
-            if (_motion.First[middle] <= trapezoid) low = middle + 1;
+            if (_motion.First[middle] <= trapezoid) low = middle;
             else high = middle;
         }
-        return low - 1;
+        return low;
     }
 
     private int MoveAtSource(int source)
@@ -217,7 +217,6 @@ public sealed class Timeline
             speed = now.SpeedAt(since);
         }
         var sums = _path.Before(number);
-        var part = over ? 0 : done;
         var length = move.Length;
         var flow = Toolpath.VolumePerE(move.Tool) is { } factor ? FlowOf(move, length, speed) * factor : (double?)null;
         var position = over ? move.End : PointAt(move, done);
@@ -238,9 +237,9 @@ public sealed class Timeline
             Layer = move.Layer,
             Tool = move.Tool,
             Source = move.Source,
-            Length = sums.Length + part * length,
-            Filament = sums.Filament + part * move.Deposited,
-            Volume = _volumesKnown ? sums.Volume + part * (Toolpath.VolumePerE(move.Tool) ?? 0) * move.Deposited : null,
+            Length = sums.Length + done * length,
+            Filament = sums.Filament + done * move.Deposited,
+            Volume = _volumesKnown ? sums.Volume + done * (Toolpath.VolumePerE(move.Tool) ?? 0) * move.Deposited : null,
             NozzleTemperature = nozzle?.At(time) ?? HeatModel.Ambient,
             NozzleTarget = nozzle?.TargetAt(time) ?? 0,
             BedTemperature = _heat.Bed.At(time),
@@ -254,7 +253,7 @@ public sealed class Timeline
 
     // E per second: along the path, or of the extruder alone.
     private static double FlowOf(in Move move, double length, double speed)
-        => length > 0 ? move.Deposited / length * speed : move.E != 0 ? move.Deposited / Math.Abs(move.E) * speed : 0;
+        => length > 0 ? move.Deposited / length * speed : move.Deposited > 0 ? move.Deposited / move.E * speed : 0;
 
     private static Vec3 PointAt(in Move move, double done)
     {

@@ -26,8 +26,7 @@ public readonly record struct Trapezoid(double Start, double Peak, double End, d
     /// <summary>Speed after some seconds from the start.</summary>
     public double SpeedAt(double time)
     {
-        if (time <= 0) return Start;
-        if (time >= Duration) return End;
+        time = Math.Min(Math.Max(time, 0), Duration);
         return Math.Min(Math.Min(Peak, Start + Acceleration * time), End + Acceleration * (Duration - time));
     }
 

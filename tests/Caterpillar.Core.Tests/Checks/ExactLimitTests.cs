@@ -22,6 +22,12 @@ public class ExactLimitTests
         => Assert.That(Found(CheckCodes.FirstLayer, new Vec3(0, 0, 0.25), 0.25, (new Vec3(16, 0, 0.25), Role.Infill), (new Vec3(16, 0, top), Role.Purge)),
             Is.EqualTo(found));
 
+    // What hangs in the air is no foot.
+    [Test]
+    public void A_print_does_not_stand_on_what_is_in_the_air()
+        => Assert.That(Found(CheckCodes.FirstLayer, new Vec3(0, 0, 0.25), 0.25, (new Vec3(16, 0, 0.25), Role.Infill), (new Vec3(16, 0, 32.5), Role.Purge),
+            (new Vec3(176, 0, 32.5), Role.Infill)), Is.EqualTo(1));
+
     [TestCase(5, 0)]
     [TestCase(5.5, 1)]
     public void The_free_end_of_a_strand_may_be_5_mm_long(double length, int found)

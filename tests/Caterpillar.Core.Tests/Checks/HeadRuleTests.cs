@@ -40,6 +40,51 @@ public class HeadRuleTests
         }
     }
 
+    // Clips are lines side by side, each at most half a millimeter wide: how far a needle is off along the diagonal of a corner, and beside the left edge.
+    [TestCase(12, 10, 0.25, 0)]
+    [TestCase(12, 0.74, 0.185, 0)]
+    [TestCase(12, 10.3, 5.15 / 21, 0)]
+    [TestCase(12, 0.4, 0.2, 0)]
+    [TestCase(0.2, 10, 0.25, 0.15)]
+    public void A_clip_is_as_round_at_its_corners_as_its_lines(double width, double depth, double half, double beyond)
+    {
+        const double Needle = 0.02;
+        var setup = SmallPrint.Setup(p => p with
+        {
+            Clips = new(new Bounds(new Vec3(100, 100, 0), new Vec3(100 + width, 100 + depth, 5))), HeadOutline = new(new HeadPoint(Needle, 0)),
+        });
+        bool Hits(double x, double y) => SmallPrint.Find(new SmallPrint(x, y, 20).Go(x, y, 4.9).Build(), setup, CheckCodes.ClipHit).Length > 0;
+        var middle = 100 + half;
+        var left = 100 - beyond - Needle;
+        Assert.That((Hits(left + 0.005, middle), Hits(left - 0.005, middle)), Is.EqualTo((true, false)), "left edge");
+        var end = 100 - beyond + half;
+        var reach = (half + Needle) * Math.Sqrt(0.5);
+        Assert.That((Hits(end - reach + 0.005, middle - reach + 0.005), Hits(end - reach - 0.005, middle - reach - 0.005)), Is.EqualTo((true, false)), "corner");
+    }
+
+    // A short strand 5 mm above the bed, and a box 10 mm behind the tip, 2 mm above it: it comes over the strand when that is no longer fresh.
+    [TestCase(0, 1)]
+    [TestCase(3.5, 0)]
+    public void What_was_fresh_at_the_start_of_a_move_is_hit_farther_on(double down, int found)
+    {
+        var setup = SmallPrint.Setup(p => p with
+        {
+            HeadOutline = new(new HeadPoint(0.5, 0)), HeadBoxes = new(new Bounds(new Vec3(-12, -2, 2), new Vec3(-8, 2, 9))),
+        });
+        var print = new SmallPrint(60, 60, 5).Print(60.5, 60, 5).Go(90, 60, down);
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.HeadHits).Sum(d => d.Count), Is.EqualTo(found));
+    }
+
+    // A head that is flat and wide half a millimeter above its tip: it sinks by 2 mm while it goes away from a short strand.
+    [TestCase(8, 1)]
+    [TestCase(9.9, 0)]
+    public void A_wide_head_that_sinks_hits_what_was_fresh(double down, int found)
+    {
+        var setup = SmallPrint.Setup(p => p with { HeadOutline = new(new HeadPoint(0.5, 0), new(60, 0.5)) });
+        var print = new SmallPrint(60, 60, 10).Print(60.5, 60, 10).Go(90, 60, down);
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.TravelHits).Sum(d => d.Count), Is.EqualTo(found));
+    }
+
     [Test]
     public void A_travel_through_a_clip_is_one_finding()
     {

@@ -53,6 +53,14 @@ public class PrintedOnTests
     }
 
     [Test]
+    public void An_arc_through_the_object_is_one_finding()
+    {
+        var wall = SmallPrint.Setup() with { PrintedOn = Plate((_, _) => 8, 40, 60, 20, 50) };
+        var print = new SmallPrint().Over(20, 30, 5).Arc(80, 30, 5, new Vec3(50, 100, 5), 2 * Angle.ToDegrees(Math.Atan(3 / 7.0))).Go(80, 30, 200);
+        Assert.That(SmallPrint.Find(print.Build(), wall, CheckCodes.TravelHits).Single().Count, Is.EqualTo(1));
+    }
+
+    [Test]
     public void The_cone_and_boxes_of_the_head_hit_the_object_on_the_way_down()
     {
         var block = Plate((_, _) => 20, 40, 60, 20, 50);

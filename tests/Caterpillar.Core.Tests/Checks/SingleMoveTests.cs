@@ -44,6 +44,38 @@ public class SingleMoveTests
         Assert.That(Stationary(Most, 1, 11).Single().Count, Is.EqualTo(2), "again for each lump");
     }
 
+    // A circle in between is a move; homing ends a blob.
+    [TestCase(true, false, 0)]
+    [TestCase(false, true, 0)]
+    [TestCase(false, false, 1)]
+    public void Material_in_place_is_counted_up_to_the_next_move(bool circle, bool home, int found)
+    {
+        var findings = new Findings(Setup.Printer, _ => null, _ => null);
+        var check = new StationaryCheck(Setup.Printer, findings);
+        check.Move(new CheckedMove { StartKnown = true, Kind = MoveKind.Prime, Pushed = 10 });
+        if (circle) check.Move(new CheckedMove { StartKnown = true, Kind = MoveKind.Print, Arc = new Arc(Vec3.UnitX, 360), Length = 6, Pushed = 5 });
+        if (home) check.Event(new MoveEvent(1, new HomeEvent()));
+        check.Move(new CheckedMove { StartKnown = true, Kind = MoveKind.Prime, Pushed = 10 });
+        Assert.That(findings.ToList().Sum(d => d.Count), Is.EqualTo(found));
+    }
+
+    // After G28 the head goes to the switches; a strand or a travel to elsewhere that follows G28 at once is none of that. What comes after is known again.
+    [TestCase(0, 0, false, true, false)]
+    [TestCase(0, 0.5, false, false, true)]
+    [TestCase(0, 0, true, false, true)]
+    [TestCase(7, 0, false, false, true)]
+    public void A_head_homes_where_it_travels_to_the_switches(double x, double e, bool prints, bool homes, bool known)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 10));
+        builder.AddEvent(new HomeEvent());
+        builder.Add(new Vec3(x, 0, 0), e, e, 20, prints ? MoveKind.Print : MoveKind.Travel, Role.Unspecified, -1, 0, -1);
+        builder.Add(new Vec3(20, 0, 0), 0, 0, 20, MoveKind.Travel, Role.Unspecified, -1, 0, -1);
+        builder.Add(new Vec3(30, 0, 0), 0, 0, 20, MoveKind.Travel, Role.Unspecified, -1, 0, -1);
+        var seen = new Seen();
+        CheckRun.Run(builder.Build([new ToolpathTool(1)]), [seen], null, default);
+        Assert.That(seen.All, Is.EqualTo(new[] { (homes, false), (false, known), (false, true) }));
+    }
+
     [Test]
     public void Where_a_head_comes_from_after_homing_is_not_checked()
     {
@@ -87,6 +119,51 @@ public class SingleMoveTests
         Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Height), Has.Length.EqualTo(found));
     }
 
+    // Where a file does not say how thick its layers are, the settings may be thicker than the nozzle.
+    [Test]
+    public void A_height_that_is_not_stated_is_not_that_of_a_layer()
+    {
+        var setup = Setup with { Settings = new PrintSettings { LayerHeight = 0.6 } };
+        Assert.That(SmallPrint.Find(new SmallPrint(10, 10, 0.6).Print(30, 10, 0.6, 0.4).Build(), setup, CheckCodes.Height), Is.Empty);
+    }
+
+    // Heights of a strand in mm, nominal and filled: with a layer of 0.25 mm they are stated; else what is below counts, and roundness where nothing is.
+    [TestCase(0.25, 0.45, 0.25, 0.25)]
+    [TestCase(0, 0.45, 0.2, 0.2)]
+    [TestCase(0, 8, 0.3, 0.5)]
+    [TestCase(0.25, 8, 0.25, 0.25)]
+    public void The_height_of_a_strand_is_stated_or_measured(double thickness, double z, double nominal, double filled)
+    {
+        const double Area = Math.PI / 16;
+        var setup = Setup with { Settings = new PrintSettings { LayerHeight = 0.3, FirstLayerHeight = 0.3 } };
+        var printed = new PrintedSoFar(setup, null);
+        printed.Add(Strand(0.25, 0.25, 0.1), 0.25);
+        printed.Add(new CheckedMove { Length = 100, Kind = MoveKind.Travel }, 0);
+        printed.Advance(0);
+        var strands = new StrandCheck(setup, printed, new Findings(setup.Printer, _ => null, _ => null));
+        var (a, b) = strands.Strand(Strand(z, thickness, Area));
+        Assert.That(new[] { a, b }, Is.EqualTo(new[] { nominal, filled }).Within(1e-12));
+    }
+
+    // Half of the square of the thickness, and twelve nozzles: as much is still a strand of this layer.
+    [TestCase(0.03125, true)]
+    [TestCase(0.03124, false)]
+    [TestCase(12 * 0.4 * 0.25, true)]
+    [TestCase(12 * 0.4 * 0.2501, false)]
+    public void A_layer_says_how_high_its_strands_are_where_they_may_be(double area, bool known)
+    {
+        var setup = SmallPrint.Setup(p => p with { CheckSeverities = new(StrandCheck.Codes.Select(c => new CheckSeverity(c, null))) });
+        var strands = new StrandCheck(setup, new PrintedSoFar(setup, null), new Findings(setup.Printer, _ => null, _ => null));
+        Assert.That(strands.Strand(Strand(8, 0.25, area)) == (0.25, 0.25), Is.EqualTo(known));
+    }
+
+    [Test]
+    public void Material_in_place_on_a_tower_does_not_fit_below_the_nozzle()
+    {
+        var tower = new SmallPrint().Wall(60, 70, 60, 5).Over(65, 60, 5.2).Prime(9);
+        Assert.That(SmallPrint.Find(tower.Build(), Setup, CheckCodes.Squeezed), Has.Length.EqualTo(1));
+    }
+
     [Test]
     public void Progress_is_heard_every_4096_moves()
     {
@@ -125,6 +202,30 @@ public class SingleMoveTests
         for (var i = 0; i < 5; i++) Assert.That(follower.Take(block), Is.True);
         Assert.That(() => follower.Finish(toolpath, null!, null), Throws.InstanceOf<OperationCanceledException>());
     }
+
+    private sealed class Seen : IMoveCheck
+    {
+        public List<(bool Homes, bool Known)> All { get; } = [];
+
+        public IReadOnlyList<string> Codes => [];
+
+        public void Event(MoveEvent what)
+        {
+        }
+
+        public void Move(in CheckedMove move) => All.Add((move.IsHoming, move.StartKnown));
+
+        public void End(Toolpath toolpath)
+        {
+        }
+    }
+
+    // 20 mm along X.
+    private static CheckedMove Strand(double z, double thickness, double area) => new()
+    {
+        Start = new Vec3(10, 10, z), End = new Vec3(30, 10, z), Length = 20, Kind = MoveKind.Print, StartKnown = true, Deposited = 20 * area,
+        Thickness = thickness,
+    };
 
     private static IReadOnlyList<Diagnostic> Stationary(params double[] pushed)
     {

@@ -57,6 +57,16 @@ public class LookAheadTests
         Assert.That(InParts(planner, random.ToArray(), 256).Most, Is.LessThan(4000), "the run before is over");
     }
 
+    // A queue of 16: the last 15 of a run may still change, and fewer than 1024 are not worth it.
+    [TestCase(1038, false, 0)]
+    [TestCase(1039, false, 1024)]
+    [TestCase(2000, false, 1985)]
+    [TestCase(20, true, 20)]
+    [TestCase(15, true, 15)]
+    [TestCase(2000, true, 2000)]
+    public void What_a_queue_has_passed_is_final(int count, bool ends, int final)
+        => Assert.That(new QueueLookAhead(16).Plan(Run(new Random(1), count, 1), count, ends), Is.EqualTo(final));
+
     // As the planner does: segments are added, and what is final leaves.
     private static (List<Segment> Segments, int Most) InParts(CruiseLookAhead planner, Segment[] run, int step)
     {

@@ -37,6 +37,29 @@ public class TimelineStateTests
         Assert.That(timeline.At(timeline.Duration).Waits, Is.False);
     }
 
+    // Half a billionth of a millimeter takes no time.
+    [Test]
+    public void A_length_may_be_in_a_move_that_takes_no_time()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        Travel(builder, 8);
+        Travel(builder, 8 + 5e-10);
+        builder.AddEvent(new DwellEvent(3));
+        Travel(builder, 16);
+        var timeline = Timeline.Of(builder.Build([new ToolpathTool(1)]), new PrintSetup());
+        var state = timeline.AtLength(8 / timeline.Length);
+        Assert.That((state.Move, state.Time, state.Waits), Is.EqualTo((1, timeline.StartOf(1), false)));
+    }
+
+    [Test]
+    public void After_all_moves_there_is_no_direction()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        Travel(builder, 10);
+        var timeline = Timeline.Of(builder.Build([new ToolpathTool(1)]), new PrintSetup());
+        Assert.That((timeline.AtMove(0).Direction, timeline.AtMove(1).Direction), Is.EqualTo((Vec3.UnitX, Vec3.Zero)));
+    }
+
     [TestCase(2.0, 3.0)]
     [TestCase(null, null)]
     public void The_volume_of_what_is_printed_is_known_where_that_of_all_tools_is(double? other, double? volume)
