@@ -250,6 +250,12 @@ public class CheckDetailTests
     [TestCase("X30", "X30.007", CheckCodes.FilePosition)]
     [TestCase("Y40", "Y40.007", CheckCodes.FilePosition)]
     [TestCase("Z5", "Z5.007", CheckCodes.FilePosition)]
+    [TestCase("X30", "X29.995", null)]
+    [TestCase("X30", "X29.993", CheckCodes.FilePosition)]
+    [TestCase("Y40", "Y39.993", CheckCodes.FilePosition)]
+    [TestCase("Z5", "Z4.993", CheckCodes.FilePosition)]
+    [TestCase("E0.5", "E0.494", null)]
+    [TestCase("E0.5", "E0.493", CheckCodes.FileExtrusion)]
     [TestCase("E0.5", "E0.506", null)]
     [TestCase("E0.5", "E0.507", CheckCodes.FileExtrusion)]
     [TestCase("G1 X30 E0.5", "G1 X20 E0.25\nG1 X30 E0.25", null)]
@@ -267,6 +273,18 @@ public class CheckDetailTests
         var named = found.Where(d => d.Code is CheckCodes.FilePosition or CheckCodes.FileExtrusion).ToArray();
         Assert.That(named.Select(d => d.Code), Is.EqualTo(code is null ? [] : new[] { code }));
         if (code is not null) Assert.That(named[0].Message, Does.Contain("the edit"));
+    }
+
+    // Numbers with more decimals than are told.
+    [TestCase("E0.5", "E0.5123456", "E changes by 0.51235 in this line; the edit asks for 0.5.")]
+    [TestCase("G1 X30 E0.5", "G1 X20.123456 E0.25\nG1 X31.123456 E0.25", "The file prints 51.12 mm; the edit asks for 50 mm.")]
+    [TestCase("G1 X30 E0.5", "G1 X20 E0.25\nG1 X30 E0.2765432", "The file extrudes 1.327; the edit asks for 1.3.")]
+    public void What_an_edited_file_does_is_told_in_few_decimals(string text, string instead, string message)
+    {
+        const string File = "G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X30 E0.5\nG1 Y40 E0.8\nG1 Z5\nM104 S0\n";
+        var wanted = SmallPrint.Decode(Encoding.ASCII.GetBytes(File), Setup);
+        var found = EditCheck.Run(wanted, wanted.Toolpath, GCodeDocument.FromText(File.Replace(text, instead)), Setup, null, CancellationToken.None);
+        Assert.That(found.Select(d => d.Message), Has.Member(message));
     }
 
     [Test]

@@ -127,6 +127,11 @@ public sealed class PrintPipelineTests
         Assert.That(Timed(plan.WithTools([new ToolpathTool(1)])), Is.Null);
         var changed = plan.Blocks[1].Columns.Copy(plan.Blocks[1].Count);
         Assert.That(Timed(plan.WithBlocks([plan.Blocks[0], new ToolpathBlock(changed), .. plan.Blocks.Skip(2)])), Is.Null);
+        var first = plan.Blocks[0].Columns.Copy(plan.Blocks[0].Count);
+        Assert.That(Timed(plan.WithBlocks([new ToolpathBlock(first), .. plan.Blocks.Skip(1)])), Is.Null);
+        var waits = new EarlyTiming(Plain);
+        waits.Take(plan.Insert(100, new DwellEvent(3)), default);
+        Assert.That(waits.Finish(plan.Insert(100, new DwellEvent(4)), default), Is.Null, "another wait");
         Assert.That(Timed(plan.WithTools([.. plan.Tools, plan.Tools[0]])), Is.Null);
         Assert.That(Timed(plan.With(new Vec3(1, 2, 3), plan.Layers)), Is.Null);
         Assert.That(new EarlyTiming(Plain).Finish(plan, default), Is.Null);

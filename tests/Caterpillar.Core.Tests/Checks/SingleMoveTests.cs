@@ -76,6 +76,68 @@ public class SingleMoveTests
         Assert.That(seen.All, Is.EqualTo(new[] { (homes, false), (false, known), (false, true) }));
     }
 
+    // Strands 16 nozzles thick and more are no strands: E is read in the wrong mode. Twenty of them are enough to say so.
+    [TestCase(19, 1.0, 0)]
+    [TestCase(20, 1.0, 1)]
+    [TestCase(40, 0.5, 0)]
+    [TestCase(40, 0.55, 1)]
+    public void A_file_of_strands_that_no_nozzle_prints_is_read_in_the_wrong_mode(int strands, double thick, int found)
+    {
+        var check = new FileCheck(Empty, Setup.Printer, new CheckScope(200), NewFindings(out var findings));
+        for (var i = 0; i < strands; i++)
+            check.Move(new CheckedMove { Index = i, Start = new Vec3(i, 0), End = new Vec3(i + 1, 0), Length = 1, Kind = MoveKind.Print, E = 1,
+                Deposited = i < thick * strands ? 2.6 : 0.1 });
+        check.End(Empty);
+        Assert.That(findings.ToList().Sum(d => d.Count), Is.EqualTo(found));
+    }
+
+    [TestCase(0, 0, 0, "XYZ")]
+    [TestCase(1, 0, 0, "YZ")]
+    [TestCase(0, 1, 0, "XZ")]
+    [TestCase(0, 0, 1, "XY")]
+    [TestCase(1, 1, 0, "Z")]
+    [TestCase(1, 0, 1, "Y")]
+    [TestCase(0, 1, 1, "X")]
+    [TestCase(1, 1, 1, null)]
+    public void A_file_must_say_where_the_head_is_in_each_axis(double x, double y, double z, string? axes)
+    {
+        var expected = axes is null ? Array.Empty<string>() : [$"The file prints before it says where the head is in {axes}."];
+        foreach (var homes in new[] { true, false })
+        {
+            var check = new FileCheck(Empty, Setup.Printer, new CheckScope(200, IsWholeFile: true), NewFindings(out var findings));
+            if (homes) check.Event(new MoveEvent(0, new HomeEvent(x > 0, y > 0, z > 0)));
+            else check.Move(new CheckedMove { End = new Vec3(x, y, z), Length = 1, Kind = MoveKind.Travel });
+            check.Move(new CheckedMove { Length = 1, Kind = MoveKind.Print, E = 1, Deposited = 0.1 });
+            Assert.That(findings.ToList().Where(d => d.Code == CheckCodes.UnknownPosition).Select(d => d.Message), Is.EqualTo(expected), $"{homes}");
+        }
+    }
+
+    // Two strands in line and half a millimeter between them.
+    [TestCase(MoveKind.Travel, false, 1)]
+    [TestCase(MoveKind.Travel, true, 1)]
+    [TestCase(MoveKind.Wipe, false, 0)]
+    public void A_gap_is_a_travel_also_where_something_happens_in_place(MoveKind between, bool primes, int found)
+    {
+        var check = new GapCheck(NewFindings(out var findings));
+        Show(MoveKind.Print, 0, 10);
+        Show(between, 10, 10.5);
+        if (primes) Show(MoveKind.Prime, 10.5, 10.5);
+        Show(MoveKind.Print, 10.5, 20);
+        Assert.That(findings.ToList().Sum(d => d.Count), Is.EqualTo(found));
+
+        void Show(MoveKind kind, double from, double to)
+            => check.Move(new CheckedMove { Start = new Vec3(from, 0), End = new Vec3(to, 0), StartKnown = true, Kind = kind, Length = to - from, Deposited = 1 });
+    }
+
+    [Test]
+    public void Only_tools_whose_filament_is_not_stated_get_that_of_the_material()
+    {
+        var toolpath = new SmallPrint().Print(20, 10, 0.2).Build().WithTools([new ToolpathTool(null), new ToolpathTool(3)]);
+        var volumes = PrintCheck.WithVolumes(toolpath, Setup).Tools.Select(t => t.VolumePerE).ToArray();
+        Assert.That(volumes[0], Is.EqualTo(SmallPrint.FilamentArea).Within(1e-9));
+        Assert.That(volumes[1], Is.EqualTo(3));
+    }
+
     [Test]
     public void Where_a_head_comes_from_after_homing_is_not_checked()
     {
@@ -182,7 +244,7 @@ public class SingleMoveTests
     {
         var progress = new Shares();
         var print = new SmallPrint();
-        for (var i = 0; i < 300; i++) print.Print(i % 2 == 0 ? 60 : 10, 10 + 0.4 * (i / 2), 0.2);
+        for (var i = 0; i < ToolpathBlock.Capacity + 100; i++) print.Go(i % 2 == 0 ? 60 : 10, 10 + 0.001 * i, 0.2);
         using var stream = new MemoryStream();
         var written = isDraft ? SafeWriter.WriteDraft(print.Build(), Setup, stream, "a test", progress)
             : SafeWriter.Write(print.Build(), Setup, stream, "a test", progress);
@@ -226,6 +288,35 @@ public class SingleMoveTests
         Start = new Vec3(10, 10, z), End = new Vec3(30, 10, z), Length = 20, Kind = MoveKind.Print, StartKnown = true, Deposited = 20 * area,
         Thickness = thickness,
     };
+
+    [Test]
+    public void Blocks_are_followed_where_layers_and_tools_are_known()
+    {
+        var toolpath = new SmallPrint(10, 10, 9).InLayer(new Layer(0, 9, 0.2)).Print(80, 10, 9).Build();
+        var block = CheckRun.BlocksOf(toolpath, 0).Single();
+        var places = new WrittenPlaces(toolpath, _ => null, new WrittenLines(1), Setup.Printer);
+        IReadOnlyList<Diagnostic>? Finished(Toolpath read, params DecodedBlock[] blocks)
+        {
+            using var follower = new DepositFollower(toolpath.Tools, Setup, 8, default);
+            foreach (var each in blocks) Assert.That(follower.Take(each), Is.EqualTo(each.Thicknesses is not null));
+            return follower.Finish(read, places, null);
+        }
+
+        using (var located = new DepositFollower(toolpath.Tools, Setup, 8, default))
+        {
+            located.Locate(toolpath, new WrittenLines(1));
+            Assert.That(located.Take(block), Is.True);
+            Assert.That(located.Finish(toolpath, places, null)!.Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.Unsupported }));
+        }
+        Assert.That(Finished(toolpath, block)!.Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.Unsupported }));
+        Assert.That(Finished(toolpath), Is.Null, "nothing was checked");
+        Assert.That(Finished(toolpath, block with { Thicknesses = null }), Is.Null, "layers are not known");
+        Assert.That(Finished(toolpath.WithTools([new ToolpathTool(1)]), block), Is.Null, "other tools");
+    }
+
+    private static readonly Toolpath Empty = new ToolpathBuilder(MoveSource.Lines, null).Build([new ToolpathTool(1)]);
+
+    private static Findings NewFindings(out Findings findings) => findings = new Findings(Setup.Printer, _ => null, _ => null);
 
     private static IReadOnlyList<Diagnostic> Stationary(params double[] pushed)
     {

@@ -93,8 +93,9 @@ public class TimelineStateTests
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(new Vec3(20, 0, 0), 1, 1, 50, MoveKind.Print, Role.Infill, -1, 0, -1, new Arc(new Vec3(10, 0, 0), 180));
-        var bounds = PrintStatistics.Of(Timeline.Of(builder.Build([new ToolpathTool(1)]), new PrintSetup())).PrintBounds;
-        Assert.That((bounds.Min.Y, bounds.Max.Y), Is.EqualTo((-10.0, 0.0)));
+        var print = PrintStatistics.Of(Timeline.Of(builder.Build([new ToolpathTool(1)]), new PrintSetup()));
+        Assert.That((print.PrintBounds.Min.Y, print.PrintBounds.Max.Y), Is.EqualTo((-10.0, 0.0)));
+        Assert.That(print.PrintLength, Is.EqualTo(10 * Math.PI).Within(1e-12));
     }
 
     [Test]
@@ -117,6 +118,71 @@ public class TimelineStateTests
             Assert.That(columns.TotalTime, Is.EqualTo(0.5 * i));
         }
         Assert.That((columns.Start.Length, columns.Peak.Length, columns.End.Length, columns.Acceleration.Length), Is.EqualTo((0, 0, 0, 0)));
+    }
+
+    [TestCase(3, 4)]
+    [TestCase(4, 5)]
+    [TestCase(10, 11)]
+    [TestCase(5000, 5001)]
+    public void There_is_room_for_the_start_of_each_move_and_the_end(int moves, int room)
+    {
+        var columns = new MotionColumns(3);
+        Assert.That(columns.First, Has.Length.EqualTo(4));
+        columns.Reserve(moves);
+        Assert.That(columns.First.Length, Is.GreaterThanOrEqualTo(room));
+    }
+
+    [Test]
+    public void Planning_tells_its_progress_by_blocks()
+    {
+        var progress = new Checks.Shares();
+        Timeline.Of(Strands(2 * ToolpathBlock.Capacity + 10, _ => 1), new PrintSetup(), progress);
+        Assert.That(progress.All, Is.EqualTo(new[] { 1 / 3.0, 2 / 3.0, 1 }));
+    }
+
+    // Of the same tool again there is no change, and heat is for the tool in use.
+    [Test]
+    public void A_tool_stays_until_another_is_chosen()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        builder.AddEvent(new ToolEvent(1));
+        builder.AddEvent(new ToolEvent(1));
+        builder.AddEvent(new NozzleTemperatureEvent(200, false));
+        builder.Add(new Vec3(100, 0), 1, 1, 50, MoveKind.Print, Role.Infill, -1, 1, -1);
+        builder.AddEvent(new ToolEvent(0));
+        builder.Add(new Vec3(0, 0), 1, 1, 50, MoveKind.Print, Role.Infill, -1, 0, -1);
+        var setup = new PrintSetup { Printer = new Printer { ToolChangeTime = 7 } };
+        var timeline = Timeline.Of(builder.Build([new ToolpathTool(1), new ToolpathTool(1)]), setup);
+        Assert.That(timeline.Waits.ToolChanges, Is.EqualTo(14));
+        Assert.That((timeline.At(timeline.EndOf(0) - 0.01).NozzleTarget, timeline.At(timeline.EndOf(1) - 0.01).NozzleTarget), Is.EqualTo((200.0, 0.0)));
+    }
+
+    [Test]
+    public void Waits_add_up() => Assert.That(new WaitTimes(1, 2, 4, 8).Total, Is.EqualTo(15));
+
+    [Test]
+    public void A_tool_that_only_travels_leaves_the_volume_known()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        builder.Add(new Vec3(10, 0), 1, 1, 50, MoveKind.Print, Role.Infill, -1, 0, -1);
+        builder.Add(new Vec3(20, 0), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 1, -1);
+        var print = PrintStatistics.Of(Timeline.Of(builder.Build([new ToolpathTool(2), new ToolpathTool(null)]), new PrintSetup()));
+        Assert.That((print.Volume, print.Tools.Count), Is.EqualTo(((double?)2, 2)));
+    }
+
+    // By Klipper the head's limit is not that of the extruder alone.
+    [Test]
+    public void The_extruder_alone_may_be_quicker_than_the_head()
+    {
+        var printer = new Printer
+        {
+            CornerRule = CornerRule.SquareCornerVelocity, MaxAcceleration = new(500, 500, 100, 3000), RetractionAcceleration = 2500, MaxSpeed = new(500, 500, 500, 500),
+        };
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        builder.Add(Vec3.Zero, 1, 1, 100, MoveKind.Prime, Role.Unspecified, -1, 0, -1);
+        builder.Add(new Vec3(10, 0), 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, -1);
+        var timeline = Timeline.Of(builder.Build([new ToolpathTool(1)]), new PrintSetup { Printer = printer });
+        Assert.That(timeline.Trapezoids().Select(t => t.Acceleration), Is.EqualTo(new[] { 2500.0, 500 }));
     }
 
     private static void Travel(ToolpathBuilder builder, double x)
