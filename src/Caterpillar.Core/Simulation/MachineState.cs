@@ -82,8 +82,7 @@ public readonly record struct MachineState
         get
         {
             var plan = new Vec3(Direction.X, Direction.Y);
-            var length = plan.Length;
-            var x = length > 1e-9 ? plan / length : Vec3.UnitX;
+            var x = plan.Length > 1e-9 ? plan : Vec3.UnitX;
             return Frame.FromAxes(Position, x, Vec3.Cross(Vec3.UnitZ, x));
         }
     }

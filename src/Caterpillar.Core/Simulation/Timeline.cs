@@ -207,7 +207,7 @@ public sealed class Timeline
         double done = 0, speed = 0;
         var end = over ? _motion.Count : _motion.First[number + 1];
         var waits = trapezoid < end && _motion.Acceleration[trapezoid] == 0;
-        if (!over && !waits && trapezoid < end)
+        if (!waits && trapezoid < end)
         {
             var first = _motion.First[number];
             while (_motion.Acceleration[first] == 0) first++;

@@ -41,6 +41,7 @@ public class SingleMoveTests
         Assert.That(Stationary(Most), Is.Empty);
         Assert.That(Stationary(Most, 1).Single().Count, Is.EqualTo(1));
         Assert.That(Stationary(Most, 1, 1, 1).Single().Count, Is.EqualTo(1), "not again for each drop");
+        Assert.That(Stationary(-Most, -1, -1, -1).Single().Count, Is.EqualTo(1), "also when it is pulled back");
         Assert.That(Stationary(Most, 1, 11).Single().Count, Is.EqualTo(2), "again for each lump");
     }
 
