@@ -310,10 +310,13 @@ public class CheckDetailTests
     [Test]
     public void Progress_of_edited_files_ends_at_1([Values(null, "the bed is longer")] string? reason)
     {
-        var file = SmallPrint.Decode(Encoding.ASCII.GetBytes("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X500\nM104 S0\n"), Setup);
+        // Of more than one block.
+        var moves = string.Concat(Enumerable.Range(0, 70_000).Select(i => i % 2 == 0 ? "G1 X20\n" : "G1 X10\n"));
+        var file = SmallPrint.Decode(Encoding.ASCII.GetBytes("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\n" + moves + "G1 X500\nM104 S0\n"), Setup);
         var steps = new Steps();
         SafeWriter.ToDocument(file, file.Toolpath, Setup, reason, null, steps);
         Assert.That(steps.All, Is.Ordered.And.All.InRange(0, 1));
+        if (reason is not null) Assert.That(steps.All.Last(), Is.EqualTo(1));
     }
 
     [Test]
