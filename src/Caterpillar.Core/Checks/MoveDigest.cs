@@ -18,14 +18,16 @@ internal static class MoveDigest
         var c = block.Columns;
         var start = block.Start ?? Vec3.Zero;
         var sum = Mix(Mix(Mix(Mix((ulong)(uint)c.Count, start.X), start.Y), start.Z), block.Start is null ? 0UL : 1);
+        // Sums beside each other need not wait for each other.
+        ulong places = 1, amounts = 2, kinds = 3;
         for (var i = 0; i < c.Count; i++)
         {
             var layer = block.Layers[i];
-            sum = Mix(Mix(Mix(sum, c.X[i]), c.Y[i]), c.Z[i]);
-            sum = Mix(Mix(Mix(sum, c.E[i]), c.Deposited[i]), c.Speed[i]);
-            sum = Mix(sum, layer >= 0 ? block.Thicknesses![layer] : 0);
-            sum = Mix(Mix(Mix(sum, (ulong)c.Kind[i]), (ulong)c.Role[i]), (ulong)c.Tool[i]);
+            places = Mix(Mix(Mix(places, c.X[i]), c.Y[i]), c.Z[i]);
+            amounts = Mix(Mix(Mix(amounts, c.E[i]), c.Deposited[i]), c.Speed[i]);
+            kinds = Mix(Mix(Mix(Mix(kinds, layer >= 0 ? block.Thicknesses![layer] : 0), (ulong)c.Kind[i]), (ulong)c.Role[i]), (ulong)c.Tool[i]);
         }
+        sum = Mix(Mix(Mix(sum, places), amounts), kinds);
         for (var i = 0; i < c.Arcs.Length; i++)
         {
             var arc = c.Arcs[i];

@@ -83,7 +83,8 @@ internal sealed class StrandCheck
             var (top, under) = _printed.Deposit.CellAt(p.X, p.Y);
             gap = Gap(p.Z, top, under, floor, nominal);
             tight = Math.Min(tight, gap);
-            if (Gap(p.Z, top, under, floor, least) <= reach || move.Role == Role.Purge) Land(move.Index);
+            // The gap of a thinner strand is never larger.
+            if (gap <= reach || Gap(p.Z, top, under, floor, least) <= reach || move.Role == Role.Purge) Land(move.Index);
             else Fly(move.Index, step);
             if (gap == p.Z - floor && gap <= reach
                 && move.Role is not (Role.Skirt or Role.Purge)) _standing += step * area / Math.Max(gap, nominal / 2);

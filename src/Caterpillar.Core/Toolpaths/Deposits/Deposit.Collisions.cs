@@ -127,9 +127,9 @@ public sealed partial class Deposit
             }
         }
         if (!(bin.Dropped > z)) return false;
-        for (var i = 0; i < bin.Cells.Length; i++)
+        for (var i = 0; i < DepositBin.Cells; i++)
         {
-            var top = Math.Min(bin.Cells[i].Top, bin.Dropped);
+            var top = Math.Min(CellIn(column, row, i).Top, bin.Dropped);
             if (top > z && query.Meets(Strand.At(Center(column, row, i), top, _cell * 0.7072))) return true;
         }
         return false;
@@ -141,9 +141,10 @@ public sealed partial class Deposit
         var side = DepositBin.Side * _cell;
         if (!Passes(box, new Vec3((column + 0.5) * side, (row + 0.5) * side), side / 2, a, b)) return false;
         var z = Math.Min(a.Z, b.Z) + tolerance + box.Min.Z;
-        for (var i = 0; i < bin.Cells.Length; i++)
+        for (var i = 0; i < DepositBin.Cells; i++)
         {
-            if (!(bin.Cells[i].Top > z) || !MeetsCell(Center(column, row, i), bin.Cells[i].Top - tolerance - box.Min.Z, a, b, box)) continue;
+            var top = CellIn(column, row, i).Top;
+            if (!(top > z) || !MeetsCell(Center(column, row, i), top - tolerance - box.Min.Z, a, b, box)) continue;
             for (var k = bin.Count - 1; k >= 0 && tag < 0; k--)
             {
                 if (bin.Entries[k].Top > z) tag = _store[bin.Entries[k].Strand].Tag;

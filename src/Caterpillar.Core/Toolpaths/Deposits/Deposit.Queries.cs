@@ -25,15 +25,9 @@ public sealed partial class Deposit
     {
         if (!(Math.Abs(x) < MaxBins * DepositBin.Side * _cell && Math.Abs(y) < MaxBins * DepositBin.Side * _cell))
             return (_outside, double.NegativeInfinity);
-        int column = Index(x), row = Index(y);
-        int binColumn = (column >> DepositBin.Bits) - _left, binRow = (row >> DepositBin.Bits) - _bottom;
-        if (binColumn < 0 || binRow < 0 || binColumn >= _columns || binRow >= _rows || _cells[binRow * _columns + binColumn] is not { } cells)
-            return (double.NegativeInfinity, double.NegativeInfinity);
-        ref var cell = ref cells[CellOf(column, row)];
+        var cell = _cells[Index(x), Index(y)];
         return (cell.Top, cell.Under);
     }
-
-    private static int CellOf(int column, int row) => ((row & (DepositBin.Side - 1)) << DepositBin.Bits) | (column & (DepositBin.Side - 1));
 
     /// <summary>
     /// True if one of the last strands around a point is about as high, as wide, and runs in its place: their axes are less than a quarter of their widths
@@ -44,13 +38,14 @@ public sealed partial class Deposit
         tag = -1;
         var side = DepositBin.Side * _cell;
         if (!(Math.Abs(p.X) < MaxBins * side && Math.Abs(p.Y) < MaxBins * side)) return false;
-        int column = (Index(p.X) >> DepositBin.Bits) - _left, row = (Index(p.Y) >> DepositBin.Bits) - _bottom;
+        int column = Index(p.X), row = Index(p.Y);
+        var lowest = p.Z - 0.5 * height - Rounding;
+        // A strand in its place would have raised the cell.
+        if (_cells[column, row].Top < lowest) return false;
+        (column, row) = ((column >> DepositBin.Bits) - _left, (row >> DepositBin.Bits) - _bottom);
         if (column < 0 || row < 0 || column >= _columns || row >= _rows || _bins[row * _columns + column] is not { } bin) return false;
         var length = along.LengthXY;
         if (!(length > 0)) return false;
-        var lowest = p.Z - 0.5 * height - Rounding;
-        // A strand in its place would have raised the cell.
-        if (bin.Cells[CellOf(Index(p.X), Index(p.Y))].Top < lowest) return false;
         for (int i = bin.Count - 1, last = Math.Max(0, bin.Count - MostParallel); i >= last; i--)
         {
             var top = bin.Entries[i].Top;
@@ -60,12 +55,15 @@ public sealed partial class Deposit
             ref var strand = ref _store[bin.Entries[i].Strand];
             if (Math.Min(half, strand.Half) < 0.6 * Math.Max(half, strand.Half)) continue;
             double dx = strand.Bx - strand.Ax, dy = strand.By - strand.Ay;
+            var near = 0.25 * (half + strand.Half);
+            // Most are clearly beside it, which is told without a root.
+            var aside = (p.X - strand.Ax) * dy - (p.Y - strand.Ay) * dx;
+            if (aside * aside > (near * near + Rounding) * (dx * dx + dy * dy)) continue;
             var other = Math.Sqrt(dx * dx + dy * dy);
             if (!(other > 0) || Math.Abs(dx * along.X + dy * along.Y) < Parallel * other * length) continue;
             var t = ((p.X - strand.Ax) * dx + (p.Y - strand.Ay) * dy) / (other * other);
             if (t < 0 || t > 1) continue;
             double ex = p.X - strand.Ax - dx * t, ey = p.Y - strand.Ay - dy * t;
-            var near = 0.25 * (half + strand.Half);
             if (ex * ex + ey * ey > near * near || Math.Abs(strand.Az + (strand.Bz - strand.Az) * t - p.Z) > 0.5 * height) continue;
             tag = strand.Tag;
             return true;

@@ -21,10 +21,12 @@ public sealed partial class Deposit
     private readonly double _perCell;
     private readonly double _keepDepth;
     private readonly StrandStore _store = new();
-    private DepositBin?[] _bins = [];
+    private readonly DepositCells _cells = new();
 
-    // Those of the bins: what is asked for most is one step nearer.
-    private DepositCell[]?[] _cells = [];
+    // What a strand covers: of all, and in the rows of a bin.
+    private readonly StrandRows _rowsOf;
+    private readonly (int First, int Last)[] _spans = new (int, int)[DepositBin.Side];
+    private DepositBin?[] _bins = [];
     private int _left, _bottom, _columns, _rows;
     private double _outside = double.NegativeInfinity;
 
@@ -40,6 +42,7 @@ public sealed partial class Deposit
         if (!(keepDepth > 0)) throw new ArgumentOutOfRangeException(nameof(keepDepth), "The depth must be positive.");
         _cell = cell;
         _perCell = 1 / cell;
+        _rowsOf = new StrandRows(cell);
         _keepDepth = keepDepth;
     }
 
@@ -210,9 +213,9 @@ public sealed partial class Deposit
         }
         if (bin.Dropped <= best) return best;
         var reach = radius + _cell * 0.7072;
-        for (var i = 0; i < bin.Cells.Length; i++)
+        for (var i = 0; i < DepositBin.Cells; i++)
         {
-            var top = Math.Min(bin.Cells[i].Top, bin.Dropped);
+            var top = Math.Min(CellIn(column, row, i).Top, bin.Dropped);
             if (top > best && FlatSegment.SquareDistance(Center(column, row, i), a, b) <= reach * reach) best = top;
         }
         return best;
@@ -221,114 +224,70 @@ public sealed partial class Deposit
     private double DroppedUnder(DepositBin bin, int column, int row, Vec3 point, double limit, double radius, double best)
     {
         var reach = radius + _cell * 0.7072;
-        for (var i = 0; i < bin.Cells.Length; i++)
+        for (var i = 0; i < DepositBin.Cells; i++)
         {
-            var top = Math.Min(bin.Cells[i].Top, bin.Dropped);
+            var top = Math.Min(CellIn(column, row, i).Top, bin.Dropped);
             if (top > best && top <= limit && FlatSegment.SquareDistance(Center(column, row, i), point, point) <= reach * reach) best = top;
         }
         return best;
     }
 
+    // A cell of a bin.
+    private DepositCell CellIn(int column, int row, int cell)
+        => _cells[(column << DepositBin.Bits) + (cell & (DepositBin.Side - 1)), (row << DepositBin.Bits) + (cell >> DepositBin.Bits)];
+
     private Vec3 Center(int column, int row, int cell) => new(
         ((column << DepositBin.Bits) + (cell & (DepositBin.Side - 1)) + 0.5) * _cell, ((row << DepositBin.Bits) + (cell >> DepositBin.Bits) + 0.5) * _cell);
 
-    // In each row of cells the strand, wider by half a diagonal, covers a span: between its sides, or the ends of its discs.
     private void Draw(int index, in Strand strand)
     {
-        double ax = strand.Ax, ay = strand.Ay, az = strand.Az, dx = strand.Bx - ax, dy = strand.By - ay, rise = strand.Bz - az;
-        var (half, highest, cell) = (strand.Half, strand.Top, _cell);
-        var halfDiagonal = cell * 0.7072;
-        var reach = half + halfDiagonal;
-        var square = dx * dx + dy * dy;
-        var inverse = square > 0 ? 1 / square : 0;
-        var perY = dy != 0 ? 1 / dy : 0;
-        double slope = dx * perY, side = reach * Math.Sqrt(square) * Math.Abs(perY);
-        var spread = rise != 0 && square > 0 ? Math.Abs(rise) * Math.Sqrt(inverse) * halfDiagonal : 0;
-        var lastRow = Index(Math.Max(ay, strand.By) + half);
-        // The bins of the row that know of the strand already.
-        int known = 0, beyond = 0;
-        for (var row = Index(Math.Min(ay, strand.By) - half); row <= lastRow; row++)
+        var rows = _rowsOf;
+        rows.Aim(strand);
+        var (highest, rise) = (strand.Top, strand.Bz - strand.Az);
+        var isLevel = rise == 0 || !(rows.Length > 0);
+        for (int row = rows.First, end; row <= rows.Last; row = end + 1)
         {
-            if ((row & (DepositBin.Side - 1)) == 0) known = beyond = 0;
-            var y = row * cell - ay;
-            // The part of the axis from which the strand may reach the row.
-            double from = 0, to = 1;
-            if (dy != 0)
+            end = Math.Min(rows.Last, row | (DepositBin.Side - 1));
+            int left = int.MaxValue, right = int.MinValue;
+            for (var i = row; i <= end; i++)
             {
-                double enter = (y - half) * perY, leave = (y + cell + half) * perY;
-                if (enter > leave) (enter, leave) = (leave, enter);
-                if (enter > 1 || leave < 0) continue;
-                if (enter > 0) from = enter;
-                if (leave < 1) to = leave;
+                ref var span = ref _spans[i - row];
+                rows.Span(i, out span.First, out span.Last);
+                if (span.First > span.Last) continue;
+                left = Math.Min(left, span.First);
+                right = Math.Max(right, span.Last);
             }
-            double left = dx * from, right = dx * to;
-            if (left > right) (left, right) = (right, left);
-            var py = y + cell / 2;
-            var along = py * dy;
-            double low = py * slope - side, high = py * slope + side;
-            double lowAt = (low * dx + along) * inverse, highAt = (high * dx + along) * inverse;
-            if (dy == 0) (lowAt, highAt) = dx < 0 ? (2, -1) : (-1, 2);
-            if (!(lowAt >= 0 && lowAt <= 1 || IsOnDisc(lowAt > 1, dx, dy, py, reach, -1, out low))) continue;
-            if (!(highAt >= 0 && highAt <= 1 || IsOnDisc(highAt > 1, dx, dy, py, reach, 1, out high))) continue;
-            var column = Math.Max(Index(ax + left - half), Index(ax + low + cell / 2));
-            var last = Math.Min(Index(ax + right + half), Index(ax + high - cell / 2));
-            var line = (row & (DepositBin.Side - 1)) << DepositBin.Bits;
-            while (column <= last)
+            // Spans of rows above each other touch: there is no bin between the outermost that knows nothing of the strand.
+            for (var column = left >> DepositBin.Bits; column <= right >> DepositBin.Bits; column++) Enter(column, row >> DepositBin.Bits, index, highest);
+            if (isLevel) _cells.Lay(_spans, row, end, left, right, highest);
+            else LaySloped(strand, row, end);
+        }
+    }
+
+    // Each cell as high as the strand is there at most.
+    private void LaySloped(in Strand strand, int row, int end)
+    {
+        var rise = strand.Bz - strand.Az;
+        var spread = Math.Abs(rise) / _rowsOf.Length * _cell * 0.7072;
+        for (var i = row; i <= end; i++)
+        {
+            for (var column = _spans[i - row].First; column <= _spans[i - row].Last; column++)
             {
-                var at = column >> DepositBin.Bits;
-                DepositCell[] cells;
-                if (at >= known && at < beyond)
-                {
-                    cells = _cells[((row >> DepositBin.Bits) - _bottom) * _columns + at - _left]!;
-                }
-                else
-                {
-                    cells = Enter(at, row >> DepositBin.Bits, index, highest);
-                    if (known == beyond) (known, beyond) = (at, at + 1);
-                    else if (at == beyond) beyond++;
-                    else if (at == known - 1) known--;
-                }
-                var end = Math.Min(last, column | (DepositBin.Side - 1));
-                if (rise == 0 || !(square > 0))
-                {
-                    for (; column <= end; column++) cells[line | (column & (DepositBin.Side - 1))].Lay(highest);
-                    continue;
-                }
-                for (; column <= end; column++)
-                {
-                    var t = (((column + 0.5) * cell - ax) * dx + along) * inverse;
-                    var top = Math.Min(highest, az + rise * Math.Min(1, Math.Max(0, t)) + spread);
-                    cells[line | (column & (DepositBin.Side - 1))].Lay(top);
-                }
+                var top = strand.Az + rise * Math.Min(1, Math.Max(0, _rowsOf.Along(strand, column, i))) + spread;
+                _cells.Lay(column, i, Math.Min(strand.Top, top));
             }
         }
     }
 
-    // The left or right end of a row of the disc around the start or the end of a strand.
-    private static bool IsOnDisc(bool atEnd, double dx, double dy, double py, double reach, int sign, out double x)
-    {
-        var y = atEnd ? py - dy : py;
-        var root = reach * reach - y * y;
-        x = (atEnd ? dx : 0) + sign * Math.Sqrt(root);
-        return root >= 0;
-    }
-
-    // Rounded down. Plain comparisons: this, and the drawing of strands, is most of what a check costs.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private int Index(double x)
-    {
-        var cells = x * _perCell;
-        var index = (int)cells;
-        return cells < index ? index - 1 : index;
-    }
+    private int Index(double x) => StrandRows.Index(x, _perCell);
 
-    // The cells of a bin, with a strand that reaches into it.
-    private DepositCell[] Enter(int column, int row, int strand, double highest)
+    // A strand reaches into a bin.
+    private void Enter(int column, int row, int strand, double highest)
     {
         var bin = BinAt(column, row);
         bin.Add(strand, highest, _store, _keepDepth);
         if (highest > bin.Top) Raise(bin, column, row, highest);
-        return bin.Cells;
     }
 
     private static int Clamp(double x, double side, int first, int count)
@@ -350,10 +309,7 @@ public sealed partial class Deposit
     {
         if (column < _left || row < _bottom || column >= _left + _columns || row >= _bottom + _rows) GrowTo(column, row);
         ref var bin = ref _bins[(row - _bottom) * _columns + column - _left];
-        if (bin is not null) return bin;
-        bin = new DepositBin();
-        _cells[(row - _bottom) * _columns + column - _left] = bin.Cells;
-        return bin;
+        return bin ??= new DepositBin();
     }
 
     private void GrowTo(int column, int row)
@@ -369,14 +325,12 @@ public sealed partial class Deposit
         right = Math.Min(right, MaxBins);
         top = Math.Min(top, MaxBins);
         var bins = new DepositBin?[(right - left + 1) * (top - bottom + 1)];
-        var cells = new DepositCell[]?[bins.Length];
         for (var y = 0; y < _rows; y++)
         {
             var at = (y + _bottom - bottom) * (right - left + 1) + _left - left;
             Array.Copy(_bins, y * _columns, bins, at, _columns);
-            Array.Copy(_cells, y * _columns, cells, at, _columns);
         }
-        (_bins, _cells, _left, _bottom, _columns, _rows) = (bins, cells, left, bottom, right - left + 1, top - bottom + 1);
+        (_bins, _left, _bottom, _columns, _rows) = (bins, left, bottom, right - left + 1, top - bottom + 1);
         GrowTops();
     }
 }

@@ -12,7 +12,8 @@ internal sealed class DepositBin
     public const int Block = 1 << BlockBits;
     private const int FirstCompaction = 32;
 
-    public readonly DepositCell[] Cells = new DepositCell[Side * Side];
+    /// <summary>Number of its cells.</summary>
+    public const int Cells = Side * Side;
 
     /// <summary>The strands, in the order in which they were added.</summary>
     public DepositEntry[] Entries = new DepositEntry[4];
@@ -30,15 +31,13 @@ internal sealed class DepositBin
 
     private int _compactAt = FirstCompaction;
 
-    public DepositBin()
-    {
-        for (var i = 0; i < Cells.Length; i++) Cells[i].Top = Cells[i].Under = double.NegativeInfinity;
-    }
+    // The last one, beside what else is asked for.
+    private int _last = -1;
 
     /// <summary>A strand, or more of the last one, whose part here is up to <paramref name="top"/> mm high.</summary>
     public void Add(int strand, double top, StrandStore store, double keepDepth)
     {
-        if (Count > 0 && Entries[Count - 1].Strand == strand)
+        if (strand == _last)
         {
             if (top > Entries[Count - 1].Top) Put(Count - 1, new DepositEntry { Strand = strand, Top = top });
             return;
@@ -47,6 +46,7 @@ internal sealed class DepositBin
         if (Count == Entries.Length) Array.Resize(ref Entries, Count * 2);
         store.Use(strand);
         Put(Count++, new DepositEntry { Strand = strand, Top = top });
+        _last = strand;
     }
 
     private void Compact(StrandStore store, double keepDepth)
@@ -64,6 +64,7 @@ internal sealed class DepositBin
             store.Release(entry.Strand);
         }
         Count = kept;
+        if (kept == 0) _last = -1;
         _compactAt = Math.Max(FirstCompaction, kept * 2);
     }
 
