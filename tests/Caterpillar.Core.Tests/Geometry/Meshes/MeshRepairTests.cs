@@ -49,6 +49,25 @@ public class MeshRepairTests
     }
 
     [Test]
+    public void An_edge_that_a_hole_runs_across_comes_back()
+    {
+        // A roof: its ridge from y = 0 to 9 has a piece without triangles on both sides, so the smallest area would cut it off.
+        var points = new List<Vec3>();
+        for (var y = 0; y <= 9; y += 3) points.AddRange([new(0, y, 0), new(5, y, 4), new(10, y, 0)]);
+        var triangles = new List<int> { 0, 2, 1, 9, 10, 11 };
+        for (var row = 0; row < 9; row += 3)
+        {
+            foreach (var (a, b) in new[] { (0, 1), (1, 2), (2, 0) }) triangles.AddRange([row + a, row + b, row + b + 3, row + a, row + b + 3, row + a + 3]);
+        }
+        var roof = TriMesh.Create(points.ToArray(), triangles.ToArray());
+        Assert.That((roof.IsWatertight, roof.Volume), Is.EqualTo((true, 180.0)));
+        // The four triangles beside the ridge in the middle.
+        var mended = MeshRepair.ToSolid(Without(roof, 8, 9, 10, 11));
+        Assert.That((mended.Mesh.IsWatertight, mended.Holes.Count), Is.EqualTo((true, 1)));
+        Assert.That(mended.Mesh.Volume, Is.EqualTo(180).Within(1e-9));
+    }
+
+    [Test]
     public void The_rim_of_a_sheet_stays_open()
     {
         var sheet = TriMesh.Create([new(0, 0, 0), new(10, 0, 1), new(10, 10, 0), new(0, 10, 1)], [0, 1, 2, 0, 2, 3]);
