@@ -25,8 +25,9 @@ public static class PlanarSlicer
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
     /// <returns>The layers, and what was noticed: <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, <c>slice.layer_formula</c>,
-    /// <c>slice.vase_divided</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was mended and what is left out) and
-    /// <c>slice.lost_layers</c> (an error: there are no layers then), <c>slice.no_curves</c>, for each model <c>slice.too_thin</c>, and for each modifier
+    /// <c>slice.vase_divided</c>, <c>slice.vase_lag</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was mended and what is left out) and
+    /// <c>slice.lost_layers</c> (an error: there are no layers then), <c>slice.no_curves</c>, settings without effect (<c>slice.no_effect</c>,
+    /// <c>slice.print_wide</c>, <c>slice.no_support</c>), for each model <c>slice.too_thin</c>, and for each modifier
     /// without effect
     /// <c>slice.modifier_outside</c>.</returns>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
@@ -79,6 +80,7 @@ public static class PlanarSlicer
             findings.Add(new Diagnostic(Severity.Warning, "slice.print_wide",
                 $"{keys} {hold} for the whole print: the value for one model is ignored.", new SourceLocation(model.Mesh.Name)));
         }
+        findings.AddRange(IdleSettings.Of(models, common));
         var helpers = models.Where(m => m.Settings.ModelUse != ModelUse.Part).ToArray();
         if (helpers.Length > 0) models = models.Where(m => m.Settings.ModelUse == ModelUse.Part).ToArray();
         if (models.All(m => m.Settings.Support == SupportKind.None) && helpers.FirstOrDefault(m => m.Settings.ModelUse != ModelUse.Modifier) is { } idle)

@@ -25,15 +25,16 @@ internal static class KeyAdvice
     }
 
     /// <summary>
-    /// The keys that have most of the words of a name (<c>brim</c>, <c>wall_line_count</c>), the shortest first.
+    /// The keys that have most of the words of a name (<c>brim</c>, <c>wall_line_count</c>), in the order in which they are known: what is switched on comes
+    /// before how it is done. Only those that have all the words where <paramref name="whole"/> is true.
     /// </summary>
-    public static IReadOnlyList<string> Alike(string name, IEnumerable<string> known)
+    public static IReadOnlyList<string> Alike(string name, IEnumerable<string> known, bool whole)
     {
         const int Most = 6;
         var words = Words(name);
         var ranked = known.Select(k => (Key: k, Shared: Words(k).Intersect(words).Count())).Where(k => k.Shared > 0).ToArray();
-        var most = ranked.Length == 0 ? 0 : ranked.Max(k => k.Shared);
-        return [.. ranked.Where(k => k.Shared == most).Select(k => k.Key).OrderBy(k => k.Length).ThenBy(k => k, StringComparer.Ordinal).Take(Most)];
+        var most = whole ? words.Length : ranked.Length == 0 ? 0 : ranked.Max(k => k.Shared);
+        return [.. ranked.Where(k => k.Shared == most).Select(k => k.Key).Take(Most)];
     }
 
     /// <summary>The unit at the end of a key, or an empty text.</summary>

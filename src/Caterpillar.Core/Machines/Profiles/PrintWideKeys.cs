@@ -20,6 +20,6 @@ internal static class PrintWideKeys
     {
         if (ReferenceEquals(print, model)) return [];
         var usual = new PrintSettings();
-        return [.. All.Where(k => !k.Get(model).Equals(k.Get(print)) && !k.Get(model).Equals(k.Get(usual))).Select(k => k.Name)];
+        return [.. All.Where(k => !k.IsSame(model, print) && !k.IsSame(model, usual)).Select(k => k.Name)];
     }
 }

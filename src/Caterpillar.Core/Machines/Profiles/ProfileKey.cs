@@ -57,6 +57,9 @@ internal abstract class ProfileKey<TProfile>(string name, string summary) : Prof
     /// <summary>The value as JSON has it: text, double, bool or a list of these.</summary>
     public abstract object Get(TProfile profile);
 
+    /// <summary>Whether two profiles have the same value.</summary>
+    public abstract bool IsSame(TProfile one, TProfile other);
+
     /// <summary>The profile with another value, or null and the problem.</summary>
     public abstract TProfile? Set(TProfile profile, object raw, out string? problem);
 }
@@ -82,6 +85,8 @@ internal sealed class ProfileKey<TProfile, TValue>(
     }
 
     public override object Get(TProfile profile) => format.Write(get(profile));
+
+    public override bool IsSame(TProfile one, TProfile other) => EqualityComparer<TValue>.Default.Equals(get(one), get(other));
 
     public override TProfile? Set(TProfile profile, object raw, out string? problem)
     {

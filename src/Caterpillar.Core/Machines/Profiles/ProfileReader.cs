@@ -69,7 +69,10 @@ public static class ProfileReader
     internal static Diagnostic Unknown(string noun, string key, IEnumerable<string> known, SourceLocation place)
     {
         var names = known.ToArray();
-        if (KeyAdvice.OtherUnit(key, names) is { } other)
+        // A word that begins several keys names their subject, not one of them without its unit.
+        var group = KeyAdvice.Alike(key, names, whole: true);
+        var isSubject = group.Count > 1 && key.All(c => c != '_');
+        if (!isSubject && KeyAdvice.OtherUnit(key, names) is { } other)
         {
             var (wrong, right) = (KeyAdvice.UnitOf(key), KeyAdvice.UnitOf(other));
             var reason = wrong.Length == 0 ? $"{key} does not state its unit" : right.Length == 0 ? $"{key} has no unit"
@@ -78,8 +81,9 @@ public static class ProfileReader
         }
         var message = $"{key} is not a key of {(noun == "settings" ? "settings" : "a " + noun)}";
         if (ProfileKinds.KindOf(key) is { } kind && !names.Contains(key)) message += $"; it belongs to {kind}";
+        else if (group.Count > 0) message += $"; did you mean {Listed(group)}?";
         else if (SpellingSuggestion.Nearest(key, names) is { } near) message += $"; did you mean {near}?";
-        else if (KeyAdvice.Alike(key, names) is { Count: > 0 } alike) message += $"; did you mean {Listed(alike)}?";
+        else if (KeyAdvice.Alike(key, names, whole: false) is { Count: > 0 } alike) message += $"; did you mean {Listed(alike)}?";
         return new Diagnostic(Severity.Error, "profile.unknown_key", message.EndsWith("?", StringComparison.Ordinal) ? message : message + ".", place);
     }
 

@@ -144,6 +144,12 @@ internal sealed class LayerFinish
     private void EndVase(VaseSpiral spiral, int last, Body body)
     {
         if (spiral.Finish() is { } end) _all[last] = end;
+        if (_settings.StopDistance > 0)
+        {
+            var open = NumberFormatter.Format(_settings.StopDistance, 2);
+            _problems.Add(Severity.Warning, "slice.vase_lag",
+                $"With vase=true stop_distance_mm holds for each turn: its wall stays open over the last {open} mm.", body.Source);
+        }
         if (spiral.Divided == 0) return;
         _problems.Add(Severity.Warning, "slice.vase_divided",
             "A vase has one wall: of layers in several pieces only the largest is printed.", body.Source, spiral.Divided);

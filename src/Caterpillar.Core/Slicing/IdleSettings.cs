@@ -1,0 +1,90 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Names settings that change nothing because of another one. A value is idle where it is not the usual one and the other key rules it out in all settings of
+/// the print that have it; 0 and false ask for nothing.
+/// </summary>
+internal static class IdleSettings
+{
+    private static readonly PrintSettings Usual = new();
+
+    // What was asked for and is not printed is worth a warning, a value for something that is off a remark.
+    private static readonly Rule[] Rules =
+    [
+        new(Severity.Warning, "with vase=true", "a vase is one wall on a closed bottom, without supports, top or infill", s => s.Vase,
+            SupportKeys.Support, SkinKeys.TopLayers, SkinKeys.TopThickness, SkinKeys.Ironing, SettingsKeys.InfillPercent, SettingsKeys.InfillSpacing,
+            InfillKeys.InfillPattern, InfillKeys.InfillEvery),
+        new(Severity.Warning, "above the bottom with vase=true", "its wall has one width and no seam", s => s.Vase,
+            SurfaceKeys.FuzzySkin, SeamKeys.ScarfLength, WallWidthKeys.WallArcTolerance, SeamKeys.SeamMarks),
+        new(Severity.Remark, "above the bottom with vase=true", "a vase has one wall", s => s.Vase && s.WallCount > 1, SettingsKeys.WallCount),
+        new(Severity.Warning, "with wall_count=0", "there are no walls", s => s is { WallCount: 0, Vase: false },
+            SurfaceKeys.FuzzySkin, SeamKeys.ScarfLength, WallWidthKeys.WallArcTolerance, SeamKeys.SeamMarks),
+        new(Severity.Warning, "with layer_height_formula", "the formula holds", s => s.LayerFormula.Length > 0, LayerKeys.AdaptiveLayers),
+        new(Severity.Warning, "with top_layers=0 and top_thickness_mm=0", "there are no closed layers at the top", s => !s.Vase && !HasTop(s),
+            SkinKeys.Ironing),
+        new(Severity.Warning, "with infill_percent=0 and infill_spacing_mm=0", "there is no infill", s => !s.Vase && !HasInfill(s),
+            InfillKeys.InfillPattern, InfillKeys.InfillEvery),
+        new(Severity.Remark, "with infill_spacing_mm", "the spacing holds", s => s.InfillSpacing > 0, SettingsKeys.InfillPercent),
+        new(Severity.Remark, "with open_meshes=walls", "open contours are printed as they are", s => s.OpenMeshes == OpenMeshes.Walls,
+            SettingsKeys.LargestGap, SettingsKeys.MaxAreaLossPercent),
+        Without("adaptive_layers=true", s => !s.AdaptiveLayers, LayerKeys.AdaptiveMinHeight, LayerKeys.AdaptiveMaxHeight, LayerKeys.AdaptiveCusp),
+        Without("ironing=true", s => !s.Ironing, SkinKeys.IroningSpacing, SkinKeys.IroningFlowPercent, SkinKeys.IroningSpeed),
+        Without("infill_pattern=formula", s => s.InfillPattern != InfillPattern.Formula, InfillKeys.InfillFormula),
+        Without("infill_pattern=curves", s => s.InfillPattern != InfillPattern.Curves, InfillKeys.InfillCurves),
+        Without("bridges=true", s => !s.Bridges, SkinKeys.BridgeFlow, SkinKeys.BridgeSpeed, SkinKeys.BridgeFanPercent),
+        Without("infill_bridges=true", s => !s.InfillBridges, SkinKeys.InfillBridgeFlow, SkinKeys.InfillBridgeSpeed),
+        Without("variable_wall_width=true", s => !s.VariableWallWidth, WallWidthKeys.MinWallWidth, WallWidthKeys.MaxWallWidth),
+        Without("seam_position=point", s => s.SeamPosition != SeamPosition.Point, SeamKeys.SeamPoint),
+        Without("seam_position=random", s => s.SeamPosition != SeamPosition.Random, SeamKeys.SeamSeed),
+        Without("scarf_length_mm", s => s.ScarfLength == 0, SeamKeys.ScarfSteps),
+        Without("fuzzy_skin_mm", s => s.FuzzySkin == 0, SurfaceKeys.FuzzySkinDistance, SurfaceKeys.FuzzySkinSeed),
+        Without("vase=true", s => !s.Vase, SurfaceKeys.VaseMinFlowPercent),
+        Without("min_layer_time_s", s => s.MinLayerTime == 0, SurfaceKeys.MinSpeed, TravelKeys.LayerWait),
+        Without("skirt_loops", s => s.SkirtLoops == 0, BedKeys.SkirtDistance),
+        Without("brim_width_mm", s => s.BrimWidth == 0, BedKeys.BrimSide, BedKeys.BrimGap),
+        Without("raft_layers", s => s.RaftLayers == 0, BedKeys.RaftMargin, BedKeys.RaftHeight, BedKeys.RaftGap, BedKeys.RaftPercent),
+        Without("support=grid or tree", s => s.Support == SupportKind.None,
+            SupportKeys.SupportPlace, SupportKeys.SupportAngle, SupportKeys.SupportXyGap, SupportKeys.SupportTopGap, SupportKeys.SupportBottomGap,
+            SupportKeys.SupportPercent, SupportKeys.SupportInterfaceLayers, SupportKeys.SupportInterfacePercent, SupportKeys.SupportTipDistance,
+            SupportKeys.SupportBranchAngle, SupportKeys.SupportBranchDiameter, SupportKeys.SupportSpeed),
+        Without("support=tree", s => s.Support == SupportKind.Grid,
+            SupportKeys.SupportTipDistance, SupportKeys.SupportBranchAngle, SupportKeys.SupportBranchDiameter),
+        Without("support=grid", s => s.Support == SupportKind.Tree, SupportKeys.SupportPercent),
+        Without("support_interface_layers", s => s.Support != SupportKind.None && s.SupportInterfaceLayers == 0, SupportKeys.SupportInterfacePercent),
+    ];
+
+    /// <summary>One diagnostic for each reason.</summary>
+    /// <param name="models">What is printed, and the bodies that change it.</param>
+    /// <param name="common">The settings of the print.</param>
+    public static IEnumerable<Diagnostic> Of(IReadOnlyList<SliceModel> models, PrintSettings common)
+    {
+        var all = models.Select(m => m.Settings).Concat([common]).Distinct().ToArray();
+        foreach (var rule in Rules)
+        {
+            var idle = rule.Keys.Where(k => Asking(k, all) is { Length: > 0 } asking && asking.All(rule.Holds)).Select(k => k.Name).ToArray();
+            if (idle.Length == 0) continue;
+            var why = rule.Why.Length > 0 ? $": {rule.Why}" : "";
+            yield return new Diagnostic(
+                rule.Severity, "slice.no_effect", $"{string.Join(", ", idle)} {(idle.Length == 1 ? "changes" : "change")} nothing {rule.Place}{why}.");
+        }
+    }
+
+    private static PrintSettings[] Asking(ProfileKey<PrintSettings> key, PrintSettings[] all)
+        => Array.FindAll(all, s => !key.IsSame(s, Usual) && key.Get(s) is not (0.0 or false));
+
+    private static bool HasTop(PrintSettings s) => s.TopLayers > 0 || s.TopThickness > 0;
+
+    private static bool HasInfill(PrintSettings s) => s.InfillPercent > 0 || s.InfillSpacing > 0;
+
+    private static Rule Without(string what, Func<PrintSettings, bool> isOff, params ProfileKey<PrintSettings>[] keys)
+        => new(Severity.Remark, "without " + what, "", isOff, keys);
+
+    // Where keys change nothing, and why.
+    private sealed record Rule(Severity Severity, string Place, string Why, Func<PrintSettings, bool> Holds, params ProfileKey<PrintSettings>[] Keys);
+}

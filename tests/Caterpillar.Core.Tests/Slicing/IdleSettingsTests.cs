@@ -1,0 +1,110 @@
+using System.Linq;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Slicing;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Slicing;
+
+/// <summary>Settings that rule one another out are named, and what is named changes nothing.</summary>
+[TestFixture]
+public class IdleSettingsTests
+{
+    // Leans outwards, closes at the top.
+    private static readonly NamedMesh Cup = new("cup", Solids.Cone(0, 6, 4, 10, 24));
+
+    [TestCase("vase=true", "support=grid", "support changes nothing with vase=true")]
+    [TestCase("vase=true", "top_layers=6", "top_layers changes nothing with vase=true")]
+    [TestCase("vase=true", "ironing=true", "ironing changes nothing with vase=true")]
+    [TestCase("vase=true", "infill_percent=50", "infill_percent changes nothing with vase=true")]
+    [TestCase("vase=true", "infill_pattern=gyroid", "infill_pattern changes nothing with vase=true")]
+    [TestCase("vase=true", "infill_every_layers=3", "infill_every_layers changes nothing with vase=true")]
+    [TestCase("vase=true", "fuzzy_skin_mm=0.3", "fuzzy_skin_mm changes nothing above the bottom with vase=true")]
+    [TestCase("vase=true", "scarf_length_mm=10", "scarf_length_mm changes nothing above the bottom with vase=true")]
+    [TestCase("vase=true", "wall_arc_tolerance_mm=0.02", "wall_arc_tolerance_mm changes nothing above the bottom with vase=true")]
+    [TestCase("vase=true", "wall_count=3", "wall_count changes nothing above the bottom with vase=true")]
+    [TestCase("wall_count=0", "fuzzy_skin_mm=0.3", "fuzzy_skin_mm changes nothing with wall_count=0")]
+    [TestCase("wall_count=0", "scarf_length_mm=10", "scarf_length_mm changes nothing with wall_count=0")]
+    [TestCase("wall_count=0", "wall_arc_tolerance_mm=0.02", "wall_arc_tolerance_mm changes nothing with wall_count=0")]
+    [TestCase("layer_height_formula=0.3", "adaptive_layers=true", "adaptive_layers changes nothing with layer_height_formula: the formula holds.")]
+    [TestCase("top_layers=0 top_thickness_mm=0", "ironing=true", "ironing changes nothing with top_layers=0 and top_thickness_mm=0")]
+    [TestCase("infill_percent=0", "infill_every_layers=3", "infill_every_layers changes nothing with infill_percent=0 and infill_spacing_mm=0")]
+    [TestCase("infill_percent=0", "infill_pattern=gyroid", "infill_pattern changes nothing with infill_percent=0 and infill_spacing_mm=0")]
+    [TestCase("infill_spacing_mm=3", "infill_percent=50", "infill_percent changes nothing with infill_spacing_mm: the spacing holds.")]
+    [TestCase("", "adaptive_cusp_mm=0.05", "adaptive_cusp_mm changes nothing without adaptive_layers=true.")]
+    [TestCase("", "ironing_spacing_mm=0.2", "ironing_spacing_mm changes nothing without ironing=true.")]
+    [TestCase("", "infill_formula=sin(x)", "infill_formula changes nothing without infill_pattern=formula.")]
+    [TestCase("bridges=false", "bridge_speed_mm_s=10", "bridge_speed_mm_s changes nothing without bridges=true.")]
+    [TestCase("infill_bridges=false", "infill_bridge_flow=1.2", "infill_bridge_flow changes nothing without infill_bridges=true.")]
+    [TestCase("variable_wall_width=false", "max_wall_width_mm=0.9", "max_wall_width_mm changes nothing without variable_wall_width=true.")]
+    [TestCase("", "seam_point_mm=5,5", "seam_point_mm changes nothing without seam_position=point.")]
+    [TestCase("", "seam_seed=7", "seam_seed changes nothing without seam_position=random.")]
+    [TestCase("", "scarf_steps=5", "scarf_steps changes nothing without scarf_length_mm.")]
+    [TestCase("", "fuzzy_skin_distance_mm=1", "fuzzy_skin_distance_mm changes nothing without fuzzy_skin_mm.")]
+    [TestCase("", "vase_min_flow_percent=50", "vase_min_flow_percent changes nothing without vase=true.")]
+    [TestCase("min_layer_time_s=0", "min_speed_mm_s=15", "min_speed_mm_s changes nothing without min_layer_time_s.")]
+    [TestCase("", "skirt_distance_mm=9", "skirt_distance_mm changes nothing without skirt_loops.")]
+    [TestCase("", "brim_side=both", "brim_side changes nothing without brim_width_mm.")]
+    [TestCase("", "raft_height_mm=0.5", "raft_height_mm changes nothing without raft_layers.")]
+    [TestCase("", "support_angle_deg=30", "support_angle_deg changes nothing without support=grid or tree.")]
+    [TestCase("support=grid", "support_tip_distance_mm=1", "support_tip_distance_mm changes nothing without support=tree.")]
+    [TestCase("support=grid support_angle_deg=30", "support_branch_angle_deg=20", "support_branch_angle_deg changes nothing without support=tree.")]
+    [TestCase("support=tree support_angle_deg=30", "support_percent=40", "support_percent changes nothing without support=grid.")]
+    [TestCase("support=grid support_angle_deg=30 support_interface_layers=0", "support_interface_percent=50",
+        "support_interface_percent changes nothing without support_interface_layers.")]
+    public void What_changes_nothing_is_named_and_changes_nothing(string first, string idle, string message)
+    {
+        var (with, without) = (Settings(first, idle), Settings(first));
+        var named = PlanarSlicer.Slice([Cup], with).Diagnostics.Where(d => d.Code == "slice.no_effect").Select(d => d.Message);
+        Assert.That(named, Has.One.StartsWith(message));
+        var bottom = message.Contains("above the bottom") ? with.BottomLayers : 0;
+        Assert.That(Describe(with, bottom), Is.EqualTo(Describe(without, bottom)));
+    }
+
+    [Test]
+    public void Keys_that_are_idle_for_one_reason_are_one_diagnostic()
+    {
+        var result = PlanarSlicer.Slice([Cup], Settings("support_angle_deg=30", "support_percent=40"));
+        Assert.That(result.Diagnostics.Select(d => d.ToString()), Is.EqualTo(new[]
+        {
+            "remark slice.no_effect: support_angle_deg, support_percent change nothing without support=grid or tree.",
+        }));
+    }
+
+    [TestCase("clay")]
+    [TestCase("fine")]
+    [TestCase("pen")]
+    [TestCase("standard")]
+    public void Shipped_settings_rule_nothing_out(string name)
+    {
+        var settings = new ProfileLibrary().Settings(name).Value!;
+        Assert.That(PlanarSlicer.Slice([Cup], settings).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.no_effect"));
+    }
+
+    [Test]
+    public void A_setting_that_one_of_several_models_uses_is_not_idle()
+    {
+        var print = Settings("support=grid");
+        var vase = new SliceModel(Cup, print with { Vase = true });
+        var part = new SliceModel(new NamedMesh("part", Cup.Mesh.Moved(new Vec3(40, 0, 0))), print);
+        Assert.That(PlanarSlicer.SliceEach([vase, part], print).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.no_effect"));
+        var own = new SliceModel(Cup, new PrintSettings { Vase = true, Support = SupportKind.Grid });
+        Assert.That(PlanarSlicer.SliceEach([own, new SliceModel(part.Mesh, new PrintSettings())], new PrintSettings()).Diagnostics.Select(d => d.Code),
+            Has.One.EqualTo("slice.no_effect"));
+    }
+
+    [Test]
+    public void A_vase_is_told_that_coasting_opens_each_turn()
+    {
+        var result = PlanarSlicer.Slice([Cup], Settings("vase=true", "stop_distance_mm=2"));
+        Assert.That(result.Diagnostics.Select(d => d.ToString()), Has.One.EqualTo(
+            "cup: warning slice.vase_lag: With vase=true stop_distance_mm holds for each turn: its wall stays open over the last 2 mm."));
+    }
+
+    private static PrintSettings Settings(params string[] values)
+        => new PrintSetup().With(["min_layer_time_s=5", .. values.SelectMany(v => v.Split(' ')).Where(v => v.Length > 0)]).Value!.Settings;
+
+    private static string Describe(PrintSettings settings, int from)
+        => string.Join("\n", PlanarSlicer.Slice([Cup], settings).Value!.Layers.Where(l => l.Layer.Index >= from).SelectMany(l => l.Steps)
+            .Select(s => $"{s.Path.Role} {s.Path.Volume:R} {string.Join(" ", s.Path.Points)}"));
+}
