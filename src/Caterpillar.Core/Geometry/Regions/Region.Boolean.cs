@@ -18,11 +18,20 @@ public sealed partial class Region
     public Region Xor(Region other) => Combine(other, InsideRule.SymmetricDifference, 1, new RegionEngine());
 
     /// <summary>The area in any of the regions, in one pass.</summary>
-    public static Region Union(IEnumerable<Region> regions)
+    public static Region Union(IEnumerable<Region> regions) => Union(regions, null);
+
+    internal static Region Union(IEnumerable<Region> regions, RegionEngine? engine)
     {
         if (regions is null) throw new ArgumentNullException(nameof(regions));
-        var engine = new RegionEngine();
-        foreach (var region in regions) engine.Add((region ?? throw new ArgumentException("A region is missing.", nameof(regions)))._paths);
+        var parts = new List<Region>();
+        foreach (var region in regions)
+        {
+            if (!(region ?? throw new ArgumentException("A region is missing.", nameof(regions))).IsEmpty) parts.Add(region);
+        }
+        if (parts.Count < 2) return parts.Count == 0 ? Empty : parts[0];
+        engine ??= new RegionEngine();
+        engine.Clear();
+        foreach (var part in parts) engine.Add(part._paths);
         return Own(engine.Run(InsideRule.Positive));
     }
 

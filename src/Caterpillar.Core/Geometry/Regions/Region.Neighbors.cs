@@ -82,4 +82,25 @@ public sealed partial class Region
         }
         return true;
     }
+
+    /// <summary>Whether a small region neither touches this one nor lies in it or around a piece of it.</summary>
+    internal bool IsApartFrom(Region small)
+    {
+        var box = small.Box;
+        var near = Near(box);
+        if (near.IsEmpty || small.IsEmpty) return true;
+        if (RegionMeeting.Meet(Index, small.Index)) return false;
+        foreach (var path in small._paths)
+        {
+            if (Index.Contains(path[0].X, path[0].Y)) return false;
+        }
+        foreach (var path in near._paths)
+        {
+            if (small.Index.Contains(path[0].X, path[0].Y)) return false;
+        }
+        return true;
+    }
+
+    /// <summary>Regions that are apart from each other as one.</summary>
+    internal Region Beside(Region other) => IsEmpty ? other : other.IsEmpty ? this : new Region([.. _paths, .. other._paths]);
 }

@@ -52,6 +52,17 @@ internal struct GridBox
         MaxY = Math.Max(MaxY, other.MaxY);
     }
 
+    /// <summary>Larger by a distance on all sides, mm.</summary>
+    public readonly GridBox Grown(double distance)
+    {
+        var d = (long)Math.Ceiling(distance * Grid.PerMm);
+        return new()
+        {
+            MinX = (int)Math.Max(int.MinValue, MinX - d), MinY = (int)Math.Max(int.MinValue, MinY - d),
+            MaxX = (int)Math.Min(int.MaxValue, MaxX + d), MaxY = (int)Math.Min(int.MaxValue, MaxY + d),
+        };
+    }
+
     public static bool Overlap(in GridBox a, in GridBox b) => a.MinX <= b.MaxX && b.MinX <= a.MaxX && a.MinY <= b.MaxY && b.MinY <= a.MaxY;
 
     public static GridBox Of(in Segment s)

@@ -115,7 +115,8 @@ internal sealed class PrintSupports : IDisposable
     {
         var places = new Dictionary<LayerWork, int>();
         for (var i = 0; i < works.Length; i++) places.Add(works[i], i);
-        var levels = stacks.SelectMany(s => s.Levels.Where(l => !l.Support.IsEmpty).Select(l => (Layer: places[l.Work], Level: l, s.Settings)))
+        var levels = stacks
+            .SelectMany(s => s.Levels.Where(l => l.Bundles.Count > 0 || !l.Pieces.IsEmpty).Select(l => (Layer: places[l.Work], Level: l, s.Settings)))
             .OrderBy(l => l.Layer).ToArray();
         for (var first = 0; first < levels.Length; first += Block)
         {

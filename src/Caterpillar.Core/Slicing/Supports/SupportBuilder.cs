@@ -23,6 +23,8 @@ internal sealed class SupportBuilder
     private const double Coarse = 0.06;
     // mm; overhangs less than twice this apart are held by one piece.
     private const double Joined = 1;
+    // mm²; less is rounding.
+    private const double Film = 1e-3;
     private readonly SupportStack _stack;
     private readonly PrintSettings _settings;
     private readonly SupportLevel[] _levels;
@@ -52,7 +54,7 @@ internal sealed class SupportBuilder
         if (Array.TrueForAll(stack.Levels, l => l.Overhang.IsEmpty)) return;
         builder.Forbid(others);
         builder.FindContacts();
-        if (builder._settings.Support == SupportKind.Tree) new TreeSupport(stack, options).Grow();
+        if (builder._settings.Support == SupportKind.Tree) new TreeSupport(stack, options).Grow(builder.IsClear);
         else builder.Drop();
         builder.Carry();
         builder.FindInterfaces();
@@ -89,7 +91,7 @@ internal sealed class SupportBuilder
         level.Overhang = overhang;
     });
 
-    private void Forbid(IReadOnlyList<LayerWork> others) => Parallel.For(0, _levels.Length, _options, i =>
+    private void Forbid(IReadOnlyList<LayerWork> others) => Parallel.For(0, Array.FindLastIndex(_levels, l => !l.Overhang.IsEmpty), _options, i =>
     {
         var level = _levels[i];
         var near = others.Where(o => o.Plan.Top > level.Top - level.Thickness + 1e-9 && o.Plan.Top - o.Plan.Thickness < level.Top - 1e-9).Select(o => o.Region);
@@ -133,95 +135,142 @@ internal sealed class SupportBuilder
             if (!level.Contact.IsEmpty) needed = JoinedPieces(needed.Union(level.Contact, engine), engine);
             if (needed.IsEmpty) continue;
             needed = needed.Subtract(level.Part, engine).Simplified(Coarse, engine);
-            level.Support = needed;
+            level.Pieces = needed;
         }
-        Parallel.For(0, _levels.Length, _options, i =>
-        {
-            var level = _levels[i];
-            if (!level.Support.IsEmpty) level.Support = Clear(i, level.Support, new RegionEngine());
-        });
     }
 
     // Away from the walls, and so far above and below the part that the gaps stay open.
     private Region Clear(int i, Region support, RegionEngine engine)
     {
-        var level = _levels[i];
-        support = support.Subtract(level.Forbidden, engine);
-        for (var k = i + 1; k < _levels.Length && _levels[k].Top - _levels[k].Thickness < level.Top + _settings.SupportTopGap - 1e-6; k++)
-            support = support.Subtract(_levels[k].Part, engine);
-        for (var k = i - 1; k >= 0 && _levels[k].Top > level.Top - level.Thickness - _settings.SupportBottomGap + 1e-6; k--)
-            support = support.Subtract(_levels[k].Part, engine);
+        support = support.Subtract(_levels[i].Forbidden, engine);
+        foreach (var part in PartsAround(i)) support = support.Subtract(part, engine);
         return support.Simplified(Coarse / 2, engine);
+    }
+
+    private bool IsClear(int i, Region support)
+        => _levels[i].Forbidden.IsApartFrom(support) && PartsAround(i).All(p => p.IsApartFrom(support));
+
+    // What the part covers within the gaps above and below a level.
+    private IEnumerable<Region> PartsAround(int i)
+    {
+        var level = _levels[i];
+        for (var k = i + 1; k < _levels.Length && _levels[k].Top - _levels[k].Thickness < level.Top + _settings.SupportTopGap - 1e-6; k++)
+            yield return _levels[k].Part;
+        for (var k = i - 1; k >= 0 && _levels[k].Top > level.Top - level.Thickness - _settings.SupportBottomGap + 1e-6; k--) yield return _levels[k].Part;
     }
 
     // From the bed up: only what lies on the bed, on supports below, or (everywhere) closely above the part.
     private void Carry()
     {
-        var engine = new RegionEngine();
-        var grounded = new Region[_levels.Length];
         Parallel.For(0, _levels.Length, _options, i =>
         {
-            var own = new RegionEngine();
-            grounded[i] = Region.Empty;
-            if (_levels[i].Support.IsEmpty) return;
-            if (_settings.Support == SupportKind.Tree) _levels[i].Support = Clear(i, _levels[i].Support, own);
-            if (i > 0 && _settings.SupportPlace == SupportPlace.Everywhere) grounded[i] = _levels[i].Support.Intersect(Ground(i), own);
+            if (!_levels[i].Pieces.IsEmpty) _levels[i].Pieces = Clear(i, _levels[i].Pieces, new RegionEngine());
         });
+        var engine = new RegionEngine();
+        var below = Region.Empty;
         for (var i = 0; i < _levels.Length; i++)
         {
             _options.CancellationToken.ThrowIfCancellationRequested();
             var level = _levels[i];
-            if (level.Support.IsEmpty) continue;
-            var support = level.Support;
-            if (i > 0)
+            var kept = Region.Empty;
+            var loose = Region.Empty;
+            foreach (var island in level.Pieces.Islands)
             {
-                var below = _levels[i - 1].Support;
-                if (support.SameAs(below) || below.Surrounds(support))
-                {
-                    level.Support = support;
-                    continue;
-                }
-                support = below.IsEmpty ? Region.Empty : support.Intersect(Carried(level, below, engine), engine);
-                if (!grounded[i].IsEmpty) support = support.Union(grounded[i], engine);
+                if (i > 0 && below.Near(island.Box).Surrounds(island)) kept = kept.Beside(island);
+                else loose = loose.Beside(island);
             }
-            level.Support = ThinParts.Thick(support, _width / 2, engine);
+            if (!loose.IsEmpty) level.Pieces = kept.Beside(Held(i, loose, below, engine));
+            if (i > 0) KeepBundles(i, below, engine);
+            below = level.Support;
         }
     }
 
-    // What is below a level, as far as strands may lean out over it; the lattice of a tree also spans what is between its tips.
-    private Region Carried(SupportLevel level, Region below, RegionEngine engine)
+    // Bundles that are carried as they are; what is left of others are pieces.
+    private void KeepBundles(int i, Region below, RegionEngine engine)
     {
-        var tree = _settings.Support == SupportKind.Tree;
-        var angle = Math.Max(45, tree ? _settings.SupportBranchAngle : 0);
-        var leaning = below.Offset(level.Thickness * Angle.Sin(angle) / Angle.Cos(angle), JoinStyle.Round, 2, Coarse / 2, engine);
+        var level = _levels[i];
+        if (level.Bundles.Count == 0) return;
+        var carrying = _levels[i - 1].Bundles.SelectMany(b => b.Trunks).ToDictionary(t => t.Branch);
+        var kept = new List<TrunkBundle>();
+        foreach (var bundle in level.Bundles)
+        {
+            var whole = bundle.Trunks.All(t => carrying.TryGetValue(t.Below, out var carrier) && t.RestsOn(carrier, Lean(level)));
+            if (!whole)
+            {
+                var leaning = Leaning(level, below, bundle.Region.Box, engine);
+                var held = OnGround(i, bundle.Region, bundle.Region.Intersect(leaning, engine), engine);
+                whole = held.Area > bundle.Region.Area - Film;
+                if (!whole) level.Pieces = level.Pieces.Beside(held);
+            }
+            if (whole) kept.Add(bundle);
+        }
+        level.Bundles = kept;
+    }
+
+    // What of some pieces is carried.
+    private Region Held(int i, Region loose, Region below, RegionEngine engine)
+    {
+        if (i == 0) return ThinParts.Thick(loose, _width / 2, engine);
+        var held = below.IsEmpty ? Region.Empty : loose.Intersect(Carried(_levels[i], below, loose.Box, engine), engine);
+        return OnGround(i, loose, held, engine);
+    }
+
+    // With what stands on the part.
+    private Region OnGround(int i, Region loose, Region held, RegionEngine engine)
+    {
+        if (_settings.SupportPlace == SupportPlace.Everywhere && held.Area < loose.Area - Film)
+            held = held.Union(loose.Intersect(Ground(i, loose.Box, engine), engine), engine);
+        return ThinParts.Thick(held, _width / 2, engine);
+    }
+
+    // What is below a level, as far as strands may lean out over it; the lattice of a tree also spans what is between its tips.
+    private Region Carried(SupportLevel level, Region below, in GridBox place, RegionEngine engine)
+    {
+        var leaning = Leaning(level, below, place, engine);
         var held = level.Work.Index + _settings.SupportInterfaceLayers;
-        if (!tree || _settings.SupportInterfaceLayers == 0 || held >= _levels.Length || _levels[held].Contact.IsEmpty) return leaning;
+        if (_settings.Support != SupportKind.Tree || _settings.SupportInterfaceLayers == 0 || held >= _levels.Length) return leaning;
         var span = 0.75 * _settings.SupportTipDistance;
-        var near = below.Intersect(_levels[held].Contact.Offset(_width, JoinStyle.Miter, 2, Coarse, engine), engine);
-        var spanned = near.Offset(span, JoinStyle.Round, 2, Coarse, engine).Offset(-span, JoinStyle.Round, 2, Coarse, engine);
+        var contact = _levels[held].Contact.Near(place.Grown(span));
+        if (contact.IsEmpty) return leaning;
+        var near = below.Near(place.Grown(2 * span)).Intersect(contact.Offset(_width, JoinStyle.Miter, 2, Coarse, engine), engine);
+        var spanned = near.Offset(span, JoinStyle.Round, 2, 2 * Coarse, engine).Offset(-span, JoinStyle.Round, 2, 2 * Coarse, engine);
         return leaning.Union(spanned, engine);
     }
 
+    private Region Leaning(SupportLevel level, Region below, in GridBox place, RegionEngine engine)
+    {
+        var lean = Lean(level);
+        return below.Near(place.Grown(2 * lean)).Offset(lean, JoinStyle.Square, 2, Coarse / 2, engine);
+    }
+
+    // mm that strands may lean out over the level below.
+    private double Lean(SupportLevel level)
+    {
+        var angle = Math.Max(45, _settings.Support == SupportKind.Tree ? _settings.SupportBranchAngle : 0);
+        return level.Thickness * Angle.Sin(angle) / Angle.Cos(angle);
+    }
+
     // The contacts that so many layers, of which this is the lowest, hold.
-    private Region RoofOver(SupportLevel level, int layers)
+    private Region RoofOver(SupportLevel level, int layers, RegionEngine engine)
     {
         var roof = Region.Empty;
         for (var k = level.Work.Index; k < Math.Min(_levels.Length, level.Work.Index + layers); k++)
-            roof = roof.IsEmpty ? _levels[k].Contact : roof.Union(_levels[k].Contact);
+            roof = roof.Union(_levels[k].Contact, engine);
         return roof;
     }
 
     // The surface of the part as far below a level as the gaps explain: at walls that are not upright, supports begin a bit above it.
-    private Region Ground(int i)
+    private Region Ground(int i, in GridBox near, RegionEngine engine)
     {
         var bottom = _levels[i].Top - _levels[i].Thickness;
         var from = _stack.LevelBelow(bottom - _settings.SupportBottomGap);
         if (from < 0) return Region.Empty;
         var to = Math.Max(0, _stack.LevelBelow(bottom - _settings.SupportBottomGap - _settings.SupportXyGap));
-        var ground = _levels[from].Part;
+        var ground = _levels[from].Part.Near(near);
         for (var k = to; k < from; k++)
         {
-            if (!ground.Surrounds(_levels[k].Part)) ground = ground.Union(_levels[k].Part);
+            var part = _levels[k].Part.Near(near);
+            if (!ground.Surrounds(part)) ground = ground.Union(part, engine);
         }
         return ground;
     }
@@ -229,18 +278,18 @@ internal sealed class SupportBuilder
     private void FindInterfaces() => Parallel.For(0, _levels.Length, _options, i =>
     {
         var level = _levels[i];
-        if (level.Support.IsEmpty) return;
+        if (level.Pieces.IsEmpty) return;
         var engine = new RegionEngine();
-        var contact = RoofOver(level, _settings.SupportInterfaceLayers);
+        var contact = RoofOver(level, _settings.SupportInterfaceLayers, engine);
         if (_settings.Support == SupportKind.Grid && !contact.IsEmpty)
         {
             // So far that the dense lines reach a line or the wall of the grid below on all sides.
             var reach = _width * 50 / _settings.SupportPercent;
             contact = contact.Offset(Math.Min(reach, 10 * _width), JoinStyle.Miter, 2, Coarse, engine);
         }
-        level.Interface = ThinParts.Thick(contact.Intersect(level.Support, engine), _width / 2, engine);
+        level.Interface = ThinParts.Thick(contact.Intersect(level.Pieces.Near(contact.Box), engine), _width / 2, engine);
         if (_settings.Support != SupportKind.Tree) return;
-        var roof = RoofOver(level, TreeSupport.RoofLayers(_settings));
-        level.Lattice = roof.Intersect(level.Support, engine).Subtract(level.Interface, engine);
+        var roof = RoofOver(level, TreeSupport.RoofLayers(_settings), engine);
+        level.Lattice = roof.Intersect(level.Pieces.Near(roof.Box), engine).Subtract(level.Interface, engine);
     });
 }

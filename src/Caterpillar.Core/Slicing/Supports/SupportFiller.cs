@@ -25,7 +25,19 @@ internal static class SupportFiller
         var (rules, width) = (level.Work.Rules, settings.LineWidth);
         // Where a support is thin, a single strand: two walls would lie in each other's place.
         var builder = new WallBuilder(rules.Walls with { Count = 1, VariableWidth = true, Tolerance = Coarse }, engine);
-        var islands = level.Support.Islands;
+        var islands = level.Pieces.Islands;
+        for (var i = 0; i < level.Bundles.Count; i++)
+        {
+            var bundle = level.Bundles[i];
+            var line = new SupportLine(level, bundle.Region, FirstIsland + islands.Count + i, steps);
+            if (bundle.Trunks.Count > 1)
+            {
+                foreach (var wall in builder.Outline(bundle.Region).Paths) line.Add(wall.ToPath(level.Top, rules.Walls), Role.Support, 0);
+                continue;
+            }
+            var ring = Array.ConvertAll(bundle.Trunks[0].Ring(width / 2), p => p.WithZ(level.Top));
+            line.Add(PrintPath.Own(ring, [rules.Bead(width)], closed: true), Role.Support, 0);
+        }
         for (var i = 0; i < islands.Count; i++)
         {
             var island = islands[i];

@@ -28,13 +28,19 @@ internal sealed class SupportLevel(LayerWork work)
     /// <summary>The overhangs of higher levels that are held from right here.</summary>
     public Region Contact { get; set; } = Region.Empty;
 
-    /// <summary>What the supports cover.</summary>
-    public Region Support { get; set; } = Region.Empty;
+    /// <summary>What the supports cover, all together.</summary>
+    public Region Support => Bundles.Count == 0 ? Pieces : Region.Own([.. Pieces.Paths, .. Bundles.SelectMany(b => b.Region.Paths)]);
 
-    /// <summary>Part of it that is dense.</summary>
+    /// <summary>What the supports cover besides the bundles.</summary>
+    public Region Pieces { get; set; } = Region.Empty;
+
+    /// <summary>Branches of trees where nothing but other branches is near.</summary>
+    public IReadOnlyList<TrunkBundle> Bundles { get; set; } = [];
+
+    /// <summary>Part of the pieces that is dense.</summary>
     public Region Interface { get; set; } = Region.Empty;
 
-    /// <summary>Part of it where lines run from tip to tip of trees, so that what is dense rests on something.</summary>
+    /// <summary>Part of the pieces where lines run from tip to tip of trees, so that what is dense rests on something.</summary>
     public Region Lattice { get; set; } = Region.Empty;
 }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -33,6 +34,9 @@ internal sealed class TreeSupport
     private readonly RegionEngine _engine = new();
     private List<Branch> _branches = [];
 
+    // For each branch of the level above the one where it goes on.
+    private int[] _next = [];
+
     public TreeSupport(SupportStack stack, ParallelOptions options)
     {
         _settings = stack.Settings;
@@ -48,17 +52,23 @@ internal sealed class TreeSupport
     /// <summary>Layers that hold a contact: the dense ones on a lattice over the tips.</summary>
     public static int RoofLayers(PrintSettings settings) => settings.SupportInterfaceLayers > 0 ? settings.SupportInterfaceLayers + 1 : 0;
 
-    /// <summary>Fills the supports of the levels, without regard to gaps and to what carries them.</summary>
-    public void Grow()
+    /// <summary>Fills the supports of the levels, without regard to gaps and to what carries them; trunks are where nothing is near.</summary>
+    /// <param name="isFree">Whether a region keeps all gaps on a level.</param>
+    public void Grow(Func<int, Region, bool> isFree)
     {
         var shadows = Shadows();
         var at = new List<Branch>?[_levels.Length];
+        var next = new int[_levels.Length][];
         var waiting = Region.Empty;
-        for (var i = _levels.Length - 1; i >= 0; i--)
+        for (var i = shadows.Length - 1; i >= 0; i--)
         {
             _options.CancellationToken.ThrowIfCancellationRequested();
             var level = _levels[i];
-            if (_branches.Count > 0) Move(level, shadows[i]);
+            if (_branches.Count > 0)
+            {
+                Move(level, shadows[i]);
+                next[i + 1] = _next;
+            }
             if (!level.Contact.IsEmpty) waiting = waiting.Union(level.Contact, _engine);
             if (!waiting.IsEmpty)
             {
@@ -72,11 +82,25 @@ internal sealed class TreeSupport
         }
         Parallel.For(0, _levels.Length, _options, i =>
         {
-            var shapes = new List<Region>();
-            if (at[i] is { } branches) shapes.Add(Discs(branches));
-            for (var k = i; k < Math.Min(_levels.Length, i + RoofLayers(_settings)); k++) shapes.Add(_levels[k].Contact);
-            if (shapes.Count > 0) _levels[i].Support = Region.Union(shapes);
+            var contact = Region.Union(_levels.Skip(i).Take(RoofLayers(_settings)).Select(l => l.Contact).Where(c => !c.IsEmpty));
+            if (at[i] is { } branches) Divide(i, Trunks(branches, next[i]), contact, isFree);
+            else _levels[i].Pieces = contact;
         });
+    }
+
+    // Trunks where nothing is near; the others are one with what they hold and stand at.
+    private void Divide(int level, Trunk[] trunks, Region contact, Func<int, Region, bool> isFree)
+    {
+        var engine = new RegionEngine();
+        var free = new List<TrunkBundle>();
+        var pieces = new List<Region> { contact };
+        foreach (var bundle in TrunkBundle.Of(trunks, engine))
+        {
+            if (contact.IsApartFrom(bundle.Region) && isFree(level, bundle.Region)) free.Add(bundle);
+            else pieces.Add(bundle.Region);
+        }
+        _levels[level].Bundles = free;
+        _levels[level].Pieces = Region.Union(pieces, engine);
     }
 
     // What the part covers up to each level, seen from below, with the distance that branches keep.
@@ -90,8 +114,17 @@ internal sealed class TreeSupport
             shadows[i] = shadow;
         }
         var top = Array.FindLastIndex(_levels, l => !l.Contact.IsEmpty);
-        Parallel.For(0, top + 1, _options, i => shadows[i] = Around(shadows[i]));
-        return shadows;
+        var around = new Region[top + 1];
+        bool IsNew(int i) => i == 0 || shadows[i] != shadows[i - 1];
+        Parallel.For(0, top + 1, _options, i =>
+        {
+            if (IsNew(i)) around[i] = Around(shadows[i]);
+        });
+        for (var i = 1; i <= top; i++)
+        {
+            if (!IsNew(i)) around[i] = around[i - 1];
+        }
+        return around;
     }
 
     private Region Around(Region shadow)
@@ -105,16 +138,19 @@ internal sealed class TreeSupport
         var step = level.Thickness * _slope;
         var reach = level.Top * _slope;
         var moved = new List<Branch>(_branches.Count);
+        _next = new int[_branches.Count];
         for (var b = 0; b < _branches.Count; b++)
         {
             var branch = _branches[b];
             var place = branch.Place;
+            _next[b] = -1;
             // On the part: the branch ends here.
             if (level.Part.Contains(place.X, place.Y)) continue;
             var next = place;
             // A tip stays below the layers that rest on it.
             if (branch.Depth < RoofLayers(_settings) * level.Thickness - 1e-6)
             {
+                _next[b] = moved.Count;
                 moved.Add(branch with { Depth = branch.Depth + level.Thickness });
                 continue;
             }
@@ -134,21 +170,28 @@ internal sealed class TreeSupport
                 next = Toward(place, other, Math.Min(step, place.DistanceTo(other) / 2));
                 if (shadow.Contains(next.X, next.Y)) next = place;
             }
+            _next[b] = moved.Count;
             moved.Add(branch with { Place = next, Depth = branch.Depth + level.Thickness });
         }
-        _branches = Merged(moved);
+        _branches = Merged(moved, level.Thickness);
     }
 
     // Branches that have met become one.
-    private List<Branch> Merged(List<Branch> branches)
+    private List<Branch> Merged(List<Branch> branches, double thickness)
     {
+        // No farther than what is above may lean out.
+        var reach = Math.Min(_width / 2, thickness);
         var kept = new List<Branch>(branches.Count);
-        foreach (var branch in branches)
+        var places = new int[branches.Count];
+        for (var b = 0; b < places.Length; b++)
         {
-            var same = kept.FindIndex(k => k.Place.DistanceTo(branch.Place) < _width / 2);
+            var branch = branches[b];
+            var same = kept.FindIndex(k => k.Place.DistanceTo(branch.Place) < reach);
+            places[b] = same < 0 ? kept.Count : same;
             if (same < 0) kept.Add(branch);
             else kept[same] = new Branch(kept[same].Place, Math.Max(kept[same].Depth, branch.Depth), kept[same].Tips + branch.Tips);
         }
+        _next = Array.ConvertAll(_next, n => n < 0 ? n : places[n]);
         return kept;
     }
 
@@ -216,23 +259,17 @@ internal sealed class TreeSupport
         return middle;
     }
 
-    private Region Discs(List<Branch> branches)
+    private Trunk[] Trunks(List<Branch> branches, int[]? next)
     {
-        var discs = new List<Polyline>(branches.Count);
-        foreach (var branch in branches)
+        var trunks = new Trunk[branches.Count];
+        for (var b = 0; b < trunks.Length; b++)
         {
+            var branch = branches[b];
             var radius = Math.Max(Least * _width, Math.Min(
                 _settings.SupportBranchDiameter / 2, _width * (1 + Joined * Math.Sqrt(branch.Tips - 1)) + Taper * branch.Depth));
-            // Thin branches are round enough with eight.
-            var points = new Vec3[radius < 2 * _width ? 8 : 16];
-            for (var k = 0; k < points.Length; k++)
-            {
-                var (sin, cos) = Angle.SinCos(360.0 * k / points.Length);
-                points[k] = branch.Place + new Vec3(radius * cos, radius * sin);
-            }
-            discs.Add(Polyline.Own(points, closed: true));
+            trunks[b] = Trunk.Around(branch.Place, radius, b, next?[b] ?? -1);
         }
-        return Region.From(discs);
+        return trunks;
     }
 
     private static Vec3 Edge(Region region, Vec3 from)

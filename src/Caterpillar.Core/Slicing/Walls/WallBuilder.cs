@@ -1,3 +1,4 @@
+using System;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
@@ -22,15 +23,27 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         return output.Result(Classic(island, output));
     }
 
-    /// <summary>One wall around an island of supports: single strands where it is thin, and gaps that are not filled.</summary>
+    /// <summary>One wall of one width around an island of supports; single strands where it is thin, and gaps that are not filled.</summary>
     public WallResult Outline(Region island)
     {
+        const double Coarse = 0.02;
         var output = new WallOutput(rules);
         // Two sides of a wall that lie in each other by a tenth do no harm here.
-        if (IsThick(island, rules.Edge + 0.9 * rules.OuterSpacing)) return output.Result(Classic(island, output));
-        var area = island.Offset(-rules.Edge, JoinStyle.Miter, 4, ArcTolerance, engine);
-        if (area.IsEmpty) return output.Result(area);
-        return output.Result(new WallLevel(rules, rules.OuterWidth, rules.InnerWidth, engine, _offset).Walls(area, 0, output));
+        var depth = rules.Edge + 0.9 * rules.OuterSpacing;
+        var coarse = island.Simplified(Coarse, engine);
+        var core = coarse.Offset(-depth, JoinStyle.Miter, 4, ArcTolerance, engine);
+        // A waist as small as a dot has no strand.
+        var thin = ThinParts.Of(coarse, core, depth, rules.OuterWidth * rules.OuterWidth, engine, out _);
+        var line = core.Offset(depth - rules.OuterWidth / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
+        output.Loops(line, 0, rules.OuterWidth, engine);
+        if (!thin.IsEmpty)
+        {
+            var strands = new WallLevel(rules, rules.OuterWidth, rules.InnerWidth, engine, _offset);
+            // The coarse outline also runs outside of the island, and the island reaches out by as much as supports follow the part.
+            thin = thin.Intersect(island, engine).Offset(-Math.Max(rules.Edge, rules.Tolerance), JoinStyle.Miter, 4, ArcTolerance, engine);
+            foreach (var piece in thin.Islands) strands.Trace(piece, 0, output);
+        }
+        return output.Result(line.Offset(-rules.OuterSpacing / 2, JoinStyle.Miter, 2, ArcTolerance, engine));
     }
 
     /// <summary>

@@ -99,6 +99,14 @@ internal sealed class WallLevel
         return stubs.Count == 0 ? wide : Mitered(wide, ThinParts.Film).Union(Region.Own(stubs.ToArray()), _engine).Intersect(area, _engine);
     }
 
+    /// <summary>The single strands of a thin piece.</summary>
+    public void Trace(Region piece, int index, WallOutput output)
+    {
+        var strands = new StrandTracer(Math.Min(0.15, _single / 4), 0.75 * _single, _least / 2).Trace(piece);
+        new StrandFinisher(piece).Finish(strands);
+        output.Strands(strands, index, _least);
+    }
+
     private Region Even(Region area, int index, WallOutput output)
     {
         var line = area.Offset(-_spacing / 2, JoinStyle.Miter, 2, ArcTolerance, _engine);
@@ -112,13 +120,6 @@ internal sealed class WallLevel
         foreach (var (ring, distances) in _offset.Rings()) output.Loop(ring, distances, index);
         // What is left at the corners of a strip is too small for a strand.
         return all ? Region.Empty : _offset.Inner(TakeAll).WithoutSmallContours(0.3 * _spacing * _spacing);
-    }
-
-    private void Trace(Region piece, int index, WallOutput output)
-    {
-        var strands = new StrandTracer(Math.Min(0.15, _single / 4), 0.75 * _single, _least / 2).Trace(piece);
-        new StrandFinisher(piece).Finish(strands);
-        output.Strands(strands, index, _least);
     }
 
     private bool Touches(Region piece, Region other)
