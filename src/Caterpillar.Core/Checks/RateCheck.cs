@@ -64,8 +64,8 @@ internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings fi
             ReportSpeed(move, own, "for", ", a limit that the file has raised");
         if (!(move.Length > 0)) return;
         var flow = move.Deposited / move.Length * Math.Min(move.Speed, most);
-        // In short moves the last decimals count for more.
-        var least = (move.Deposited - _roundedE * move.Pushed / move.E) / (move.Length + 2 * _roundedXyz) * Math.Min(move.Speed, most);
+        // In short and in slow moves the last decimals count for more.
+        var least = (move.Deposited - _roundedE * move.Pushed / move.E) / (move.Length + 2 * _roundedXyz) * Math.Min(move.Speed - _roundedF / 2, most);
         if (least > setup.MaxFlow * Rounding) ReportFlow(flow, move.Index);
     }
 

@@ -154,6 +154,18 @@ public class SingleMoveTests
         Assert.That((Found(false), Found(true)), Is.EqualTo((1, 0)));
     }
 
+    // 12 mm³/s by 2.595 mm/s are F155.7, which is written as F156.
+    [TestCase(2.595, 0)]
+    [TestCase(2.62, 1)]
+    public void What_is_slowed_down_to_the_flow_that_is_possible_is_not_too_fast_in_the_file(double speed, int found)
+    {
+        var setup = SmallPrint.Setup(p => p with { MaxFlow = 12 });
+        var print = new SmallPrint(10, 10, 0.3).Go(10, 12, 0.3).Print(60, 12, 0.3, 12 / 2.595, speed: speed);
+        using var stream = new MemoryStream();
+        var list = SafeWriter.Write(print.Build(), setup, stream, "a test").Diagnostics;
+        Assert.That(list.Count(d => d.Code == CheckCodes.Flow), Is.EqualTo(found));
+    }
+
     [Test]
     public void Round_beds_are_called_round()
     {
