@@ -59,10 +59,11 @@ public class HeadRuleTests
         Assert.That((Hits(left + 0.005, middle), Hits(left - 0.005, middle)), Is.EqualTo((true, false)), "left edge");
         var end = 100 - beyond + half;
         var reach = (half + Needle) * Math.Sqrt(0.5);
-        Assert.That((Hits(end - reach + 0.005, middle - reach + 0.005), Hits(end - reach - 0.005, middle - reach - 0.005)), Is.EqualTo((true, false)), "corner");
+        var (x, y) = (end - reach, middle - reach);
+        Assert.That((Hits(x + 0.005, y + 0.005), Hits(x - 0.005, y - 0.005)), Is.EqualTo((true, false)), "corner");
     }
 
-    // A short strand 5 mm above the bed, and a box 10 mm behind the tip, 2 mm above it: it comes over the strand when that is no longer fresh.
+    // A short strand 5 mm above the bed, and a box 10 mm to the left of the tip, 2 mm above it: it comes over the strand when that is no longer fresh.
     [TestCase(0, 1)]
     [TestCase(3.5, 0)]
     public void What_was_fresh_at_the_start_of_a_move_is_hit_farther_on(double down, int found)

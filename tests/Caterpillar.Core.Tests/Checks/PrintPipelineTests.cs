@@ -142,7 +142,8 @@ public sealed class PrintPipelineTests
         Assert.That(all.Finish(plan, default), Is.Null, "once");
         var wait = new EarlyTiming(Plain);
         wait.Take(plan, default);
-        Assert.That(wait.Finish(plan.Insert(plan.Count, new DwellEvent(3)), default)!.TotalTime, Is.EqualTo(expected.TotalTime + 3).Within(1e-9), "a wait after all");
+        var waited = wait.Finish(plan.Insert(plan.Count, new DwellEvent(3)), default)!.TotalTime;
+        Assert.That(waited, Is.EqualTo(expected.TotalTime + 3).Within(1e-9), "a wait after all");
         var more = new EarlyTiming(Plain);
         more.Take(plan.Insert(plan.Count, new DwellEvent(3)), default);
         Assert.That(more.Finish(plan, default)!.TotalTime, Is.EqualTo(expected.TotalTime), "what may still be put off");

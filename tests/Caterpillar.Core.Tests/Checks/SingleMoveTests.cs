@@ -127,7 +127,10 @@ public class SingleMoveTests
         Assert.That(findings.ToList().Sum(d => d.Count), Is.EqualTo(found));
 
         void Show(MoveKind kind, double from, double to)
-            => check.Move(new CheckedMove { Start = new Vec3(from, 0), End = new Vec3(to, 0), StartKnown = true, Kind = kind, Length = to - from, Deposited = 1 });
+            => check.Move(new CheckedMove
+            {
+                Start = new Vec3(from, 0), End = new Vec3(to, 0), StartKnown = true, Kind = kind, Length = to - from, Deposited = 1,
+            });
     }
 
     [Test]

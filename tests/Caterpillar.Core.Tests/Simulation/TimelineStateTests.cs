@@ -176,7 +176,8 @@ public class TimelineStateTests
     {
         var printer = new Printer
         {
-            CornerRule = CornerRule.SquareCornerVelocity, MaxAcceleration = new(500, 500, 100, 3000), RetractionAcceleration = 2500, MaxSpeed = new(500, 500, 500, 500),
+            CornerRule = CornerRule.SquareCornerVelocity, MaxAcceleration = new(500, 500, 100, 3000), RetractionAcceleration = 2500,
+            MaxSpeed = new(500, 500, 500, 500),
         };
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(Vec3.Zero, 1, 1, 100, MoveKind.Prime, Role.Unspecified, -1, 0, -1);

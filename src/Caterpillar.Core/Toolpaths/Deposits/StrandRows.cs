@@ -13,7 +13,7 @@ internal sealed class StrandRows(double cell)
     private readonly double _perCell = 1 / cell;
     private double _ax, _ay, _half, _inverse;
 
-    // The strand goes up; seen from the front or from behind (then turned), so that it goes to the right.
+    // The strand goes up; seen from the front or from the back (then turned), so that it goes to the right.
     private double _x, _y, _dx, _dy, _turn, _reach, _perY, _slope, _lead, _width;
     private int _firstMiddle, _lastMiddle;
 
