@@ -31,7 +31,6 @@ internal sealed class Background
     private readonly Stopwatch _waited = new();
     private Task _queue = Task.CompletedTask;
     private Timer? _timer;
-    private int _patience;
     private int _posted;
 
     public Background(CaterpillarComponent component)
@@ -45,6 +44,9 @@ internal sealed class Background
 
     /// <summary>Runs something on the UI thread; a test has its own.</summary>
     public Action<Action> Post { get; set; } = action => RhinoApp.InvokeOnUiThread(action);
+
+    /// <summary>Milliseconds that this solve waits for all of its work; the greatest number for ever.</summary>
+    public int Patience { get; private set; }
 
     /// <summary>What has to end before the next work begins; a test holds it back with that.</summary>
     public Task Queue
@@ -69,7 +71,7 @@ internal sealed class Background
     {
         var leaves = MayLeave(document);
         if (!leaves && _jobs.Count > 0) Cancel();
-        _patience = !leaves ? int.MaxValue : _jobs.Values.All(j => j.IsDone) ? PatienceMilliseconds : HurriedMilliseconds;
+        Patience = !leaves ? int.MaxValue : _jobs.Values.All(j => j.IsDone) ? PatienceMilliseconds : HurriedMilliseconds;
         _waited.Reset();
         _asked.Clear();
         return leaves;
@@ -88,7 +90,7 @@ internal sealed class Background
             _queue = job.Task;
         }
         _waited.Start();
-        var done = LongWork.Wait(job, _patience == int.MaxValue ? _patience : Math.Max(0, _patience - (int)_waited.ElapsedMilliseconds));
+        var done = LongWork.Wait(job, Patience == int.MaxValue ? Patience : Math.Max(0, Patience - (int)_waited.ElapsedMilliseconds));
         _waited.Stop();
         if (!done) throw new StillWorking();
         _jobs.Remove(key);

@@ -27,7 +27,7 @@ public sealed class BackgroundTests
         slow.Gate.Reset();
         var time = Stopwatch.StartNew();
         feed("a");
-        Assert.That(time.Elapsed.TotalSeconds, Is.InRange(0.4, 5));
+        Assert.That(time.Elapsed.TotalSeconds, Is.GreaterThan(0.4), "The solution waits for half a second.");
         Assert.That((Results(slow), slow.Message), Is.EqualTo(("null", "Testing 42 %")));
         Assert.That(slow.RuntimeMessageLevel, Is.EqualTo(GH_RuntimeMessageLevel.Blank));
         slow.Gate.Set();
@@ -92,9 +92,9 @@ public sealed class BackgroundTests
         var slow = Slow(out var feed);
         slow.Gate.Reset();
         feed("a");
-        var time = Stopwatch.StartNew();
+        Assert.That(slow.Background.Patience, Is.EqualTo(500));
         feed("b");
-        Assert.That(time.Elapsed.TotalSeconds, Is.LessThan(0.45), "Sliders stay quick.");
+        Assert.That(slow.Background.Patience, Is.EqualTo(50), "Sliders stay quick.");
         Assert.That(slow.Until(() => slow.Canceled == 1), Is.True);
         slow.Gate.Set();
         Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
