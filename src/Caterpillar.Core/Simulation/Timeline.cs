@@ -256,9 +256,7 @@ public sealed class Timeline
         => length > 0 ? move.Deposited / length * speed : move.Deposited > 0 ? move.Deposited / move.E * speed : 0;
 
     private static Vec3 PointAt(in Move move, double done)
-    {
-        return move.Arc is { } arc ? arc.PointAt(move.Start, move.End, done) : Vec3.Lerp(move.Start, move.End, done);
-    }
+        => move.Arc is { } arc ? arc.PointAt(move.Start, move.End, done) : Vec3.Lerp(move.Start, move.End, done);
 
     private static Vec3 DirectionAt(in Move move, double done)
     {

@@ -82,7 +82,7 @@ internal sealed class TreeSupport
         }
         Parallel.For(0, _levels.Length, _options, i =>
         {
-            var contact = Region.Union(_levels.Skip(i).Take(RoofLayers(_settings)).Select(l => l.Contact).Where(c => !c.IsEmpty));
+            var contact = Region.Union(_levels.Skip(i).Take(RoofLayers(_settings)).Select(l => l.Contact));
             if (at[i] is { } branches) Divide(i, Trunks(branches, next[i]), contact, isFree);
             else _levels[i].Pieces = contact;
         });
