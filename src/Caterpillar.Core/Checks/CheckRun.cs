@@ -101,6 +101,6 @@ internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> 
         var volume = move.Tool >= 0 && move.Tool < _volumes.Length ? _volumes[move.Tool] : double.NaN;
         move.Deposited = c.Deposited[i] * volume;
         move.Pushed = move.E * volume;
-        move.Thickness = move.Layer >= 0 ? block.Thicknesses![move.Layer] : 0;
+        move.Thickness = move.Layer >= 0 && block.Thicknesses is { } known ? known[move.Layer] : 0;
     }
 }

@@ -52,20 +52,16 @@ public static class PrintCheck
     }
 
     /// <summary>
-    /// Runs all checks; those of what is printed on a thread of their own, where <paramref name="strands"/>, who may have begun before, does not know already
-    /// what they find.
+    /// Runs all checks; those of what is printed on a thread of their own. <paramref name="limits"/> and <paramref name="strands"/> may have begun before, and
+    /// may know already what there is to find.
     /// </summary>
     internal static IReadOnlyList<Diagnostic> Run(
         Toolpath toolpath, PrintSetup setup, CheckScope scope, Func<Findings> findings, IProgress<double>? progress, CancellationToken cancel,
-        Func<Toolpath, IProgress<double>?, IReadOnlyList<Diagnostic>?>? strands = null)
+        LimitFollower? limits = null, Func<Toolpath, IProgress<double>?, IReadOnlyList<Diagnostic>?>? strands = null)
     {
-        var (limits, prints) = (findings(), findings());
-        IMoveCheck[] ofLimits =
-        [
-            new PositionCheck(setup.Printer, limits), new RateCheck(toolpath, setup, limits), new HeatCheck(setup, scope, limits),
-            new StationaryCheck(setup.Printer, limits), new FileCheck(toolpath, setup.Printer, scope, limits), new GapCheck(limits),
-        ];
-        ofLimits = Array.FindAll(ofLimits, c => limits.LooksFor(c.Codes));
+        var (file, prints) = (findings(), findings());
+        IMoveCheck[] ofFile = [new HeatCheck(setup, scope, file), new FileCheck(toolpath, setup.Printer, scope, file)];
+        ofFile = Array.FindAll(ofFile, c => file.LooksFor(c.Codes));
         var checking = OwnThread.Run(() =>
         {
             if (!prints.LooksFor(DepositCheck.AllCodes)) return [];
@@ -73,16 +69,18 @@ public static class PrintCheck
             CheckRun.Run(toolpath, [new DepositCheck(setup, prints)], progress, cancel);
             return prints.ToList();
         });
+        IReadOnlyList<Diagnostic> ofLimits;
         try
         {
-            CheckRun.Run(toolpath, ofLimits, null, cancel);
+            ofLimits = limits?.Finish(toolpath) ?? new LimitFollower(toolpath.Tools, setup, findings(), cancel).Finish(toolpath)!;
+            CheckRun.Run(toolpath, ofFile, null, cancel);
         }
         finally
         {
             OwnThread.Wait(checking);
         }
         progress?.Report(1);
-        return [.. limits.ToList(), .. OwnThread.Join(checking)];
+        return [.. ofLimits, .. file.ToList(), .. OwnThread.Join(checking)];
     }
 
     /// <summary>The toolpath of a file with the filament of the material for the tools whose filament it does not state.</summary>

@@ -11,7 +11,7 @@ namespace Caterpillar.Checks;
 /// Speeds and accelerations beyond the axes and the extruder, limits that the file raises above those of the printer, more material than hot end and material
 /// allow, tools that do not exist.
 /// </summary>
-internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings findings) : IMoveCheck
+internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup setup, Findings findings) : IMoveCheck
 {
     private const double Rounding = 1.001;
     private readonly Printer _printer = setup.Printer;
@@ -20,7 +20,7 @@ internal sealed class RateCheck(Toolpath toolpath, PrintSetup setup, Findings fi
     // Of the printer, and as the file has set them by now.
     private readonly MachineLimits _own = new(setup.Printer);
     private readonly MachineLimits _limits = new(setup.Printer);
-    private readonly double[] _filamentPerE = MotionPlanner.FilamentPerE(toolpath, setup);
+    private readonly double[] _filamentPerE = MotionPlanner.FilamentPerE(tools, setup);
     private bool _raised;
 
     // What rounding in a file may change: coordinates in mm, E, speeds in mm/s.

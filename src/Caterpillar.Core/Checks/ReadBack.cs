@@ -44,23 +44,26 @@ internal static class ReadBack
         strands?.Locate(plan, lines);
         early?.End();
         WrittenPlaces? places = null;
-        var compared = new Findings(setup.Printer, move => places?.Of(move), what => places?.Of(what));
+        var compared = NewFindings();
         RawModes.Run(plan, format, compared, index => places?.OfEvent(index));
         var comparison = compared.LooksFor(PlanComparison.Codes) ? new PlanComparison(plan, format, lines, compared) : null;
+        var limits = new LimitFollower(plan.Tools, setup, NewFindings(), cancel);
         var blocks = 0;
         var file = Read(setup, writer, stream, Follow, progress.Part(0, 0.5), cancel);
         comparison?.End(file.Toolpath, blocks);
         var read = file.Toolpath.Tools.Count <= plan.Tools.Count ? file.Toolpath.WithTools(plan.Tools) : file.Toolpath;
         places = new WrittenPlaces(plan, move => move < 0 || move >= read.Count ? null : read[move].Source, lines, setup.Printer);
-        var checks = PrintCheck.Run(read, setup, CheckScope.OfWritten(file, setup), () => new Findings(setup.Printer, places.Of, places.Of),
-            progress.Part(0.5, 1), cancel,
+        var checks = PrintCheck.Run(read, setup, CheckScope.OfWritten(file, setup), NewFindings, progress.Part(0.5, 1), cancel, limits,
             (toolpath, heard) => early is null ? strands?.Finish(toolpath, places, heard) : early.Finish(toolpath, places, heard));
         return ([.. compared.ToList(), .. checks], writer.Lines, writer.Bytes);
+
+        Findings NewFindings() => new(setup.Printer, move => places?.Of(move), what => places?.Of(what));
 
         void Follow(DecodedBlock block)
         {
             strands?.Take(block);
             comparison?.Take(block.Columns, block.Start);
+            limits.Take(block);
             blocks++;
         }
     }

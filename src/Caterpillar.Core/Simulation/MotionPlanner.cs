@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -52,7 +53,7 @@ internal sealed class MotionPlanner
         _retraction = new FirmwareRetraction(_printer);
         _heat = new HeatModel(_printer);
         _out = new MotionColumns(toolpath.Count, timesOnly);
-        _filamentPerE = FilamentPerE(toolpath, setup);
+        _filamentPerE = FilamentPerE(toolpath.Tools, setup);
     }
 
     public static PlannedMotion Plan(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress, CancellationToken cancel)
@@ -232,17 +233,17 @@ internal sealed class MotionPlanner
     }
 
     /// <summary>mm of filament for a unit of E of each tool, of one at least.</summary>
-    public static double[] FilamentPerE(Toolpath toolpath, PrintSetup setup)
+    public static double[] FilamentPerE(IReadOnlyList<ToolpathTool> tools, PrintSetup setup)
     {
-        var factors = new double[Math.Max(toolpath.Tools.Count, 1)];
-        for (var tool = 0; tool < factors.Length; tool++) factors[tool] = FilamentPerE(toolpath, setup, tool);
+        var factors = new double[Math.Max(tools.Count, 1)];
+        for (var tool = 0; tool < factors.Length; tool++) factors[tool] = FilamentPerE(tool < tools.Count ? tools[tool].VolumePerE : null, setup);
         return factors;
     }
 
     /// <summary>mm of filament for a unit of E of a tool: a tool whose E is a volume has a factor of 1 mm³.</summary>
-    public static double FilamentPerE(Toolpath toolpath, PrintSetup setup, int tool)
+    public static double FilamentPerE(double? volumePerE, PrintSetup setup)
     {
         var radius = setup.Material.FilamentDiameter / 2;
-        return toolpath.VolumePerE(tool) == 1 ? 1 / (Math.PI * radius * radius) : 1;
+        return volumePerE == 1 ? 1 / (Math.PI * radius * radius) : 1;
     }
 }

@@ -135,7 +135,7 @@ internal sealed class StatisticsSums
         if (length > 0 && volume / length * _timeline.PeakOf(move) is { } flow && flow > _flow) (_flow, _flowMove) = (flow, move);
     }
 
-    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(_toolpath, _timeline.Setup, tool);
+    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(_toolpath.VolumePerE(tool), _timeline.Setup);
 
     // mm³ and g/cm³
     private double? Mass(double? volume) => volume / 1000 * _timeline.Setup.Material.Density;

@@ -16,12 +16,14 @@ public sealed class TriMesh
     private readonly Vec3[] _vertices;
     private readonly int[] _triangles;
     private readonly Lazy<MeshTopology> _topology;
+    private readonly Lazy<double> _volume;
 
-    private TriMesh(Vec3[] vertices, int[] triangles, Lazy<MeshTopology>? topology = null)
+    private TriMesh(Vec3[] vertices, int[] triangles, Lazy<MeshTopology>? topology = null, Lazy<double>? volume = null)
     {
         _vertices = vertices;
         _triangles = triangles;
         _topology = topology ?? new Lazy<MeshTopology>(() => new MeshTopology(_vertices, _triangles));
+        _volume = volume ?? new Lazy<double>(MeasureVolume);
         Bounds = BoundsOf(vertices);
     }
 
@@ -89,21 +91,7 @@ public sealed class TriMesh
     /// Signed volume in mm³ (divergence theorem): positive for a closed mesh whose triangles face outward; overlaps count twice. For an open mesh
     /// only a sum.
     /// </summary>
-    public double Volume
-    {
-        get
-        {
-            if (_triangles.Length == 0) return 0;
-            // Open meshes: relative to the origin. Closed ones do not depend on it, so the nearest useful origin keeps the digits.
-            var o = IsWatertight ? Bounds.Center : Vec3.Zero;
-            var sum = 0.0;
-            for (var t = 0; t < _triangles.Length; t += 3)
-            {
-                sum += Vec3.Dot(_vertices[_triangles[t]] - o, Vec3.Cross(_vertices[_triangles[t + 1]] - o, _vertices[_triangles[t + 2]] - o));
-            }
-            return sum / 6;
-        }
-    }
+    public double Volume => _volume.Value;
 
     /// <summary>Edges that belong to one triangle only.</summary>
     public int OpenEdgeCount => Topology.OpenEdges;
@@ -148,7 +136,8 @@ public sealed class TriMesh
         if (!StayApart(shift)) return Transformed(Affine.Move(shift));
         var vertices = new Vec3[_vertices.Length];
         for (var i = 0; i < vertices.Length; i++) vertices[i] = _vertices[i] + shift;
-        return new TriMesh(vertices, _triangles, _topology.IsValueCreated && NonManifoldEdgeCount == 0 ? _topology : null);
+        var isKnown = _topology.IsValueCreated;
+        return new TriMesh(vertices, _triangles, isKnown && NonManifoldEdgeCount == 0 ? _topology : null, isKnown && IsWatertight ? _volume : null);
     }
 
     // True if rounding does not make two vertices one. Where coordinates are multiples of a step that is twice the rounding of whatever they become, it cannot;
@@ -214,6 +203,19 @@ public sealed class TriMesh
     {
         var a = _vertices[_triangles[t]];
         return Vec3.Cross(_vertices[_triangles[t + 1]] - a, _vertices[_triangles[t + 2]] - a);
+    }
+
+    private double MeasureVolume()
+    {
+        if (_triangles.Length == 0) return 0;
+        // Open meshes: relative to the origin. Closed ones do not depend on it, so the nearest useful origin keeps the digits.
+        var o = IsWatertight ? Bounds.Center : Vec3.Zero;
+        var sum = 0.0;
+        for (var t = 0; t < _triangles.Length; t += 3)
+        {
+            sum += Vec3.Dot(_vertices[_triangles[t]] - o, Vec3.Cross(_vertices[_triangles[t + 1]] - o, _vertices[_triangles[t + 2]] - o));
+        }
+        return sum / 6;
     }
 
     private static Bounds BoundsOf(Vec3[] points)

@@ -82,6 +82,7 @@ public sealed class TemplateValues
         var bounds = Bounds.Empty;
         double volume = 0, filament = 0;
         var law = setup.Extrusion;
+        var wasPrinting = false;
         for (var b = 0; b < toolpath.Blocks.Count; b++)
         {
             var c = toolpath.Blocks[b].Columns;
@@ -94,10 +95,10 @@ public sealed class TemplateValues
                     volume += c.Deposited[i] * (toolpath.VolumePerE(c.Tool[i]) ?? 0);
                     filament += c.Deposited[i] * law.FilamentPerE;
                 }
-                if (c.Kind[i] == MoveKind.Print)
-                {
-                    bounds = c.TryGetArc(i, out var arc) ? bounds.Include(arc.Bounds(start, end)) : bounds.Include(start).Include(end);
-                }
+                var prints = c.Kind[i] == MoveKind.Print;
+                if (prints && !wasPrinting) bounds = bounds.Include(start);
+                if (prints) bounds = c.TryGetArc(i, out var arc) ? bounds.Include(arc.Bounds(start, end)) : bounds.Include(end);
+                wasPrinting = prints;
                 start = end;
             }
         }

@@ -13,6 +13,9 @@ namespace Caterpillar.Slicing;
 internal sealed class VaseSpiral
 {
     private Vec3[]? _below;
+
+    // The length of its wall up to each of its points.
+    private double[] _lengths = [];
     private Vec3 _end;
     private SlicedLayer? _last;
     private LayerWork? _lastWork;
@@ -51,13 +54,13 @@ internal sealed class VaseSpiral
         for (var i = 0; i < turn.Length; i++)
         {
             var t = lengths[i] / all;
-            var from = _below is null ? points[i] : i == 0 ? _end : Nearest(_below, points[i], ref hint);
+            var from = _below is null ? points[i] : i == 0 ? _end : Nearest(_below, _lengths, points[i], ref hint);
             turn[i] = Vec3.Lerp(from, points[i], t).WithZ(bottom + t * work.Plan.Thickness);
         }
         var least = settings.VaseMinFlowPercent / 100;
         var first = _below is null;
         var path = Turn(turn, work, t => first ? Math.Max(least, t) : 1);
-        _below = points;
+        (_below, _lengths) = (points, lengths);
         _end = points[points.Length - 1];
         _lastWork = work;
         return _last = layer with { Steps = [.. layer.Steps, path] };
@@ -93,13 +96,21 @@ internal sealed class VaseSpiral
     private static Vec3[] Begun(Vec3[] loop, Vec3 near, out double[] lengths)
     {
         const double Longest = 2;
-        var (segment, start) = NearestOf(loop, near, 0, loop.Length);
+        var (segment, start) = NearestOf(loop, LengthsOf(loop), near, 0, loop.Length);
         var points = new List<Vec3> { start };
         for (var k = 1; k <= loop.Length; k++) AddTo(points, loop[(segment + k) % loop.Length], Longest);
         AddTo(points, start, Longest);
-        lengths = new double[points.Count];
-        for (var i = 1; i < lengths.Length; i++) lengths[i] = lengths[i - 1] + points[i].DistanceTo(points[i - 1]);
-        return points.ToArray();
+        var turn = points.ToArray();
+        lengths = LengthsOf(turn);
+        return turn;
+    }
+
+    // The length up to each point.
+    private static double[] LengthsOf(Vec3[] line)
+    {
+        var lengths = new double[line.Length];
+        for (var i = 1; i < lengths.Length; i++) lengths[i] = lengths[i - 1] + line[i].DistanceTo(line[i - 1]);
+        return lengths;
     }
 
     private static void AddTo(List<Vec3> points, Vec3 to, double longest)
@@ -112,37 +123,39 @@ internal sealed class VaseSpiral
     }
 
     // The point of an open loop nearest to another: looked for near the last one, and everywhere where that is far off.
-    private static Vec3 Nearest(Vec3[] line, Vec3 p, ref int hint)
+    private static Vec3 Nearest(Vec3[] line, double[] lengths, Vec3 p, ref int hint)
     {
         const int Window = 24;
         const double Far = 1;
         var n = line.Length - 1;
         int from = Math.Max(0, hint - Window), to = Math.Min(n, hint + Window);
-        var (segment, best) = NearestOf(line, p, from, to - from);
-        if (best.DistanceTo(p) > Far) (segment, best) = NearestOf(line, p, 0, n);
+        var (segment, best) = NearestOf(line, lengths, p, from, to - from);
+        if (best.DistanceTo(p) > Far) (segment, best) = NearestOf(line, lengths, p, 0, n);
         hint = segment;
         return best;
     }
 
-    private static (int Segment, Vec3 Point) NearestOf(Vec3[] line, Vec3 p, int first, int count)
+    private static (int Segment, Vec3 Point) NearestOf(Vec3[] line, double[] lengths, Vec3 p, int first, int count)
     {
-        // Any segment tells how far the nearest one is at most; what is farther away along an axis is left out.
+        // Any segment tells how far the nearest one is at most. Along the line one comes no faster nearer than one goes: what lies before that is left out.
         var guess = first + count / 2;
         var reach = Reach((NearestOn(line[guess], Next(line, guess), p) - p).LengthSquared);
         var best = double.PositiveInfinity;
         var result = (first, line[first]);
-        for (var k = 0; k < count; k++)
+        var end = first + count;
+        for (var i = first; i < end;)
         {
-            var i = first + k;
-            Vec3 a = line[i], b = Next(line, i);
-            if ((a.X < b.X ? a.X : b.X) - p.X > reach || p.X - (a.X < b.X ? b.X : a.X) > reach || (a.Y < b.Y ? a.Y : b.Y) - p.Y > reach
-                || p.Y - (a.Y < b.Y ? b.Y : a.Y) > reach) continue;
-            var q = NearestOn(a, b, p);
+            var q = NearestOn(line[i], Next(line, i), p);
             var distance = (q - p).LengthSquared;
-            if (distance >= best) continue;
-            best = distance;
-            reach = Math.Min(reach, Reach(distance));
-            result = (i, q);
+            if (distance < best)
+            {
+                best = distance;
+                reach = Math.Min(reach, Reach(distance));
+                result = (i, q);
+            }
+            if (++i == end) break;
+            var from = lengths[i] + Math.Sqrt(distance) - reach;
+            while (i + 1 < end && lengths[i + 1] < from) i++;
         }
         return result;
     }

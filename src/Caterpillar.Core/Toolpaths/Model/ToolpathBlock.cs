@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
@@ -84,9 +85,17 @@ internal sealed class ToolpathColumns
 
     public int Capacity => X.Length;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryGetArc(int move, out Arc arc)
     {
-        var at = ArcMoves.Length == 0 ? -1 : Array.BinarySearch(ArcMoves, move);
+        if (ArcMoves.Length > 0) return FindArc(move, out arc);
+        arc = default;
+        return false;
+    }
+
+    private bool FindArc(int move, out Arc arc)
+    {
+        var at = Array.BinarySearch(ArcMoves, move);
         arc = at >= 0 ? Arcs[at] : default;
         return at >= 0;
     }
