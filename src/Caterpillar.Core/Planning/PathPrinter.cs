@@ -7,16 +7,22 @@ namespace Caterpillar.Planning;
 /// <summary>Turns the segments of a path into printing moves, with compensation for the pressure lag at its ends.</summary>
 internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanReport counts, Deposit? deposit, SlowedRoles slowed)
 {
-    /// <summary>Prints a path of some length in mm from its start, where the head is.</summary>
-    public void Print(PrintPath path, double length, int[]? lines = null)
+    /// <summary>Prints a path from its start, where the head is.</summary>
+    /// <param name="path">The path.</param>
+    /// <param name="length">Its length, mm.</param>
+    /// <param name="flows">The path before it went on to its start: the material flows.</param>
+    /// <param name="goesOn">The next path goes on from its end.</param>
+    /// <param name="lines">The line of each segment in a script.</param>
+    public void Print(PrintPath path, double length, bool flows, bool goesOn, int[]? lines)
     {
         // A path keeps at least half of its length between the two lags.
         var stopAt = double.PositiveInfinity;
-        if (!rules.AddsNothing && (rules.StartDistance > 0 || rules.StopDistance > 0) && path.BeadOf(0).Area > 0)
+        double startDistance = flows ? 0 : rules.StartDistance, stopDistance = goesOn ? 0 : rules.StopDistance;
+        if (!rules.AddsNothing && (startDistance > 0 || stopDistance > 0) && path.BeadOf(0).Area > 0)
         {
             counts.LaggedPaths++;
-            if (rules.StopDistance > 0) stopAt = length - Math.Min(rules.StopDistance, length / 2);
-            var start = Math.Min(rules.StartDistance, length / 2);
+            if (stopDistance > 0) stopAt = length - Math.Min(stopDistance, length / 2);
+            var start = Math.Min(startDistance, length / 2);
             if (start > 0) emitter.Prime(emitter.ToolRules.EOf(start * path.BeadOf(0).Area), emitter.ToolRules.RestoreSpeed);
         }
         if (!rules.AddsNothing && rules.SeamGap > 0 && path.IsClosed && path.Role is Role.OuterWall or Role.InnerWall)

@@ -27,6 +27,9 @@ internal sealed class StepPlanner
     private OrderedStep[] _steps = [];
     private LayerClock? _clock;
 
+    // True where the last path goes on in the next one.
+    private bool _goesOn;
+
     // True after retraction for a drawn travel, until something is printed.
     private bool _prepared;
 
@@ -71,8 +74,7 @@ internal sealed class StepPlanner
                 case PathStep step:
                     if (i == 0 && below is not null) WaitFor(below, below.Count - 1);
                     else if (_clock is not null && _clock.Changes(i)) WaitFor(_clock, i - 1);
-                    Path(_steps[i].Path!, step.Region, _clock?.TimeOf(i) ?? double.PositiveInfinity,
-                        ReferenceEquals(_steps[i].Path, step.Path) ? step.Lines : null);
+                    Path(i, step, _clock?.TimeOf(i) ?? double.PositiveInfinity);
                     break;
                 case TravelStep travel: Travel(travel, i); break;
                 case EventStep step: Event(step.Event); break;
@@ -102,8 +104,9 @@ internal sealed class StepPlanner
         foreach (var step in _steps) _places[step.Source] = step.Step.Source;
     }
 
-    private void Path(PrintPath path, Region? inside, double layerTime, int[]? lines)
+    private void Path(int index, PathStep step, double layerTime)
     {
+        var path = _steps[index].Path!;
         var length = path.Length;
         if (!(length > 0))
         {
@@ -113,14 +116,20 @@ internal sealed class StepPlanner
         _counts.Paths++;
         if (path.Tool != _emitter.Tool) SwitchTool(path.Tool);
         _emitter.EnterLayer(path.Layer);
-        _travel.To(path.Start, direct: !_prepared, inside);
+        var flows = _goesOn && _emitter.Retracted == 0 && _emitter.Position.DistanceTo(path.Start) <= TravelPlanner.Touching;
+        _goesOn = step.GoesOn && IsNext(index, path.End);
+        _travel.To(path.Start, direct: !_prepared, step.Region);
         _overrides.Apply(path, layerTime);
         _travel.Restore();
-        _printer.Print(path, length, lines);
+        _printer.Print(path, length, flows, _goesOn, ReferenceEquals(path, step.Path) ? step.Lines : null);
         if (_returnPath is not null) Remember(path);
-        _travel.Printed(path, inside);
+        _travel.Printed(path, step.Region);
         _prepared = false;
     }
+
+    // The next step begins there, as far as it is known: the layer above is another batch.
+    private bool IsNext(int index, Vec3 end)
+        => index + 1 == _steps.Length || (_steps[index + 1].Path is { } next && next.Start.DistanceTo(end) <= TravelPlanner.Touching);
 
     // Time that a finished layer lacks for cooling: the head waits above it, or beside it.
     private void WaitFor(LayerClock clock, int last)

@@ -94,11 +94,16 @@ public class IdleSettingsTests
     }
 
     [Test]
-    public void A_vase_is_told_that_coasting_opens_each_turn()
+    public void A_vase_beside_another_model_is_told_that_coasting_opens_each_turn()
     {
-        var result = PlanarSlicer.Slice([Cup], Settings("vase=true", "stop_distance_mm=2"));
-        Assert.That(result.Diagnostics.Select(d => d.ToString()), Has.One.EqualTo(
-            "cup: warning slice.vase_lag: With vase=true stop_distance_mm holds for each turn: its wall stays open over the last 2 mm."));
+        var other = new NamedMesh("other", Cup.Mesh.Moved(new Vec3(40, 0, 0)));
+        var settings = Settings("vase=true", "stop_distance_mm=2");
+        Assert.That(PlanarSlicer.Slice([Cup, other], settings).Diagnostics.Select(d => d.ToString()), Has.One.EqualTo(
+            "cup: warning slice.vase_lag: The head leaves the vase after each turn to print other models: stop_distance_mm opens its wall over 2 mm there. "
+            + "print_sequence=by_object prints one after the other. (2 times)"));
+        Assert.That(PlanarSlicer.Slice([Cup], settings).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.vase_lag"));
+        settings = settings with { PrintSequence = PrintSequence.ByObject };
+        Assert.That(PlanarSlicer.Slice([Cup, other], settings).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.vase_lag"));
     }
 
     private static PrintSettings Settings(params string[] values)

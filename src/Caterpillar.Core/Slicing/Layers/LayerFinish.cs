@@ -22,7 +22,7 @@ internal sealed class LayerFinish
     private readonly Dictionary<Body, SeamPlacer> _seams = [];
     private readonly LayerTime _time;
     private readonly PrintSupports? _supports;
-    private readonly bool _waits, _isByObject;
+    private readonly bool _waits, _isByObject, _takesTurns;
 
     // All layers, null once they are given on.
     private readonly List<SlicedLayer?> _all = [];
@@ -50,6 +50,7 @@ internal sealed class LayerFinish
         _time = new LayerTime(settings);
         // The skirt goes around all that stands on the bed.
         _isByObject = bodies.Count > 1 && settings.PrintSequence == PrintSequence.ByObject;
+        _takesTurns = bodies.Count > 1 && !_isByObject;
         _waits = follow is null || _isByObject;
     }
 
@@ -61,7 +62,7 @@ internal sealed class LayerFinish
         var finished = placer.Next(work, layer);
         if (work.VaseLoop is not null)
         {
-            if (!_vases.TryGetValue(work.Body, out var vase)) vase = (new VaseSpiral(), 0);
+            if (!_vases.TryGetValue(work.Body, out var vase)) vase = (new VaseSpiral(!_takesTurns), 0);
             finished = vase.Spiral.Next(work, layer);
             _vases[work.Body] = (vase.Spiral, finished.Steps.Count > 0 ? _all.Count : vase.Last);
         }
@@ -144,11 +145,12 @@ internal sealed class LayerFinish
     private void EndVase(VaseSpiral spiral, int last, Body body)
     {
         if (spiral.Finish() is { } end) _all[last] = end;
-        if (_settings.StopDistance > 0)
+        if (_settings.StopDistance > 0 && _takesTurns)
         {
             var open = NumberFormatter.Format(_settings.StopDistance, 2);
             _problems.Add(Severity.Warning, "slice.vase_lag",
-                $"With vase=true stop_distance_mm holds for each turn: its wall stays open over the last {open} mm.", body.Source);
+                $"The head leaves the vase after each turn to print other models: stop_distance_mm opens its wall over {open} mm there. "
+                + "print_sequence=by_object prints one after the other.", body.Source);
         }
         if (spiral.Divided == 0) return;
         _problems.Add(Severity.Warning, "slice.vase_divided",

@@ -10,7 +10,8 @@ namespace Caterpillar.Slicing;
 /// neither its height nor its course jumps. The flow grows along the first turn, over which the wall rises from the bottom, and falls along one more, level
 /// turn at the end. Takes the layers in their order.
 /// </summary>
-internal sealed class VaseSpiral
+/// <param name="isAlone">No other model is printed between its turns.</param>
+internal sealed class VaseSpiral(bool isAlone)
 {
     private Vec3[]? _below;
 
@@ -59,7 +60,7 @@ internal sealed class VaseSpiral
         }
         var least = settings.VaseMinFlowPercent / 100;
         var first = _below is null;
-        var path = Turn(turn, work, t => first ? Math.Max(least, t) : 1);
+        var path = Turn(turn, work, t => first ? Math.Max(least, t) : 1, goesOn: isAlone);
         (_below, _lengths) = (points, lengths);
         _end = points[points.Length - 1];
         _lastWork = work;
@@ -72,10 +73,10 @@ internal sealed class VaseSpiral
         if (_last is null || _lastWork is null || _below is null) return null;
         var least = _lastWork.Rules.Settings.VaseMinFlowPercent / 100;
         var level = Array.ConvertAll(_below, p => p.WithZ(_lastWork.Plan.Top));
-        return _last with { Steps = [.. _last.Steps, Turn(level, _lastWork, t => Math.Max(least, 1 - t))] };
+        return _last with { Steps = [.. _last.Steps, Turn(level, _lastWork, t => Math.Max(least, 1 - t), goesOn: false)] };
     }
 
-    private static PathStep Turn(Vec3[] points, LayerWork work, Func<double, double> flow)
+    private static PathStep Turn(Vec3[] points, LayerWork work, Func<double, double> flow, bool goesOn)
     {
         var bead = work.Rules.Bead(work.Rules.Width);
         var all = 0.0;
@@ -89,7 +90,7 @@ internal sealed class VaseSpiral
             at += length;
         }
         var path = work.Rules.Own(PrintPath.Own(points, beads, closed: false).With(Role.OuterWall, work.Layer));
-        return new PathStep(path, new StepGroup(work.Number, 0, StepRank.Walls)) { KeepStart = true, Region = work.Region };
+        return new PathStep(path, new StepGroup(work.Number, 0, StepRank.Walls)) { KeepStart = true, GoesOn = goesOn, Region = work.Region };
     }
 
     // The loop from its place nearest to a point, round and back to it, with segments short enough for a smooth flow; and the length up to each point.

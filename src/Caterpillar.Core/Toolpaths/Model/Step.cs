@@ -53,6 +53,9 @@ public sealed class PathStep : Step
     /// <summary>Printed right after the step before it, which has the same group: sorting moves both as one.</summary>
     public bool Joined { get; init; }
 
+    /// <summary>The wall goes on from its end in the layer above (a vase): where nothing comes between, the flow does not stop there.</summary>
+    internal bool GoesOn { get; init; }
+
     /// <summary>The region that its layer covers, seen from above: travels inside it stay over the part. Null if unknown.</summary>
     public Region? Region { get; init; }
 
@@ -66,7 +69,8 @@ public sealed class PathStep : Step
     public PathStep With(PrintPath path, Region? region)
         => new(path, Group)
         {
-            KeepStart = KeepStart, Joined = Joined, Region = region, Source = Source, Lines = path.SegmentCount == Lines?.Length ? Lines : null,
+            KeepStart = KeepStart, Joined = Joined, GoesOn = GoesOn, Region = region, Source = Source,
+            Lines = path.SegmentCount == Lines?.Length ? Lines : null,
         };
 }
 
