@@ -7,6 +7,8 @@ namespace Caterpillar.Bench;
 /// <c>dotnet run -c Release --project bench -- --filter *</c>; a class or method name instead of * runs part of it.
 /// <c>dotnet run -c Release --project bench -- times FOLDER</c>: print times against other slicers for the meshes of a folder.
 /// <c>dotnet run -c Release --project bench -- coverage MODEL FILE.gcode...</c>: what the beads of solid prints leave open and cover twice (bench/coverage.sh).
+/// <c>dotnet run -c Release --project bench -- damaged FOLDER FIRST COUNT OUT</c>, <c>lost GOOD.gcode BAD.gcode</c>: layers that damaged meshes lose
+/// (bench/damaged.sh).
 /// <c>dotnet run -c Release --project bench -- targets PROGRAM BIG.gcode MESHES</c>: every target of speed that can be measured without other programs, with
 /// the published PROGRAM, as a table (bench/targets.sh).
 /// <c>dotnet run -c Release --project bench -- chart bench/RESULTS.md</c>: the chart of that table.
@@ -23,14 +25,17 @@ internal static class Program
     {
         if (arguments is ["times", var folder]) PrintTimes.Run(folder);
         else if (arguments is ["coverage", _, _, ..]) Coverage.Run(arguments[1..]);
+        else if (arguments is ["damaged", var models, var first, var count, var target])
+            DamagedMeshes.Run(models, int.Parse(first, CultureInfo.InvariantCulture), int.Parse(count, CultureInfo.InvariantCulture), target);
+        else if (arguments is ["lost", var good, var bad]) DamagedMeshes.Lost(good, bad);
         else if (arguments is ["chart", var results]) Chart.Make(results);
         else if (arguments is ["targets", var program, var gcode, var meshes]) Targets.Run(program, gcode, meshes);
         else if (arguments is ["stl", var model, var stl]) Samples.WriteStl(model, stl);
-        else if (arguments is ["curved", var published, var models]) CurvedRuns.Run(published, models);
+        else if (arguments is ["curved", var published, var examples]) CurvedRuns.Run(published, examples);
         else if (arguments is ["deviation", _, ..]) Deviation.Run(arguments[1..]);
         else if (arguments is ["stages", _, ..]) Stages.Run(arguments[1..]);
         else if (arguments is ["guard"]) GuardTimes.Run();
-        else if (arguments is ["mesh", var triangles, var target]) Samples.WriteSphere(int.Parse(triangles, CultureInfo.InvariantCulture), target);
+        else if (arguments is ["mesh", var triangles, var file]) Samples.WriteSphere(int.Parse(triangles, CultureInfo.InvariantCulture), file);
         else BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(arguments);
     }
 }
