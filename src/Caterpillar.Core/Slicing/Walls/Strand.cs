@@ -81,29 +81,29 @@ internal sealed class Strand
         return best;
     }
 
-    /// <summary>Cuts from the end whatever lies in the bead of another strand.</summary>
+    /// <summary>Cuts from the end whatever lies in the bead of another strand, up to where it is clear of it.</summary>
     public void TrimEnd(Strand other)
     {
-        while (Count > 1)
+        if (other.Clearance(Points[Count - 1]) >= 0) return;
+        for (; Count > 1; Points.RemoveAt(Count - 1), Radii.RemoveAt(Radii.Count - 1))
         {
-            var last = Points[Count - 1];
-            if (other.Clearance(last) >= 0) return;
-            Vec3 before = Points[Count - 2];
-            if (other.Clearance(before) >= 0)
+            Vec3 last = Points[Count - 1], path = Points[Count - 2] - last;
+            // What is between two places that are covered may be clear.
+            var steps = Math.Max(1, Math.Ceiling(path.LengthXY / (Radii[Count - 1] / 4)));
+            for (var k = 1; k <= steps; k++)
             {
-                double free = 0, held = 1;
-                for (var k = 0; k < 20; k++)
+                if (other.Clearance(last + path * (k / steps)) < 0) continue;
+                double held = (k - 1) / steps, free = k / steps;
+                for (var round = 0; round < 20; round++)
                 {
                     var middle = (free + held) / 2;
-                    if (other.Clearance(before + (last - before) * middle) >= 0) free = middle;
+                    if (other.Clearance(last + path * middle) >= 0) free = middle;
                     else held = middle;
                 }
-                Points[Count - 1] = before + (last - before) * free;
-                Radii[Count - 1] = Radii[Count - 2] + (Radii[Count - 1] - Radii[Count - 2]) * free;
+                Points[Count - 1] = last + path * free;
+                Radii[Count - 1] += (Radii[Count - 2] - Radii[Count - 1]) * free;
                 return;
             }
-            Points.RemoveAt(Count - 1);
-            Radii.RemoveAt(Radii.Count - 1);
         }
     }
 }

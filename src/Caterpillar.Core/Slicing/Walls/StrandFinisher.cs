@@ -21,8 +21,8 @@ internal sealed class StrandFinisher(Region piece)
             for (var side = 0; side < 2; side++)
             {
                 strand.Reverse();
-                // At the end of the shape its outline is near; else the strand ended in a corner at the side of another.
-                if (strand.End == StrandEnd.Outline && !(Ahead(strand) < 3)) strand.End = StrandEnd.Junction;
+                // At the end of the shape its outline is near; else the strand ended in a corner at the side of another, or in one.
+                if (strand.End == StrandEnd.Outline && (!(Ahead(strand) < 3) || EndsIn(strand, strands))) strand.End = StrandEnd.Junction;
             }
         }
         Join(strands);
@@ -99,6 +99,12 @@ internal sealed class StrandFinisher(Region piece)
         }
     }
 
+    private static bool EndsIn(Strand strand, List<Strand> strands)
+    {
+        var end = strand.Points[strand.Count - 1];
+        return strands.Exists(other => other != strand && other.Clearance(end) < 0);
+    }
+
     private static bool Passed(List<Strand> strands, int a, int b, Vec3 at)
     {
         for (var i = 0; i < strands.Count; i++)
@@ -119,9 +125,11 @@ internal sealed class StrandFinisher(Region piece)
 
     private static void Trim(Strand strand, List<Strand> strands)
     {
+        // By those that pass where it ends; others are near because they end there, too.
+        var end = strand.Points[strand.Count - 1];
         foreach (var other in strands)
         {
-            if (other != strand) strand.TrimEnd(other);
+            if (other != strand && other.Clearance(end) < 0) strand.TrimEnd(other);
         }
         // A bowl comes back to its own stem.
         var own = new Strand();

@@ -16,6 +16,9 @@ internal sealed class VaryingOffset
     // By how much the distance may change along the contour.
     private const double Slope = 0.1;
 
+    // Where strips meet they are wider than along themselves. Of that a side takes so much: its beads lie partly in those of the others there.
+    private const double Share = 0.5;
+
     private readonly RegionEngine _engine;
     private readonly List<BoundarySample> _samples = [];
     private readonly List<List<Item>> _contours = [];
@@ -33,6 +36,9 @@ internal sealed class VaryingOffset
         public Vec3 Point;
         public Vec3 Normal;
         public double Distance;
+
+        // Half the radius of the local disc; 0 where it is large.
+        public double Half;
         public bool Strip;
     }
 
@@ -60,7 +66,8 @@ internal sealed class VaryingOffset
                 var known = double.IsInfinity(s.Disc.Radius) || s.Disc.Opposite <= ParallelEnough;
                 var strip = known && !double.IsInfinity(s.Disc.Radius);
                 var distance = !known ? double.NaN : strip ? Math.Max(s.Disc.Radius / 2, least) : nominal;
-                items.Add(new Item { Point = s.Point, Normal = s.Normal, Distance = distance, Strip = strip });
+                var half = double.IsInfinity(s.Disc.Radius) ? 0 : s.Disc.Radius / 2;
+                items.Add(new Item { Point = s.Point, Normal = s.Normal, Distance = distance, Half = half, Strip = strip });
             }
             Bridge(items, nominal, 2 * limit);
             Ease(items);
@@ -127,21 +134,23 @@ internal sealed class VaryingOffset
             }
             if (next > k + 1)
             {
-                if (thick < shortest) Straight(items, start + k, start + next, length);
+                if (thick < shortest) Straight(items, start + k, start + next, length, widens: true);
                 else if (unknown) Unknowns(items, start + k, start + next);
             }
             k = next;
         }
     }
 
-    private static void Straight(List<Item> items, int from, int to, double length)
+    private static void Straight(List<Item> items, int from, int to, double length, bool widens)
     {
         var n = items.Count;
         double a = items[from % n].Distance, b = items[to % n].Distance, done = 0;
         for (var i = from + 1; i < to; i++)
         {
             done += (items[i % n].Point - items[(i - 1) % n].Point).LengthXY;
-            Set(items, i % n, length > 0 ? a + (b - a) * done / length : a);
+            var distance = length > 0 ? a + (b - a) * done / length : a;
+            var more = Math.Max(0, items[i % n].Half - distance);
+            Set(items, i % n, widens ? distance + Share * more : distance);
         }
     }
 
@@ -158,7 +167,7 @@ internal sealed class VaryingOffset
                 length += (items[next % n].Point - items[(next - 1) % n].Point).LengthXY;
                 if (!double.IsNaN(items[next % n].Distance)) break;
             }
-            Straight(items, i, next, length);
+            Straight(items, i, next, length, widens: false);
             i = next;
         }
     }
