@@ -37,7 +37,8 @@ internal static class DamagedMeshes
             var heights = Enumerable.Range(0, (int)(good.Bounds.Max.Z / Thickness)).Select(i => (i + 0.5) * Thickness).ToArray();
             layers += heights.Length;
             var (expected, actual) = (Areas(good, heights), Areas(Mended(damaged), heights));
-            var lost = Enumerable.Range(0, heights.Length).Where(i => actual[i] < Enough * expected[i]).Select(i => (heights[i], actual[i] / expected[i])).ToList();
+            var lost = Enumerable.Range(0, heights.Length).Where(i => actual[i] < Enough * expected[i])
+                .Select(i => (heights[i], actual[i] / expected[i])).ToList();
             if (lost.Count == 0) continue;
             File.WriteAllBytes(Path.Combine(target, $"{Text(seed)}-good.stl"), StlWriter.ToBytes(good));
             File.WriteAllBytes(Path.Combine(target, $"{Text(seed)}-bad.stl"), StlWriter.ToBytes(damaged));
