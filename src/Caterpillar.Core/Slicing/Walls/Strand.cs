@@ -66,9 +66,15 @@ internal sealed class Strand
     }
 
     /// <summary>Distance from a point to the strand less the radius there: negative in its bead.</summary>
-    public double Clearance(Vec3 p)
+    public double Clearance(Vec3 p) => Clearance(p, out _);
+
+    /// <summary>True if a point lies in its bead, and not just before one of its ends.</summary>
+    public bool Passes(Vec3 p) => Clearance(p, out var atEnd) < 0 && !atEnd;
+
+    private double Clearance(Vec3 p, out bool atEnd)
     {
         var best = double.PositiveInfinity;
+        atEnd = false;
         for (var i = 0; i < Count; i++)
         {
             var next = i + 1 == Count ? Closed ? 0 : i : i + 1;
@@ -76,7 +82,10 @@ internal sealed class Strand
             var square = d.X * d.X + d.Y * d.Y;
             var t = square > 0 ? ((p.X - a.X) * d.X + (p.Y - a.Y) * d.Y) / square : 0;
             t = Math.Min(Math.Max(t, 0), 1);
-            best = Math.Min(best, (p - (a + d * t)).LengthXY - (Radii[i] + (Radii[next] - Radii[i]) * t));
+            var clearance = (p - (a + d * t)).LengthXY - (Radii[i] + (Radii[next] - Radii[i]) * t);
+            if (!(clearance < best)) continue;
+            best = clearance;
+            atEnd = !Closed && ((i == 0 && t == 0) || (i + 2 == Count && t == 1));
         }
         return best;
     }

@@ -15,6 +15,9 @@ internal sealed class StrandFinisher(Region piece)
 
     public void Finish(List<Strand> strands)
     {
+        // A lone center in the bead of a strand is a piece of it.
+        var covered = strands.FindAll(s => s.Count == 1 && strands.Exists(other => other.Count > 1 && other.Clearance(s.Points[0]) < 0));
+        strands.RemoveAll(covered.Contains);
         foreach (var strand in strands)
         {
             if (strand.Count == 1) Stretch(strand);
@@ -109,7 +112,7 @@ internal sealed class StrandFinisher(Region piece)
     {
         for (var i = 0; i < strands.Count; i++)
         {
-            if (i != a && i != b && strands[i].Clearance(at) < 0) return true;
+            if (i != a && i != b && strands[i].Passes(at)) return true;
         }
         return false;
     }
