@@ -121,6 +121,11 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         return some;
     }
 
+    /// <summary>A list with its nulls, whose items stand beside those of another list.</summary>
+    public IReadOnlyList<T?> WithNulls<T>(int input)
+        where T : class
+        => Goos(input).ConvertAll(goo => goo as T);
+
     /// <summary>The print paths of a list.</summary>
     public PathList Paths(int input)
     {

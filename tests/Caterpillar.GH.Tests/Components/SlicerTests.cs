@@ -61,6 +61,31 @@ public sealed class SlicerTests
     }
 
     [Test]
+    public void Each_solid_has_its_part_settings()
+    {
+        var settings = Quick with { TopLayers = 0, BottomLayers = 0, TopThickness = 0, BottomThickness = 0, InfillPercent = 0, InfillSpacing = 0 };
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", settings)
+            .Feed("Geometry", Shapes.Box(0, 0, 10, 2), null, Shapes.Box(20, 0, 10, 2), Shapes.Box(40, 0, 10, 2));
+        int[] Walls()
+        {
+            var walls = canvas.Solve().All("Walls").Cast<PrintPath>().Select(p => p.Points[0].X).ToArray();
+            // Of four layers.
+            return new[] { 0, 20, 40 }.Select(left => walls.Count(x => x > left && x < left + 10) / 4).ToArray();
+        }
+        Assert.That(Walls(), Is.EqualTo(new[] { 1, 1, 1 }));
+        canvas.Feed("Part Settings", settings with { WallCount = 2 });
+        Assert.That(Walls(), Is.EqualTo(new[] { 2, 2, 2 }), "the last ones are those of all that follow");
+        canvas.Feed("Part Settings", settings, settings with { WallCount = 4 }, settings with { WallCount = 3 }, settings with { WallCount = 2 });
+        Assert.That(Walls(), Is.EqualTo(new[] { 1, 3, 2 }), "beside the solids, one of which is null");
+        Assert.That(canvas.Warnings, Has.None.Contains("Part Settings"));
+        canvas.Feed("Part Settings", settings, settings, settings, settings, settings);
+        Assert.That(Walls(), Is.EqualTo(new[] { 1, 1, 1 }));
+        Assert.That(canvas.Warnings, Has.One.Contains("Part Settings are 5, for 4 solids"));
+        canvas.Feed("Part Settings", settings, settings, settings with { ModelUse = ModelUse.Modifier }).Solve();
+        Assert.That(canvas.Errors, Has.One.Contains("Part Settings of Solid 1 are for a solid that is not printed"));
+    }
+
+    [Test]
     public void Infill_follows_curves_in_document_units()
     {
         using var _ = new InDocument(UnitSystem.Centimeters);

@@ -32,6 +32,9 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
             GH_ParamAccess.list, optional: true);
         ports.Add(new Param_Curve { Optional = true }, "Infill Curves", "C",
             "Curves that the infill of every layer follows instead of its pattern, seen from above, in document units.", GH_ParamAccess.list, optional: true);
+        ports.Add(new SettingsParam(), "Part Settings", "PS",
+            "Print settings of each solid in turn instead of Settings, which still decide travels, skirt, brim and raft; the last ones are "
+                + "those of all solids that follow.", GH_ParamAccess.list, optional: true);
     }
 
     private protected override void Solve(Run run)
@@ -42,12 +45,38 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         var solids = Named(models);
         if (InfillCurves(run, 5, tolerance) is { } curves) settings = settings with { InfillPattern = InfillPattern.Curves, InfillCurves = curves };
         var modifiers = Modifiers(run, tolerance, settings);
-        SliceModel[] all = [.. solids.Select(m => new SliceModel(m, settings)), .. modifiers];
+        var parts = Parts(run, solids, settings);
+        SliceModel[] all = [.. parts, .. modifiers];
         object[] helpers = modifiers.SelectMany(m => new object[] { m.Mesh.Mesh, m.Settings }).ToArray();
-        var result = run.Work("Slicing", [settings, models.ToArray(), helpers],
+        var result = run.Work("Slicing", [settings, models.ToArray(), parts.Select(p => p.Settings).ToArray(), helpers],
             (progress, cancel) => PlanarSlicer.SliceEach(all, settings, 0, progress, cancel));
         SetResult(run, models, solids, result);
     }
+
+    // Solids that are null count, so that each keeps the settings beside it.
+    private static SliceModel[] Parts(Run run, NamedMesh[] solids, PrintSettings common)
+    {
+        var own = run.List<SettingsGoo>(6);
+        if (own.Count == 0) return solids.Select(m => new SliceModel(m, common)).ToArray();
+        var geometry = run.WithNulls<IGH_GeometricGoo>(0);
+        if (own.Count > geometry.Count)
+        {
+            var (given, solid) = (NumberFormatter.Format(own.Count), NumberFormatter.Format(geometry.Count));
+            run.Report(GH_RuntimeMessageLevel.Warning, $"Part Settings are {given}, for {solid} solids: the last ones are not used.");
+        }
+        var places = Enumerable.Range(0, geometry.Count).Where(i => geometry[i] is not null).ToArray();
+        return solids.Select((m, i) =>
+        {
+            var settings = own[Math.Min(places[i], own.Count - 1)].Value;
+            if (settings.ModelUse != ModelUse.Part)
+                throw new InputProblem($"Part Settings of {m.Name} are for a solid that is not printed: it belongs to Modifiers.");
+            return new SliceModel(m, WithCurves(settings, common));
+        }).ToArray();
+    }
+
+    // Infill of curves is that of the print, too.
+    private static PrintSettings WithCurves(PrintSettings own, PrintSettings common)
+        => own.InfillPattern == InfillPattern.Curves && own.InfillCurves.Count == 0 ? own with { InfillCurves = common.InfillCurves } : own;
 
     // Settings for a part are those of a modifier here: a part would be among the solids.
     private static SliceModel[] Modifiers(Run run, double tolerance, PrintSettings common)
@@ -64,9 +93,8 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         {
             var own = settings[Math.Min(i, settings.Count - 1)].Value;
             if (own.ModelUse == ModelUse.Part) own = own with { ModelUse = ModelUse.Modifier };
-            // Infill of curves is that of the print, too.
-            if (own.InfillPattern == InfillPattern.Curves && own.InfillCurves.Count == 0) own = own with { InfillCurves = common.InfillCurves };
-            return new SliceModel(new NamedMesh($"Modifier {NumberFormatter.Format(i)}", ModelMesh.Of(run, g, tolerance, run.Units).Triangles), own);
+            var mesh = new NamedMesh($"Modifier {NumberFormatter.Format(i)}", ModelMesh.Of(run, g, tolerance, run.Units).Triangles);
+            return new SliceModel(mesh, WithCurves(own, common));
         }).ToArray();
     }
 
