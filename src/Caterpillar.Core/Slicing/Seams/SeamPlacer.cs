@@ -23,8 +23,8 @@ internal sealed class SeamPlacer(Body body)
 
     private List<Seam> _below = [];
 
-    // The seam of an outer wall, on which side of it the part lies, and whether it lies over air.
-    private readonly record struct Seam(Vec3 Point, bool IsHole, bool InAir);
+    // The seam of an outer wall, on which side of it the part lies, whether it lies over air, and the wall with its length, mm.
+    private readonly record struct Seam(Vec3 Point, bool IsHole, bool InAir, Vec3[] Loop, double Length);
 
     /// <summary>The next layer, its loops beginning at their seams.</summary>
     public SlicedLayer Next(LayerWork work, SlicedLayer layer)
@@ -85,7 +85,7 @@ internal sealed class SeamPlacer(Body body)
                     && held.Point.DistanceTo(chosen.Point) > Hop;
                 if (!inAir) places[i] = held;
             }
-            if (places[i] is { } place) seams.Add(new Seam(place.Point, IsHole(loop), inAir));
+            if (places[i] is { } place) seams.Add(new Seam(place.Point, IsHole(loop), inAir, loop, LengthOf(loop)));
         }
         _below = seams;
     }
@@ -117,9 +117,7 @@ internal sealed class SeamPlacer(Body body)
 
     private static LoopPlace Anywhere(Vec3[] loop, int seed, int layer, int number)
     {
-        var length = 0.0;
-        for (var i = 0; i < loop.Length; i++) length += loop[i].DistanceTo(loop[i + 1 == loop.Length ? 0 : i + 1]);
-        return LoopPlace.AtLength(loop, length * new SeededRandom(unchecked((seed * 31 + layer) * 1009 + number)).NextDouble());
+        return LoopPlace.AtLength(loop, LengthOf(loop) * new SeededRandom(unchecked((seed * 31 + layer) * 1009 + number)).NextDouble());
     }
 
     // The corner that hides a seam best; the one nearest to the seam below, or to the back, among those as good. A smooth loop has its seam at the back.
@@ -157,34 +155,92 @@ internal sealed class SeamPlacer(Body body)
         return place;
     }
 
-    // For each loop the seam below that it goes on with, or −1. Each seam goes on with one loop, the nearest pairs first.
+    // For each loop the seam below that it goes on with, or −1.
     private int[] Matches(Vec3[][] loops)
     {
         var pairs = new List<(double Square, int Seam, int Loop)>();
-        var matches = new int[loops.Length];
+        var nearest = new (double Square, int Loop)[_below.Count];
+        for (var k = 0; k < nearest.Length; k++) nearest[k] = (Reach * Reach, -1);
         for (var i = 0; i < loops.Length; i++)
         {
-            matches[i] = -1;
             var box = Bounds.Of(loops[i]);
             var reach = Math.Max(Reach, ReachShare * 2 * (box.Size.X + box.Size.Y));
             var isHole = IsHole(loops[i]);
             for (var k = 0; k < _below.Count; k++)
             {
                 if (_below[k].IsHole != isHole || WallChains.SquareTo(box, _below[k].Point) > reach * reach) continue;
-                var square = Square(LoopPlace.Nearest(loops[i], _below[k].Point).Point - _below[k].Point);
+                var square = SquareTo(loops[i], _below[k].Point);
                 if (square <= reach * reach) pairs.Add((square, k, i));
+                if (square < nearest[k].Square) nearest[k] = (square, i);
             }
         }
         pairs.Sort();
+        var matches = Joined(nearest, loops.Length);
+        var isNear = Array.ConvertAll(matches, m => m >= 0);
         var taken = new bool[_below.Count];
+        foreach (var match in matches)
+        {
+            if (match >= 0) taken[match] = true;
+        }
+        // Seams farther off go on with one loop each, the nearest pairs first.
         foreach (var (_, seam, loop) in pairs)
         {
             if (taken[seam] || matches[loop] >= 0) continue;
             taken[seam] = true;
             matches[loop] = seam;
         }
+        for (var i = 0; i < loops.Length; i++)
+        {
+            if (!isNear[i]) matches[i] = Shared(loops[i], matches[i]);
+        }
         return matches;
     }
+
+    // Seams in reach go on with the loop nearest to them. Where contours join, it goes on with the nearest seam of the large ones: a body keeps its own
+    // where a finger joins it.
+    private int[] Joined((double Square, int Loop)[] nearest, int loops)
+    {
+        const double Large = 0.5;
+        var longest = new double[loops];
+        for (var k = 0; k < nearest.Length; k++)
+        {
+            if (nearest[k].Loop is >= 0 and var loop) longest[loop] = Math.Max(longest[loop], _below[k].Length);
+        }
+        var matches = new int[loops];
+        for (var i = 0; i < loops; i++) matches[i] = -1;
+        for (var k = 0; k < nearest.Length; k++)
+        {
+            var (square, loop) = nearest[k];
+            if (loop < 0 || _below[k].Length < Large * longest[loop]) continue;
+            if (matches[loop] < 0 || square < nearest[matches[loop]].Square) matches[loop] = k;
+        }
+        return matches;
+    }
+
+    // Parts of a split share a seam: the nearest of a contour that the loop lies along. A loop with a seam far off leaves it only for one in reach.
+    private int Shared(Vec3[] loop, int own)
+    {
+        var isHole = IsHole(loop);
+        var best = own;
+        var least = own >= 0 ? Reach * Reach : double.PositiveInfinity;
+        for (var k = 0; k < _below.Count; k++)
+        {
+            if (_below[k].IsHole != isHole) continue;
+            var square = SquareTo(loop, _below[k].Point);
+            if (square >= least || (square > Reach * Reach && !LoopGap.IsWithin(loop, _below[k].Loop, Reach))) continue;
+            (best, least) = (k, square);
+        }
+        return best;
+    }
+
+    private static double LengthOf(Vec3[] loop)
+    {
+        var length = 0.0;
+        for (var i = 0; i < loop.Length; i++) length += loop[i].DistanceTo(loop[i + 1 == loop.Length ? 0 : i + 1]);
+        return length;
+    }
+
+    private static double SquareTo(Vec3[] loop, Vec3 point) => Square(LoopPlace.Nearest(loop, point).Point - point);
 
     private static double Square(Vec3 v) => v.X * v.X + v.Y * v.Y;
 
