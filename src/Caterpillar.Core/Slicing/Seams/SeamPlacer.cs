@@ -221,11 +221,14 @@ internal sealed class SeamPlacer(Body body)
     private int Shared(Vec3[] loop, int own)
     {
         var isHole = IsHole(loop);
+        var box = Bounds.Of(loop);
         var best = own;
         var least = own >= 0 ? Reach * Reach : double.PositiveInfinity;
         for (var k = 0; k < _below.Count; k++)
         {
-            if (_below[k].IsHole != isHole) continue;
+            // A contour goes no farther from its seam than half its length.
+            var far = Reach + _below[k].Length / 2;
+            if (_below[k].IsHole != isHole || WallChains.SquareTo(box, _below[k].Point) > Math.Min(least, far * far)) continue;
             var square = SquareTo(loop, _below[k].Point);
             if (square >= least || (square > Reach * Reach && !LoopGap.IsWithin(loop, _below[k].Loop, Reach))) continue;
             (best, least) = (k, square);
