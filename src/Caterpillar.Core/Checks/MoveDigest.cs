@@ -22,10 +22,11 @@ internal static class MoveDigest
         ulong places = 1, amounts = 2, kinds = 3;
         for (var i = 0; i < c.Count; i++)
         {
-            var layer = block.Layers[i];
+            // Of moves before the first strand of a layer nobody asks for its thickness; a block may end before it is known.
+            var thickness = c.Deposited[i] > 0 && block.Layers[i] is >= 0 and var layer ? block.Thicknesses![layer] : 0;
             places = Mix(Mix(Mix(places, c.X[i]), c.Y[i]), c.Z[i]);
             amounts = Mix(Mix(Mix(amounts, c.E[i]), c.Deposited[i]), c.Speed[i]);
-            kinds = Mix(Mix(Mix(Mix(kinds, layer >= 0 ? block.Thicknesses![layer] : 0), (ulong)c.Kind[i]), (ulong)c.Role[i]), (ulong)c.Tool[i]);
+            kinds = Mix(Mix(Mix(Mix(kinds, thickness), (ulong)c.Kind[i]), (ulong)c.Role[i]), (ulong)c.Tool[i]);
         }
         sum = Mix(Mix(Mix(sum, places), amounts), kinds);
         for (var i = 0; i < c.Arcs.Length; i++)

@@ -11,6 +11,7 @@ namespace Caterpillar.Planning;
 /// <param name="inset">Distance that the path keeps from the boundary where it can, mm.</param>
 internal sealed class CombPath(double inset)
 {
+    private readonly RegionEngine _engine = new();
     private readonly List<(double T, int Contour, int Segment)> _cuts = [];
     private Region? _region;
     private Region _inner = Region.Empty;
@@ -18,10 +19,11 @@ internal sealed class CombPath(double inset)
     /// <summary>Points after the start, the last is the end; null where no path as short as a bound (mm) was found.</summary>
     public List<Vec3>? Find(Vec3 from, Vec3 to, Region region, double longest)
     {
+        if (!region.Contains(from.X, from.Y) || !region.Contains(to.X, to.Y)) return null;
         if (!ReferenceEquals(region, _region))
         {
             _region = region;
-            _inner = region.Offset(-inset, JoinStyle.Miter).Simplified(inset / 10);
+            _inner = region.Offset(-inset, JoinStyle.Miter, 2, 0.005, _engine).Simplified(inset / 10, _engine);
         }
         if (_inner.IsEmpty || Entry(from, region) is not { } a || Entry(to, region) is not { } b) return null;
         var walk = new List<Vec3> { from.WithZ(to.Z), a.WithZ(to.Z) };

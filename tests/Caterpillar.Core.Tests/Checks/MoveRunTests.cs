@@ -163,6 +163,23 @@ public class MoveRunTests
         Assert.That(all.Select(MoveDigest.Of), Is.Unique);
     }
 
+    // A block may end after the travels to a layer, before its first strand says how thick it is.
+    [Test]
+    public void A_digest_tells_the_thickness_of_strands_and_of_nothing_else()
+    {
+        var block = CheckRun.BlocksOf(new SmallPrint(50, 50, 1).Print(60, 50, 1).Print(80, 50, 1).Build(), 0).Single();
+        ulong Of(double[] deposited, double thickness)
+        {
+            var columns = block.Columns.Copy(block.Columns.Count);
+            deposited.CopyTo(columns.Deposited, 0);
+            return MoveDigest.Of(block with { Columns = columns, Layers = new int[columns.Count], Thicknesses = [thickness] });
+        }
+
+        var count = block.Columns.Count;
+        Assert.That(Of(new double[count], 0), Is.EqualTo(Of(new double[count], 0.2)));
+        Assert.That(Of([.. new double[count - 1], 1], 0.1), Is.Not.EqualTo(Of([.. new double[count - 1], 1], 0.2)));
+    }
+
     private static (string Code, int? Move)[] Compared(Toolpath plan, WrittenLines lines, ToolpathColumns read)
     {
         var findings = new Findings(Setup.Printer, plan);

@@ -49,11 +49,27 @@ public sealed partial class Region
         return result ?? Empty;
     }
 
+    /// <summary>The area in any of some regions and in none of others, in one pass.</summary>
+    internal static Region Difference(IReadOnlyList<Region> areas, IReadOnlyList<Region> without, RegionEngine engine)
+        => Combine(areas, without, InsideRule.Difference, engine);
+
+    /// <summary>The area of this region that is in any of some others, in one pass.</summary>
+    internal Region Intersect(IReadOnlyList<Region> others, RegionEngine engine) => Combine([this], others, InsideRule.Intersection, engine);
+
     internal Region Union(Region other, RegionEngine engine) => Combine(other, InsideRule.Positive, 0, engine);
 
     internal Region Intersect(Region other, RegionEngine engine) => Combine(other, InsideRule.Intersection, 1, engine);
 
     internal Region Subtract(Region other, RegionEngine engine) => Combine(other, InsideRule.Difference, 1, engine);
+
+    private static Region Combine(IReadOnlyList<Region> first, IReadOnlyList<Region> second, InsideRule rule, RegionEngine engine)
+    {
+        engine.Clear();
+        foreach (var region in first) engine.Add(region._paths);
+        if (engine.Arrangement.Contours == 0) return Empty;
+        foreach (var region in second) engine.Add(region._paths, 1);
+        return Own(engine.Run(rule));
+    }
 
     private Region Combine(Region other, InsideRule rule, byte operand, RegionEngine engine)
     {

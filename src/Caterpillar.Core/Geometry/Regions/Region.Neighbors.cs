@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Threading;
 
 namespace Caterpillar.Geometry;
@@ -27,21 +28,64 @@ public sealed partial class Region
     /// </summary>
     internal Region Near(in GridBox box)
     {
+        var place = box;
+        // A hole never stays without its outline, whose box is larger.
+        return Only(part => GridBox.Overlap(part, place));
+    }
+
+    /// <summary>The same for several boxes, each with what is around it up to a distance, mm.</summary>
+    internal Region Near(IReadOnlyList<GridBox> boxes, double distance)
+    {
+        var places = new GridBox[boxes.Count];
+        for (var i = 0; i < places.Length; i++) places[i] = boxes[i].Grown(distance);
+        return Only(part => Array.Exists(places, p => GridBox.Overlap(part, p)));
+    }
+
+    private Region Only(Predicate<GridBox> isNear)
+    {
+        var near = Array.ConvertAll(Boxes, b => isNear(b));
+        if (Array.TrueForAll(near, n => n)) return this;
+        var paths = new List<GridPoint[]>();
+        for (var i = 0; i < near.Length; i++)
+        {
+            if (near[i]) paths.Add(_paths[i]);
+        }
+        return Own([.. paths]);
+    }
+
+    /// <summary>
+    /// The contours that reach into a box, each without the corners that do not matter inside of it. Inside the box the result covers what this region
+    /// covers; outside of it contours may cross, so it is only good for clipping what lies in the box.
+    /// </summary>
+    internal Region Cropped(in GridBox box)
+    {
+        var paths = new List<GridPoint[]>();
         var boxes = Boxes;
-        var count = 0;
-        foreach (var part in boxes)
+        for (var i = 0; i < boxes.Length; i++)
         {
-            if (GridBox.Overlap(part, box)) count++;
+            if (!GridBox.Overlap(boxes[i], box)) continue;
+            var path = Cropped(_paths[i], box);
+            if (path.Length > 2) paths.Add(path);
         }
-        if (count == boxes.Length) return this;
-        if (count == 0) return Empty;
-        var paths = new GridPoint[count][];
-        for (int i = 0, n = 0; i < boxes.Length; i++)
+        return Own([.. paths]);
+    }
+
+    // A run of corners that are all on the same side of the box, such as left of it, is replaced by its first and its last one.
+    private static GridPoint[] Cropped(GridPoint[] path, in GridBox box)
+    {
+        var kept = new GridPoint[path.Length];
+        int count = 0, run = 0, sides = 0;
+        foreach (var p in path)
         {
-            // A hole never stays without its outline, whose box is larger.
-            if (GridBox.Overlap(boxes[i], box)) paths[n++] = _paths[i];
+            var side = (p.X < box.MinX ? 1 : p.X > box.MaxX ? 2 : 0) | (p.Y < box.MinY ? 4 : p.Y > box.MaxY ? 8 : 0);
+            var same = (sides & side) != 0;
+            run = same ? run + 1 : 1;
+            sides = same ? sides & side : side;
+            if (run > 2) count--;
+            kept[count++] = p;
         }
-        return new Region(paths);
+        if (count < path.Length) Array.Resize(ref kept, count);
+        return kept;
     }
 
     /// <summary>True if both have the same contours, vertex by vertex.</summary>
@@ -101,6 +145,15 @@ public sealed partial class Region
         return true;
     }
 
+    /// <summary>Whether the region has no point within a distance, mm, of a place, in mm.</summary>
+    internal bool IsFartherThan(double distance, Vec3 place)
+        => !Index.Contains(place.X * Grid.PerMm, place.Y * Grid.PerMm) && !Index.Reaches(place.X * Grid.PerMm, place.Y * Grid.PerMm, distance * Grid.PerMm);
+
     /// <summary>Regions that are apart from each other as one.</summary>
-    internal Region Beside(Region other) => IsEmpty ? other : other.IsEmpty ? this : new Region([.. _paths, .. other._paths]);
+    internal static Region Beside(IEnumerable<Region> regions)
+    {
+        var paths = new List<GridPoint[]>();
+        foreach (var region in regions) paths.AddRange(region._paths);
+        return Own([.. paths]);
+    }
 }

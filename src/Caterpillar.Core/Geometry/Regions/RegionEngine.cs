@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using System.Threading.Tasks;
 
 namespace Caterpillar.Geometry;
 
@@ -15,6 +17,14 @@ internal sealed class RegionEngine
     private readonly RingTracer _tracer = new();
     private readonly List<GridPoint[]> _rings = new();
     private List<(int Contour, bool Forward)>? _kept;
+
+    /// <summary>Does something for numbers from one up to another, in parallel: each thread has an engine.</summary>
+    public static void ForEach(int from, int to, ParallelOptions options, Action<int, RegionEngine> act)
+        => Parallel.For(from, to, options, () => new RegionEngine(), (i, _, engine) =>
+        {
+            act(i, engine);
+            return engine;
+        }, _ => { });
 
     public void Clear() => Arrangement.Clear();
 

@@ -33,6 +33,29 @@ internal sealed class RegionIndex
         return onBoundary || winding > 0;
     }
 
+    /// <summary>Whether a segment comes within a distance of a point. In grid units.</summary>
+    public bool Reaches(double x, double y, double distance) => Tree.Levels > 0 && Reaches(x, y, distance, Tree.Levels - 1, 0);
+
+    private bool Reaches(double x, double y, double distance, int level, int node)
+    {
+        ref readonly var box = ref Tree.Boxes[Tree.LevelStart[level] + node];
+        if (x < box.MinX - distance || x > box.MaxX + distance || y < box.MinY - distance || y > box.MaxY + distance) return false;
+        if (level > 0)
+        {
+            return Reaches(x, y, distance, level - 1, 2 * node)
+                || (2 * node + 1 < Tree.LevelCount[level - 1] && Reaches(x, y, distance, level - 1, 2 * node + 1));
+        }
+        for (var i = Tree.LeafStart[node]; i < Tree.LeafStart[node + 1]; i++)
+        {
+            ref readonly var s = ref Segments[i];
+            double dx = (double)s.Bx - s.Ax, dy = (double)s.By - s.Ay, px = x - s.Ax, py = y - s.Ay;
+            var along = Math.Max(0, Math.Min(1, (px * dx + py * dy) / (dx * dx + dy * dy)));
+            var (ex, ey) = (px - along * dx, py - along * dy);
+            if (ex * ex + ey * ey <= distance * distance) return true;
+        }
+        return false;
+    }
+
     private int Winding(double x, double y, int level, int node, ref bool onBoundary)
     {
         ref readonly var box = ref Tree.Boxes[Tree.LevelStart[level] + node];

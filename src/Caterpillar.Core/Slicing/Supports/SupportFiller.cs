@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -32,7 +33,7 @@ internal static class SupportFiller
             var line = new SupportLine(level, bundle.Region, FirstIsland + islands.Count + i, steps);
             if (bundle.Trunks.Count > 1)
             {
-                foreach (var wall in builder.Outline(bundle.Region).Paths) line.Add(wall.ToPath(level.Top, rules.Walls), Role.Support, 0);
+                foreach (var wall in builder.Outline(bundle.Region, false).Paths) line.Add(wall.ToPath(level.Top, rules.Walls), Role.Support, 0);
                 continue;
             }
             var ring = Array.ConvertAll(bundle.Trunks[0].Ring(width / 2), p => p.WithZ(level.Top));
@@ -42,18 +43,18 @@ internal static class SupportFiller
         {
             var island = islands[i];
             var line = new SupportLine(level, island, FirstIsland + i, steps);
-            var near = island.Intersect(level.Interface.Near(island.Box), engine);
+            var near = ThinParts.Thick(island.Intersect(level.Interface.Cropped(island.Box), engine), width / 2, engine);
             var dense = Dense(near);
-            if (!dense.IsEmpty && ThinParts.Thick(island.Subtract(dense, engine), width / 2, engine).IsEmpty) continue;
-            var walls = builder.Outline(island);
+            if (!dense.IsEmpty && Inset(island.Subtract(dense, engine), width / 2).IsEmpty) continue;
+            var lattice = level.Lattice.Select(r => r.Cropped(island.Box)).Where(r => !r.IsEmpty).ToArray();
+            var walls = builder.Outline(island, settings.Support == SupportKind.Grid || lattice.Length > 0);
             var role = near.Area > island.Area / 2 ? Role.SupportInterface : Role.Support;
             foreach (var wall in walls.Paths) Wall(wall.ToPath(level.Top, rules.Walls), role);
-            var inside = walls.Inside.IsEmpty ? walls.Inside : walls.Inside.Subtract(dense, engine);
             if (settings.Support == SupportKind.Grid)
-                Fill(Inset(inside, width / 4), rules.Pitch(width) * 100 / settings.SupportPercent, 0, true, Role.Support, 1);
+                Fill(Inset(walls.Inside.Subtract(dense, engine), width / 4), rules.Pitch(width) * 100 / settings.SupportPercent, 0, true, Role.Support, 1);
             // Rows over the tips, which stand in the same places.
-            else if (level.Lattice.Near(island.Box) is { IsEmpty: false } lattice)
-                Fill(Inset(inside.Intersect(lattice, engine), width / 4), settings.SupportTipDistance, 0, false, Role.Support, 1);
+            else if (!walls.Inside.IsEmpty)
+                Fill(Inset(walls.Inside.Subtract(near, engine).Intersect(lattice, engine), width / 4), settings.SupportTipDistance, 0, false, Role.Support, 1);
 
             // Lines in all pieces that are wide enough for some.
             Region Dense(Region near)

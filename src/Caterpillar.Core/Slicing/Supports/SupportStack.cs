@@ -22,6 +22,9 @@ internal sealed class SupportLevel(LayerWork work)
     /// <summary>What supports keep out of: all bodies and their distance from them.</summary>
     public Region Forbidden { get; set; } = Region.Empty;
 
+    /// <summary>The same and, where it reaches out of that, what is above and below within the gaps.</summary>
+    public Region[] Obstacles { get; set; } = [];
+
     /// <summary>What hangs over too far, of this level.</summary>
     public Region Overhang { get; set; } = Region.Empty;
 
@@ -37,11 +40,11 @@ internal sealed class SupportLevel(LayerWork work)
     /// <summary>Branches of trees where nothing but other branches is near.</summary>
     public IReadOnlyList<TrunkBundle> Bundles { get; set; } = [];
 
-    /// <summary>Part of the pieces that is dense.</summary>
+    /// <summary>Where pieces are dense.</summary>
     public Region Interface { get; set; } = Region.Empty;
 
-    /// <summary>Part of the pieces where lines run from tip to tip of trees, so that what is dense rests on something.</summary>
-    public Region Lattice { get; set; } = Region.Empty;
+    /// <summary>Where lines run from tip to tip of trees, so that what is dense rests on something, unless they are dense.</summary>
+    public Region[] Lattice { get; set; } = [];
 }
 
 /// <summary>Bodies whose layers are at the same heights, from the bed up.</summary>
@@ -80,6 +83,10 @@ internal sealed class SupportStack
         }
         return stacks;
     }
+
+    /// <summary>The contacts that so many layers hold, of which a level is the lowest.</summary>
+    public Region[] ContactsOver(int level, int layers)
+        => Levels.Skip(level).Take(layers).Select(l => l.Contact).Where(c => !c.IsEmpty).ToArray();
 
     /// <summary>The highest level that ends at or below a height, or −1.</summary>
     public int LevelBelow(double z)

@@ -26,6 +26,8 @@ internal sealed class TreeSupport
     // The nearest edge of the shadow is looked for again after so many levels.
     private const int TargetLevels = 10;
 
+    private readonly SupportStack _stack;
+    private readonly SupportGaps _gaps;
     private readonly PrintSettings _settings;
     private readonly SupportLevel[] _levels;
     private readonly ParallelOptions _options;
@@ -37,8 +39,10 @@ internal sealed class TreeSupport
     // For each branch of the level above the one where it goes on.
     private int[] _next = [];
 
-    public TreeSupport(SupportStack stack, ParallelOptions options)
+    public TreeSupport(SupportStack stack, SupportGaps gaps, ParallelOptions options)
     {
+        _stack = stack;
+        _gaps = gaps;
         _settings = stack.Settings;
         _levels = stack.Levels;
         _options = options;
@@ -52,9 +56,8 @@ internal sealed class TreeSupport
     /// <summary>Layers that hold a contact: the dense ones on a lattice over the tips.</summary>
     public static int RoofLayers(PrintSettings settings) => settings.SupportInterfaceLayers > 0 ? settings.SupportInterfaceLayers + 1 : 0;
 
-    /// <summary>Fills the supports of the levels, without regard to gaps and to what carries them; trunks are where nothing is near.</summary>
-    /// <param name="isFree">Whether a region keeps all gaps on a level.</param>
-    public void Grow(Func<int, Region, bool> isFree)
+    /// <summary>Fills the supports of the levels, without regard to what carries them; trunks are where nothing is near.</summary>
+    public void Grow()
     {
         var shadows = Shadows();
         var at = new List<Branch>?[_levels.Length];
@@ -69,38 +72,34 @@ internal sealed class TreeSupport
                 Move(level, shadows[i]);
                 next[i + 1] = _next;
             }
-            if (!level.Contact.IsEmpty) waiting = waiting.Union(level.Contact, _engine);
-            if (!waiting.IsEmpty)
+            if (!level.Contact.IsEmpty || !waiting.IsEmpty)
             {
-                waiting = waiting.Subtract(level.Part, _engine).Simplified(0.05, _engine);
-                var ready = waiting.Subtract(level.Forbidden, _engine).Offset(-_width / 20, JoinStyle.Miter, 2, ArcTolerance, _engine);
+                Region[] wanted = [waiting, level.Contact];
+                var ready = Region.Difference(wanted, [level.Forbidden], _engine).Offset(-_width / 20, JoinStyle.Miter, 2, ArcTolerance, _engine);
                 AddTips(ready);
                 // With the seam around it that was left away above: it would be looked at again on every level.
-                if (!ready.IsEmpty) waiting = waiting.Subtract(ready.Offset(_width, JoinStyle.Miter, 2, ArcTolerance, _engine), _engine);
+                var done = ready.Offset(_width, JoinStyle.Miter, 2, ArcTolerance, _engine);
+                waiting = Region.Difference(wanted, [level.Part, done], _engine).Simplified(ArcTolerance, _engine);
             }
             if (_branches.Count > 0) at[i] = [.. _branches];
         }
-        Parallel.For(0, _levels.Length, _options, i =>
-        {
-            var contact = Region.Union(_levels.Skip(i).Take(RoofLayers(_settings)).Select(l => l.Contact));
-            if (at[i] is { } branches) Divide(i, Trunks(branches, next[i]), contact, isFree);
-            else _levels[i].Pieces = contact;
-        });
+        RegionEngine.ForEach(0, _levels.Length, _options, (i, engine) => Divide(i, at[i] is { } branches ? Trunks(branches, next[i]) : [], engine));
     }
 
     // Trunks where nothing is near; the others are one with what they hold and stand at.
-    private void Divide(int level, Trunk[] trunks, Region contact, Func<int, Region, bool> isFree)
+    private void Divide(int level, Trunk[] trunks, RegionEngine engine)
     {
-        var engine = new RegionEngine();
         var free = new List<TrunkBundle>();
-        var pieces = new List<Region> { contact };
-        foreach (var bundle in TrunkBundle.Of(trunks, engine))
+        var roof = _stack.ContactsOver(level, RoofLayers(_settings));
+        var pieces = new List<Region>(roof);
+        foreach (var group in TrunkBundle.Groups(trunks))
         {
-            if (contact.IsApartFrom(bundle.Region) && isFree(level, bundle.Region)) free.Add(bundle);
-            else pieces.Add(bundle.Region);
+            var isFree = group.TrueForAll(t => Array.TrueForAll(roof, t.IsApartFrom) && _gaps.IsClear(level, t));
+            if (isFree) free.Add(new TrunkBundle(group, Region.Union(group.Select(t => t.Region), engine)));
+            else pieces.AddRange(group.Select(t => t.Region));
         }
         _levels[level].Bundles = free;
-        _levels[level].Pieces = Region.Union(pieces, engine);
+        if (pieces.Count > 0) _levels[level].Pieces = _gaps.Clear(level, pieces, engine);
     }
 
     // What the part covers up to each level, seen from below, with the distance that branches keep.
@@ -116,9 +115,9 @@ internal sealed class TreeSupport
         var top = Array.FindLastIndex(_levels, l => !l.Contact.IsEmpty);
         var around = new Region[top + 1];
         bool IsNew(int i) => i == 0 || shadows[i] != shadows[i - 1];
-        Parallel.For(0, top + 1, _options, i =>
+        RegionEngine.ForEach(0, top + 1, _options, (i, engine) =>
         {
-            if (IsNew(i)) around[i] = Around(shadows[i]);
+            if (IsNew(i)) around[i] = Around(shadows[i], engine);
         });
         for (var i = 1; i <= top; i++)
         {
@@ -127,11 +126,8 @@ internal sealed class TreeSupport
         return around;
     }
 
-    private Region Around(Region shadow)
-    {
-        var engine = new RegionEngine();
-        return shadow.Offset(_settings.SupportXyGap + _width, JoinStyle.Round, 2, ArcTolerance, engine).Simplified(ArcTolerance, engine);
-    }
+    private Region Around(Region shadow, RegionEngine engine)
+        => shadow.Offset(_settings.SupportXyGap + _width, JoinStyle.Round, 2, ArcTolerance, engine).Simplified(ArcTolerance, engine);
 
     private void Move(SupportLevel level, Region shadow)
     {

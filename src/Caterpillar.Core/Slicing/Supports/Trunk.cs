@@ -49,6 +49,9 @@ internal readonly record struct Trunk(Vec3 Place, double Radius, int Branch, int
     /// <summary>Whether it does not touch another one.</summary>
     public bool IsApartFrom(in Trunk other) => Place.DistanceTo(other.Place) > Radius + other.Radius;
 
+    /// <summary>Whether it does not touch a region.</summary>
+    public bool IsApartFrom(Region region) => region.IsFartherThan(Radius, Place);
+
     /// <summary>Whether it leans out over another one by no more than a distance, mm.</summary>
     public bool RestsOn(in Trunk below, double reach)
     {

@@ -1,23 +1,17 @@
 using System.Collections.Generic;
-using System.Linq;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
 /// <summary>Trunks that touch each other on a level, or a single one. Nothing else is near them.</summary>
-/// <param name="trunks">The trunks.</param>
-/// <param name="engine">Clips.</param>
-internal sealed class TrunkBundle(IReadOnlyList<Trunk> trunks, RegionEngine engine)
+/// <param name="Trunks">The trunks.</param>
+/// <param name="Region">What they cover together.</param>
+internal sealed record TrunkBundle(IReadOnlyList<Trunk> Trunks, Region Region)
 {
-    public IReadOnlyList<Trunk> Trunks { get; } = trunks;
-
-    /// <summary>What they cover together.</summary>
-    public Region Region { get; } = Region.Union(trunks.Select(t => t.Region), engine);
-
-    /// <summary>Divides trunks into those that touch each other.</summary>
-    public static List<TrunkBundle> Of(IReadOnlyList<Trunk> trunks, RegionEngine engine)
+    /// <summary>Divides trunks into those that touch each other, directly or through others.</summary>
+    public static List<List<Trunk>> Groups(IReadOnlyList<Trunk> trunks)
     {
-        var bundles = new List<TrunkBundle>();
+        var groups = new List<List<Trunk>>();
         var taken = new bool[trunks.Count];
         for (var first = 0; first < taken.Length; first++)
         {
@@ -33,8 +27,8 @@ internal sealed class TrunkBundle(IReadOnlyList<Trunk> trunks, RegionEngine engi
                     members.Add(trunks[i]);
                 }
             }
-            bundles.Add(new TrunkBundle(members, engine));
+            groups.Add(members);
         }
-        return bundles;
+        return groups;
     }
 }

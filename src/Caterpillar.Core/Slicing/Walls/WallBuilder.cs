@@ -24,7 +24,9 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     }
 
     /// <summary>One wall of one width around an island of supports; single strands where it is thin, and gaps that are not filled.</summary>
-    public WallResult Outline(Region island)
+    /// <param name="island">The island.</param>
+    /// <param name="filled">Whether what is left for infill matters; otherwise it is empty.</param>
+    public WallResult Outline(Region island, bool filled)
     {
         const double Coarse = 0.02;
         var output = new WallOutput(rules);
@@ -43,7 +45,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
             thin = thin.Intersect(island, engine).Offset(-Math.Max(rules.Edge, rules.Tolerance), JoinStyle.Miter, 4, ArcTolerance, engine);
             foreach (var piece in thin.Islands) strands.Trace(piece, 0, output);
         }
-        return output.Result(line.Offset(-rules.OuterSpacing / 2, JoinStyle.Miter, 2, ArcTolerance, engine));
+        return output.Result(filled ? line.Offset(-rules.OuterSpacing / 2, JoinStyle.Miter, 2, ArcTolerance, engine) : Region.Empty);
     }
 
     /// <summary>
