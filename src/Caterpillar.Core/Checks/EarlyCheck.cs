@@ -18,9 +18,9 @@ namespace Caterpillar.Checks;
 /// </summary>
 internal sealed class EarlyCheck : IDisposable
 {
-    // Blocks that wait to be checked, at most.
+    // Blocks that wait to be checked, at most; and such that wait to be written.
     private const int Waiting = 8;
-    private readonly BlockingCollection<Toolpath> _planned = [];
+    private readonly BlockingCollection<Toolpath> _planned = new(Waiting);
     private readonly List<ulong> _digests = [];
     private readonly BytePipe _pipe = new();
     private readonly CancellationTokenSource _stop;
@@ -43,8 +43,13 @@ internal sealed class EarlyCheck : IDisposable
     /// <summary>Number of blocks of the draft that have been read so far.</summary>
     public int Blocks => _blocks;
 
-    /// <summary>The toolpath as far as it is planned.</summary>
-    public void Take(Toolpath soFar) => _planned.Add(soFar);
+    /// <summary>The toolpath as far as it is planned. Waits while much of it is not checked yet: else the checks would go on alone in the end.</summary>
+    public void Take(Toolpath soFar)
+    {
+        while (!_both.IsCompleted && !_planned.TryAdd(soFar, 20))
+        {
+        }
+    }
 
     /// <summary>The draft ends: the file itself is being written.</summary>
     public void End()

@@ -196,7 +196,8 @@ internal static class StepOrder
             var rank = Rank(steps[run[from]]);
             for (var i = from; i < to && Rank(steps[run[i]]) == rank; i++)
             {
-                if (((PathStep)steps[run[i]]).Joined) continue;
+                // One whose first path was taken out is the first itself.
+                if (i > from && ((PathStep)steps[run[i]]).Joined) continue;
                 items.Add(Item((PathStep)steps[run[i]], options));
                 owners.Add(island);
             }

@@ -69,4 +69,17 @@ public class IslandOrderTests
         }
         Assert.That(shorter, Is.GreaterThan(40));
     }
+
+    [Test]
+    public void Islands_of_which_paths_were_taken_out_are_still_sorted()
+    {
+        // Only the paths that followed others are left of the second and the third one.
+        var steps = Enumerable.Range(0, 4)
+            .Select(i => (Step)new PathStep(Loop(20 - 5 * i, 0, 2), new StepGroup(0, i)) { Joined = i is 1 or 2 }).ToArray();
+        foreach (var rule in new[] { SortRule.Nearest, SortRule.Tour })
+        {
+            var order = StepOrder.Find(steps, new SortOptions(rule, Start: Vec3.Zero), null, default).Select(o => o.Source);
+            Assert.That(order, Is.EqualTo(new[] { 3, 2, 1, 0 }));
+        }
+    }
 }
