@@ -1,9 +1,9 @@
-; 22175 lines, SHA-256 3ac6cde2643d0c794a058f27e09038335ba51e6a1783cd0a97680909b003e7f1
+; 22175 lines, SHA-256 33eae10b68942851c94e1e83dc7e44eec46b539f6e4cbc0241d4461ab7fad6e0
 ; Made with Caterpillar
 ; Dialect marlin2
 ; Printer generic, material pla, settings standard
 ; filament_diameter = 1.75
-;TIME:3024
+;TIME:3026
 ;TYPE:Custom
 M107 ; fan off
 M140 S60 ; heat the bed
