@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Mono.Cecil;
-using Mono.Cecil.Cil;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests.Architecture;
@@ -90,66 +89,14 @@ public class RoomTests
         {
             var from = Room(type);
             if (from is null) continue;
-            foreach (var (used, where) in References(type))
+            foreach (var (used, where) in TypeUses.Of(type))
             {
-                foreach (var part in Parts(used))
-                {
-                    if (Room(part) is { } to) yield return (from, to, where);
-                }
+                if (Room(used) is { } to) yield return (from, to, where);
             }
         }
     }
 
     private static IEnumerable<TypeDefinition> Nested(TypeDefinition type) => new[] { type }.Concat(type.NestedTypes.SelectMany(Nested));
-
-    private static IEnumerable<(TypeReference? Used, string Where)> References(TypeDefinition type)
-    {
-        yield return (type.BaseType, type.FullName);
-        foreach (var contract in type.Interfaces) yield return (contract.InterfaceType, type.FullName);
-        foreach (var field in type.Fields) yield return (field.FieldType, field.FullName);
-        foreach (var method in type.Methods)
-        {
-            yield return (method.ReturnType, method.FullName);
-            foreach (var parameter in method.Parameters) yield return (parameter.ParameterType, method.FullName);
-            if (!method.HasBody) continue;
-            foreach (var local in method.Body.Variables) yield return (local.VariableType, method.FullName);
-            foreach (var instruction in method.Body.Instructions)
-            {
-                if (instruction.OpCode.OperandType == OperandType.InlineNone) continue;
-                switch (instruction.Operand)
-                {
-                    case TypeReference used:
-                        yield return (used, method.FullName);
-                        break;
-                    case MethodReference called:
-                        yield return (called.DeclaringType, method.FullName);
-                        yield return (called.ReturnType, method.FullName);
-                        break;
-                    case FieldReference field:
-                        yield return (field.DeclaringType, method.FullName);
-                        break;
-                }
-            }
-        }
-    }
-
-    private static IEnumerable<TypeReference> Parts(TypeReference? type)
-    {
-        if (type is null) yield break;
-        if (type is GenericInstanceType generic)
-        {
-            foreach (var argument in generic.GenericArguments)
-            {
-                foreach (var part in Parts(argument)) yield return part;
-            }
-        }
-        if (type is TypeSpecification specification)
-        {
-            foreach (var part in Parts(specification.ElementType)) yield return part;
-            yield break;
-        }
-        yield return type;
-    }
 
     private static string? Room(TypeReference type)
     {
