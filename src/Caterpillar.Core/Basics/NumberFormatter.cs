@@ -50,6 +50,17 @@ public static class NumberFormatter
         return new string(buffer, start, end - start);
     }
 
+    /// <summary>The shortest decimal text that reads back as the same number, or the number rounded to 15 decimals.</summary>
+    public static string Shortest(double value)
+    {
+        for (var decimals = 0; decimals < MaxDecimals; decimals++)
+        {
+            var text = Format(value, decimals);
+            if (NumberReader.TryParse(text, out var back) && back == value) return text;
+        }
+        return Format(value, MaxDecimals);
+    }
+
     /// <summary>Formats an integer.</summary>
     public static string Format(long value) => value.ToString(CultureInfo.InvariantCulture);
 
