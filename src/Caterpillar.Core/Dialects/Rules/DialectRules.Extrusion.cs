@@ -6,56 +6,56 @@ namespace Caterpillar.Dialects;
 public sealed partial record DialectRules
 {
     /// <summary>Which commands make E relative.</summary>
-    public RelativeERule RelativeE { get; init; } = RelativeERule.EitherG91OrM83;
+    internal RelativeERule RelativeE { get; init; } = RelativeERule.EitherG91OrM83;
 
     /// <summary>Letters of extrusion, best first. What the file uses decides.</summary>
-    public string ExtruderLetters { get; init; } = "E";
+    internal string ExtruderLetters { get; init; } = "E";
 
     /// <summary>M101 and M103 switch the extruder on and off.</summary>
-    public bool SwitchedExtruder { get; init; }
+    internal bool SwitchedExtruder { get; init; }
 
     /// <summary>M201, M301 … without words switch on the second extruder, the third …</summary>
-    public bool SwitchedTools { get; init; }
+    internal bool SwitchedTools { get; init; }
 
     /// <summary>G1 to G3 of a file without any extrusion are strokes of a pen or another tool.</summary>
-    public bool StrokesWithoutE { get; init; }
+    internal bool StrokesWithoutE { get; init; }
 
     /// <summary>M200 D makes E a volume in mm³.</summary>
-    public bool Volumetric { get; init; }
+    internal bool Volumetric { get; init; }
 
     /// <summary>E is in mm³ from the start.</summary>
-    public bool StartsVolumetric { get; init; }
+    internal bool StartsVolumetric { get; init; }
 
     /// <summary>G10 and G11 retract and restore.</summary>
-    public bool FirmwareRetraction { get; init; } = true;
+    internal bool FirmwareRetraction { get; init; } = true;
 
     /// <summary>Letters with which G10 and G11 are something else.</summary>
-    public string NoRetractionWith { get; init; } = "";
+    internal string NoRetractionWith { get; init; } = "";
 
     /// <summary>What M221 S scales by percent.</summary>
-    public FlowFactorRule FlowFactor { get; init; }
+    internal FlowFactorRule FlowFactor { get; init; }
 
     /// <summary>The letter that names the tool of M221, or none.</summary>
-    public string FlowToolLetter { get; init; } = "";
+    internal string FlowToolLetter { get; init; } = "";
 
     /// <summary>What the position of E is after a tool change.</summary>
-    public PositionOfERule PositionOfE { get; init; }
+    internal PositionOfERule PositionOfE { get; init; }
 
     /// <summary>M6 changes to the tool named by T; otherwise T alone does.</summary>
-    public bool ToolByM6 { get; init; }
+    internal bool ToolByM6 { get; init; }
 
     /// <summary>Further commands that change to the tool that a word names: <c>M135 T</c>.</summary>
-    public IReadOnlyList<string> ToolCommands { get; init; } = [];
+    internal IReadOnlyList<string> ToolCommands { get; init; } = [];
 
     /// <summary>Numbers of T from here on are commands of a filament changer, or nothing, and no tools.</summary>
-    public int ToolLimit { get; init; } = 1000;
+    internal int ToolLimit { get; init; } = 1000;
 
     /// <summary>G10 P S is the temperature of a tool.</summary>
-    public bool ToolTemperatures { get; init; }
+    internal bool ToolTemperatures { get; init; }
 }
 
 /// <summary>Which of G90, G91, M82 and M83 decide whether numbers of E are increments.</summary>
-public enum RelativeERule
+internal enum RelativeERule
 {
     /// <summary>E is relative when G91 or M83 is in force.</summary>
     EitherG91OrM83,
@@ -71,7 +71,7 @@ public enum RelativeERule
 }
 
 /// <summary>What M221 S scales.</summary>
-public enum FlowFactorRule
+internal enum FlowFactorRule
 {
     /// <summary>Nothing.</summary>
     Ignored,
@@ -87,7 +87,7 @@ public enum FlowFactorRule
 }
 
 /// <summary>Where E stands after a change of the tool.</summary>
-public enum PositionOfERule
+internal enum PositionOfERule
 {
     /// <summary>The tools have one position of E in common.</summary>
     Shared,

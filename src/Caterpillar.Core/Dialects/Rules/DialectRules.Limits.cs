@@ -4,14 +4,14 @@ namespace Caterpillar.Dialects;
 public sealed partial record DialectRules
 {
     /// <summary>Which commands set limits of speed and acceleration.</summary>
-    public LimitCommands Limits { get; init; }
+    internal LimitCommands Limits { get; init; }
 
     /// <summary>What M73 shows.</summary>
-    public ProgressCommand Progress { get; init; }
+    internal ProgressCommand Progress { get; init; }
 }
 
 /// <summary>Which commands set limits of the motion.</summary>
-public enum LimitCommands
+internal enum LimitCommands
 {
     /// <summary>M204 S, or else P, is the acceleration; others are not known.</summary>
     None,
@@ -27,7 +27,7 @@ public enum LimitCommands
 }
 
 /// <summary>What M73 shows on the display of a machine.</summary>
-public enum ProgressCommand
+internal enum ProgressCommand
 {
     /// <summary>It is not known.</summary>
     None,

@@ -6,37 +6,37 @@ namespace Caterpillar.Dialects;
 public sealed partial record DialectRules
 {
     /// <summary>Commands that wait for a time; the first is the one to write.</summary>
-    public IReadOnlyList<string> Dwells { get; init; } = ["G4"];
+    internal IReadOnlyList<string> Dwells { get; init; } = ["G4"];
 
     /// <summary>Seconds for one unit of P in G4.</summary>
-    public double DwellP { get; init; } = 0.001;
+    internal double DwellP { get; init; } = 0.001;
 
     /// <summary>Seconds for one unit of S in G4, which counts instead of P; 0 where S is ignored.</summary>
-    public double DwellS { get; init; } = 1;
+    internal double DwellS { get; init; } = 1;
 
     /// <summary>P and S of G4 add up.</summary>
-    public bool DwellSums { get; init; }
+    internal bool DwellSums { get; init; }
 
     /// <summary>M220 S scales the speed by percent.</summary>
-    public bool SpeedFactor { get; init; }
+    internal bool SpeedFactor { get; init; }
 
     /// <summary>What B and R of M220 do.</summary>
-    public SpeedMemoryRule SpeedMemory { get; init; }
+    internal SpeedMemoryRule SpeedMemory { get; init; }
 
     /// <summary>M220 and M221 without S mean 100 %.</summary>
-    public bool FactorsReset { get; init; }
+    internal bool FactorsReset { get; init; }
 
     /// <summary>What the number of M106 means.</summary>
-    public FanScale Fan { get; init; } = FanScale.Byte;
+    internal FanScale Fan { get; init; } = FanScale.Byte;
 
     /// <summary>The letter of M106 with the speed of the fan.</summary>
-    public char FanLetter { get; init; } = 'S';
+    internal char FanLetter { get; init; } = 'S';
 
     /// <summary>M126 and M127 switch the fan of the part.</summary>
-    public bool ValveIsFan { get; init; }
+    internal bool ValveIsFan { get; init; }
 
     /// <summary>Seconds that a dwell with these words takes; null for a missing word.</summary>
-    public double DwellSeconds(double? p, double? s)
+    internal double DwellSeconds(double? p, double? s)
     {
         var ofP = (p ?? 0) * DwellP;
         if (s is null || DwellS == 0) return ofP;
@@ -45,7 +45,7 @@ public sealed partial record DialectRules
 }
 
 /// <summary>What B and R of M220 do: B keeps the speed factor, R brings it back.</summary>
-public enum SpeedMemoryRule
+internal enum SpeedMemoryRule
 {
     /// <summary>Nothing.</summary>
     None,
@@ -58,7 +58,7 @@ public enum SpeedMemoryRule
 }
 
 /// <summary>How the number of M106 S is meant.</summary>
-public enum FanScale
+internal enum FanScale
 {
     /// <summary>0 to 255.</summary>
     Byte,

@@ -6,38 +6,38 @@ namespace Caterpillar.Dialects;
 public sealed partial record DialectRules
 {
     /// <summary>What <c>G92</c> without letters does.</summary>
-    public BareG92Rule BareG92 { get; init; } = BareG92Rule.Nothing;
+    internal BareG92Rule BareG92 { get; init; } = BareG92Rule.Nothing;
 
     /// <summary>Commands that take back what G92 has shifted.</summary>
-    public IReadOnlyList<string> ShiftResets { get; init; } = [];
+    internal IReadOnlyList<string> ShiftResets { get; init; } = [];
 
     /// <summary>What G28 does.</summary>
-    public HomingRule Homing { get; init; } = HomingRule.HomesToZero;
+    internal HomingRule Homing { get; init; } = HomingRule.HomesToZero;
 
     /// <summary>Commands that home.</summary>
-    public IReadOnlyList<string> HomingCommands { get; init; } = ["G28"];
+    internal IReadOnlyList<string> HomingCommands { get; init; } = ["G28"];
 
     /// <summary>Shifts by G92 stay when the machine homes; otherwise those of the homed axes are gone.</summary>
-    public bool HomingKeepsShifts { get; init; }
+    internal bool HomingKeepsShifts { get; init; }
 
     /// <summary>Homing chooses the plane XY (G17).</summary>
-    public bool HomingSelectsXy { get; init; }
+    internal bool HomingSelectsXy { get; init; }
 
     /// <summary>A number after an axis of G28, unless it is 0, is the position of that axis afterwards.</summary>
-    public bool HomesToNumber { get; init; }
+    internal bool HomesToNumber { get; init; }
 
     /// <summary>G53 (for one line), G54 to G59.3, and G10 L2 and L20, which set where their zeros are.</summary>
-    public bool Workspaces { get; init; }
+    internal bool Workspaces { get; init; }
 
     /// <summary>G20 makes inches of all lengths; otherwise it is refused and does nothing.</summary>
-    public bool Inches { get; init; } = true;
+    internal bool Inches { get; init; } = true;
 
     /// <summary>What G20 means to the extruder.</summary>
-    public InchesOfERule InchesOfE { get; init; }
+    internal InchesOfERule InchesOfE { get; init; }
 }
 
 /// <summary>What <c>G92</c> without letters does.</summary>
-public enum BareG92Rule
+internal enum BareG92Rule
 {
     /// <summary>Nothing.</summary>
     Nothing,
@@ -50,7 +50,7 @@ public enum BareG92Rule
 }
 
 /// <summary>What G28 does.</summary>
-public enum HomingRule
+internal enum HomingRule
 {
     /// <summary>Homes the named axes, or all, which then stand at 0.</summary>
     HomesToZero,
@@ -63,7 +63,7 @@ public enum HomingRule
 }
 
 /// <summary>What G20 means to the extruder.</summary>
-public enum InchesOfERule
+internal enum InchesOfERule
 {
     /// <summary>E is in inches too.</summary>
     Inches,

@@ -25,28 +25,28 @@ public sealed partial record DialectRules
     public string Notes { get; init; } = "";
 
     /// <summary>Which G words of a line are executed.</summary>
-    public CommandsRule Commands { get; init; } = CommandsRule.First;
+    internal CommandsRule Commands { get; init; } = CommandsRule.First;
 
     /// <summary>The letters that a line may have; any other refuses it. Empty where letters do not matter.</summary>
-    public string Letters { get; init; } = "";
+    internal string Letters { get; init; } = "";
 
     /// <summary>When axis words move without a G0 to G3 in their line.</summary>
-    public ModalMotionRule ModalMotion { get; init; } = ModalMotionRule.Never;
+    internal ModalMotionRule ModalMotion { get; init; } = ModalMotionRule.Never;
 
     /// <summary>Commands that wait for the user; the first is the one to write.</summary>
-    public IReadOnlyList<string> Pauses { get; init; } = ["M0", "M1"];
+    internal IReadOnlyList<string> Pauses { get; init; } = ["M0", "M1"];
 
     /// <summary>Commands that move the head or shift its coordinates in a way that is not followed: a warning says so.</summary>
-    public IReadOnlyList<string> NotFollowed { get; init; } = [];
+    internal IReadOnlyList<string> NotFollowed { get; init; } = [];
 
     /// <summary>M120 keeps the modes, M121 brings them back.</summary>
-    public bool ModeStack { get; init; }
+    internal bool ModeStack { get; init; }
 
     /// <summary>R of G0 and G1 counts from a position that the firmware has kept; not followed, a warning says so.</summary>
-    public bool RestorePoints { get; init; }
+    internal bool RestorePoints { get; init; }
 
     /// <summary>SAVE_GCODE_STATE, RESTORE_GCODE_STATE, SET_GCODE_OFFSET and ACTIVATE_EXTRUDER.</summary>
-    public bool ExtendedCommands { get; init; }
+    internal bool ExtendedCommands { get; init; }
 
     /// <summary>True when one of the names is this letter with this number (<c>G28</c>, <c>G92.1</c>).</summary>
     internal static bool Names(IReadOnlyList<string> names, char letter, double number)
@@ -62,7 +62,7 @@ public sealed partial record DialectRules
 }
 
 /// <summary>Which G words of a line are executed.</summary>
-public enum CommandsRule
+internal enum CommandsRule
 {
     /// <summary>All, as one block: modes in the line hold for its motion, wherever they stand.</summary>
     All,
@@ -78,7 +78,7 @@ public enum CommandsRule
 }
 
 /// <summary>When axis words move without a G0 to G3 in their line.</summary>
-public enum ModalMotionRule
+internal enum ModalMotionRule
 {
     /// <summary>Never: such a line does nothing.</summary>
     Never,

@@ -42,23 +42,25 @@ internal sealed class NumbersFormat<TValue>(string[] parts, double min, double m
 
 /// <summary>A list of rows of numbers.</summary>
 internal sealed class RowsFormat<TItem>(
-    string[] parts, int minCount, int maxCount, double min, double max, Func<double[], TItem?> make, Func<TItem, double[]> take, Func<ValueList<TItem>,
-        string?>? check = null)
+    string[] parts, int most, double min, double max, Func<double[], TItem?> make, Func<TItem, double[]> take, Func<ValueList<TItem>, string?>? check = null)
     : KeyFormat<ValueList<TItem>>
     where TItem : struct
 {
+    /// <summary>How many rows there must be.</summary>
+    public int Fewest { get; init; }
+
     public override KeyKind Kind => KeyKind.Rows;
 
     public override string Expected => $"a list of lists [{string.Join(", ", parts)}]";
 
-    public override string Range => $"{NumberFormatter.Format(minCount)} to {NumberFormatter.Format(maxCount)} lists [{string.Join(", ", parts)}]";
+    public override string Range => $"{NumberFormatter.Format(Fewest)} to {NumberFormatter.Format(most)} lists [{string.Join(", ", parts)}]";
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema =>
     [
         new("type", "array"),
         new("items", NumbersFormat<double>.ListSchema(parts.Length, min, max)),
-        new("minItems", (double)minCount),
-        new("maxItems", (double)maxCount),
+        new("minItems", (double)Fewest),
+        new("maxItems", (double)most),
     ];
 
     public override object? Parse(string text) => RawValues.ParseRows(text);
@@ -81,7 +83,7 @@ internal sealed class RowsFormat<TItem>(
 
     public override string? Problem(ValueList<TItem> value)
     {
-        if (value.Count < minCount || value.Count > maxCount) return "must have " + Range;
+        if (value.Count < Fewest || value.Count > most) return "must have " + Range;
         foreach (var item in value)
         {
             if (!Array.TrueForAll(take(item), n => n >= min && n <= max)) return "must have numbers of " + RawValues.Range(min, max);

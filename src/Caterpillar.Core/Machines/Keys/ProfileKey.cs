@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Caterpillar.Machines;
 
 /// <summary>Kinds of values of keys.</summary>
-public enum KeyKind : byte
+internal enum KeyKind : byte
 {
     Number,
     Integer,
@@ -37,7 +37,7 @@ public abstract class ProfileKey
     public string Summary => KeySentences.Of(Name);
 
     /// <summary>What kind of value it takes.</summary>
-    public abstract KeyKind Kind { get; }
+    internal abstract KeyKind Kind { get; }
 
     /// <summary>The range of the value in words: <c>0.01 to 100</c>, <c>corner or center</c>.</summary>
     public abstract string Range { get; }
@@ -66,7 +66,7 @@ internal sealed class ProfileKey<TProfile, TValue>(
     : ProfileKey<TProfile>(name)
     where TProfile : class
 {
-    public override KeyKind Kind => format.Kind;
+    internal override KeyKind Kind => format.Kind;
 
     public override string Range => format.Range;
 

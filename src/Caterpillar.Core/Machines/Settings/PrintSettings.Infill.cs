@@ -45,7 +45,7 @@ internal static class InfillKeys
     public static readonly ProfileKey<PrintSettings, string> InfillFormula
         = All.Of("infill_formula", new FormulaFormat("x", "y", "z", "layer", "spacing", "width"), s => s.InfillFormula, (s, v) => s with { InfillFormula = v });
     public static readonly ProfileKey<PrintSettings, ValueList<InfillPoint>> InfillCurves = All.Of(
-        "infill_curves_mm", new RowsFormat<InfillPoint>(["curve", "x", "y"], 0, 1_000_000, -100_000, 100_000, InfillPoint.Of, p => [p.Curve, p.X, p.Y]),
+        "infill_curves_mm", new RowsFormat<InfillPoint>(["curve", "x", "y"], 1_000_000, -100_000, 100_000, InfillPoint.Of, p => [p.Curve, p.X, p.Y]),
         s => s.InfillCurves, (s, v) => s with { InfillCurves = v });
     public static readonly IntegerKey InfillEvery = All.Integer("infill_every_layers", 1, 1000, s => s.InfillEvery, (s, v) => s with { InfillEvery = v });
     public static readonly FlagKey InfillFirst = All.Boolean("infill_before_walls", s => s.InfillFirst, (s, v) => s with { InfillFirst = v });

@@ -46,7 +46,7 @@ internal static class LayerKeys
     public static readonly ProfileKey<PrintSettings, LayerCut> LayerCut = All.Choice("layer_cut", s => s.LayerCut, (s, v) => s with { LayerCut = v });
     public static readonly ProfileKey<PrintSettings, ValueList<LayerRange>> LayerRanges = All.Of(
         "layer_ranges_mm",
-        new RowsFormat<LayerRange>(["from", "to", "thickness"], 0, 1000, 0, 100_000, LayerRange.Of, r => [r.From, r.To, r.Thickness], LayerRange.Problem),
+        new RowsFormat<LayerRange>(["from", "to", "thickness"], 1000, 0, 100_000, LayerRange.Of, r => [r.From, r.To, r.Thickness], LayerRange.Problem),
         s => s.LayerRanges, (s, v) => s with { LayerRanges = v });
     public static readonly ProfileKey<PrintSettings, string> LayerFormula
         = All.Of("layer_height_formula", new FormulaFormat("z"), s => s.LayerFormula, (s, v) => s with { LayerFormula = v });

@@ -53,7 +53,7 @@ internal static class SeamKeys
     public static readonly ProfileKey<PrintSettings, ValueList<SeamMark>> SeamMarks = All.Of(
         "seam_marks_mm",
         new RowsFormat<SeamMark>(
-            ["x", "y", "z", "radius"], 0, 10_000, -100_000, 100_000, SeamMark.Of, m => [m.Place.X, m.Place.Y, m.Place.Z, m.Radius], SeamMark.Problem),
+            ["x", "y", "z", "radius"], 10_000, -100_000, 100_000, SeamMark.Of, m => [m.Place.X, m.Place.Y, m.Place.Z, m.Radius], SeamMark.Problem),
         s => s.SeamMarks, (s, v) => s with { SeamMarks = v });
     public static readonly IntegerKey SeamSeed = All.Integer("seam_seed", 0, 1_000_000_000, s => s.SeamSeed, (s, v) => s with { SeamSeed = v });
     public static readonly NumberKey SeamGap = All.Number("seam_gap_mm", 0, 10, s => s.SeamGap, (s, v) => s with { SeamGap = v });

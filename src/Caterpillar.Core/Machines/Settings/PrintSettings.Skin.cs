@@ -139,6 +139,6 @@ internal static class SkinKeys
     public static readonly ProfileKey<PrintSettings, ValueList<OverhangClass>> OverhangClasses = All.Of(
         "overhang_classes",
         new RowsFormat<OverhangClass>(
-            ["percent", "speed", "fan", "flow"], 0, 20, 0, 10_000, OverhangClass.Of, c => [c.Percent, c.Speed, c.FanPercent, c.Flow], OverhangClass.Problem),
+            ["percent", "speed", "fan", "flow"], 20, 0, 10_000, OverhangClass.Of, c => [c.Percent, c.Speed, c.FanPercent, c.Flow], OverhangClass.Problem),
         s => s.OverhangClasses, (s, v) => s with { OverhangClasses = v });
 }

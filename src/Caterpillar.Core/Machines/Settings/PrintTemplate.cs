@@ -42,7 +42,8 @@ internal static class PrintTemplate
     private static readonly TemplateNames All = OfAll();
 
     /// <inheritdoc cref="Template.Parse"/>
-    public static Result<Template> Parse(IReadOnlyList<string> lines, SourceLocation? source = null) => Template.Parse(lines, All, source ?? new SourceLocation());
+    public static Result<Template> Parse(IReadOnlyList<string> lines, SourceLocation? source = null)
+        => Template.Parse(lines, All, source ?? new SourceLocation());
 
     /// <summary>What is wrong with the lines of a template, after the name of its key; null if nothing is.</summary>
     public static string? Problem(IReadOnlyList<string> lines)

@@ -37,28 +37,28 @@ internal static class HeadKeys
     public static readonly KeyTable<Printer> All = new();
 
     public static readonly ProfileKey<Printer, ValueList<Vec3>> ToolOffsets = All.Of(
-        "tool_offsets_mm", new RowsFormat<Vec3>(["x", "y", "z"], 1, 64, -10_000, 10_000, n => new Vec3(n[0], n[1], n[2]), v => [v.X, v.Y, v.Z]),
+        "tool_offsets_mm", new RowsFormat<Vec3>(["x", "y", "z"], 64, -10_000, 10_000, n => new Vec3(n[0], n[1], n[2]), v => [v.X, v.Y, v.Z]) { Fewest = 1 },
         p => p.ToolOffsets, (p, v) => p with { ToolOffsets = v });
     public static readonly ProfileKey<Printer, ValueList<HeadPoint>> HeadOutline = All.Of(
         "head_outline_mm",
-        new RowsFormat<HeadPoint>(["radius", "height"], 1, 64, 0, 10_000, n => new HeadPoint(n[0], n[1]), h => [h.Radius, h.Height], Ascends),
+        new RowsFormat<HeadPoint>(["radius", "height"], 64, 0, 10_000, n => new HeadPoint(n[0], n[1]), h => [h.Radius, h.Height], Ascends) { Fewest = 1 },
         p => p.HeadOutline, (p, v) => p with { HeadOutline = v });
     public static readonly ProfileKey<Printer, ValueList<Bounds>> HeadBoxes = All.Of(
-        "head_boxes_mm", new RowsFormat<Bounds>(["min x", "min y", "min z", "max x", "max y", "max z"], 0, 64, -10_000, 10_000, MakeBox, TakeBox),
+        "head_boxes_mm", new RowsFormat<Bounds>(["min x", "min y", "min z", "max x", "max y", "max z"], 64, -10_000, 10_000, MakeBox, TakeBox),
         p => p.HeadBoxes, (p, v) => p with { HeadBoxes = v });
     public static readonly ProfileKey<Printer, ValueList<Bounds>> Gantry = All.Of(
         "gantry_mm",
         new RowsFormat<Bounds>(
-            ["min y", "min z", "max y", "max z"], 0, 64, -10_000, 10_000, n => MakeBox([0, n[0], n[1], 0, n[2], n[3]]),
+            ["min y", "min z", "max y", "max z"], 64, -10_000, 10_000, n => MakeBox([0, n[0], n[1], 0, n[2], n[3]]),
             b => [b.Min.Y, b.Min.Z, b.Max.Y, b.Max.Z]),
         p => p.Gantry, (p, v) => p with { Gantry = v });
     public static readonly ProfileKey<Printer, ValueList<Bounds>> Clips = All.Of(
-        "clips_mm", new RowsFormat<Bounds>(["min x", "min y", "min z", "max x", "max y", "max z"], 0, 64, -100_000, 100_000, MakeBox, TakeBox), p => p.Clips,
+        "clips_mm", new RowsFormat<Bounds>(["min x", "min y", "min z", "max x", "max y", "max z"], 64, -100_000, 100_000, MakeBox, TakeBox), p => p.Clips,
         (p, v) => p with { Clips = v });
     public static readonly ProfileKey<Printer, ValueList<Bounds>> ExcludedAreas = All.Of(
         "excluded_areas_mm",
         new RowsFormat<Bounds>(
-            ["min x", "min y", "max x", "max y"], 0, 64, -100_000, 100_000, n => Bounds.Of([new Vec3(n[0], n[1]), new Vec3(n[2], n[3])]),
+            ["min x", "min y", "max x", "max y"], 64, -100_000, 100_000, n => Bounds.Of([new Vec3(n[0], n[1]), new Vec3(n[2], n[3])]),
             b => [b.Min.X, b.Min.Y, b.Max.X, b.Max.Y]),
         p => p.ExcludedAreas, (p, v) => p with { ExcludedAreas = v });
     public static readonly ProfileKey<Printer, ValueList<CheckSeverity>> CheckSeverities

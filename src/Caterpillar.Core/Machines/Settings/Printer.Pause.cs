@@ -30,7 +30,7 @@ internal static class PauseKeys
 
     public static readonly NumberKey PauseLift = All.Number("pause_lift_mm", 0, 10_000, p => p.PauseLift, (p, v) => p with { PauseLift = v });
     public static readonly ProfileKey<Printer, ValueList<Vec3>> PausePark = All.Of(
-        "pause_park_mm", new RowsFormat<Vec3>(["x", "y"], 0, 1, -100_000, 100_000, n => new Vec3(n[0], n[1], 0), v => [v.X, v.Y]), p => p.PausePark,
+        "pause_park_mm", new RowsFormat<Vec3>(["x", "y"], 1, -100_000, 100_000, n => new Vec3(n[0], n[1], 0), v => [v.X, v.Y]), p => p.PausePark,
         (p, v) => p with { PausePark = v });
     public static readonly NumberKey PauseRetraction
         = All.Number("pause_retraction_mm", 0, 1000, p => p.PauseRetraction, (p, v) => p with { PauseRetraction = v });

@@ -31,7 +31,7 @@ public sealed record ExtrusionModel
     /// <summary>What E counts.</summary>
     public ExtrusionUnit Unit { get; }
 
-    /// <summary>mm.</summary>
+    /// <summary>Diameter of the filament or plunger, mm.</summary>
     public double FilamentDiameter { get; }
 
     /// <summary>Scales E, not the intended strand: <see cref="E"/> asks the machine for this many times the volume.</summary>
@@ -82,15 +82,6 @@ public sealed record ExtrusionModel
 
     /// <summary>Cross-section in mm² of a filament or plunger of a diameter in mm.</summary>
     public static double FilamentAreaOf(double diameter) => Math.PI / 4 * diameter * diameter;
-
-    /// <summary>Area in mm² of Caterpillar's width × height × multiplier.</summary>
-    public static double AreaOfWidth(double width, double height, double multiplier = 1) => width * height * multiplier;
-
-    /// <summary>Width in mm from percent of the nozzle's diameter, as in the settings of the paper.</summary>
-    public static double WidthOfPercent(double percent, double nozzleDiameter) => percent / 100 * nozzleDiameter;
-
-    /// <summary>Speed in mm/s from percent of a reference speed in mm/s, as in the settings of the paper.</summary>
-    public static double SpeedOfPercent(double percent, double reference) => percent / 100 * reference;
 
     private static double Positive(double value, string name)
         => value > 0 && !double.IsInfinity(value) ? value : throw new ArgumentOutOfRangeException(name, value, "Must be positive and finite.");

@@ -8,8 +8,8 @@ namespace Caterpillar.Machines;
 
 /// <summary>
 /// Lines of G-code with values and conditions: <c>M104 S{nozzle_temperature_c}</c>, <c>{if bed_temperature_c &gt; 0}</c> … <c>{elsif …}</c> … <c>{else}</c> …
-/// <c>{endif}</c>. Braces contain any formula of <see cref="Expressions.Formula"/> over named numbers, or the name of a text. Flags are 1 and 0. Numbers are written with up to five decimals. A line with only directives gives
-/// no line; <c>{{</c> and <c>}}</c> are braces of the text. Immutable.
+/// <c>{endif}</c>. Braces contain any formula of <see cref="Expressions.Formula"/> over named numbers, or the name of a text. Flags are 1 and 0. Numbers are
+/// written with up to five decimals. A line with only directives gives no line; <c>{{</c> and <c>}}</c> are braces of the text. Immutable.
 /// </summary>
 internal sealed class Template
 {

@@ -26,7 +26,7 @@ public sealed record MemoryLimit
     /// <summary>No limit.</summary>
     public static MemoryLimit None { get; } = new(long.MaxValue);
 
-    /// <summary>Bytes.</summary>
+    /// <summary>What may be taken, bytes.</summary>
     public long Bytes { get; }
 
     /// <summary>Null where this many bytes may be taken, otherwise the error.</summary>
