@@ -48,8 +48,8 @@ internal sealed class MoveTable
         table.Flush();
     }
 
-    private static readonly string[] Kinds = Enum.GetNames<MoveKind>().Select(Snake).ToArray();
-    private static readonly string[] Roles = Enum.GetNames<Role>().Select(Snake).ToArray();
+    private static readonly string[] Kinds = Enum.GetNames<MoveKind>().Select(Words.Snake).ToArray();
+    private static readonly string[] Roles = Enum.GetNames<Role>().Select(Words.Snake).ToArray();
 
     private void Row(Toolpath toolpath, in Move move)
     {
@@ -152,7 +152,4 @@ internal sealed class MoveTable
 
     private static string Quoted(string text)
         => text.AsSpan().IndexOfAny(",\"\n\r") >= 0 ? "\"" + text.Replace("\"", "\"\"", StringComparison.Ordinal) + "\"" : text;
-
-    private static string Snake(string name)
-        => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? "_" + char.ToLowerInvariant(c) : char.ToLowerInvariant(c).ToString()));
 }

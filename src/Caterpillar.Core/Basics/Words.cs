@@ -2,10 +2,14 @@ using System.Linq;
 
 namespace Caterpillar.Basics;
 
-/// <summary>Names of the code as readers see them.</summary>
+/// <summary>Names of the code as people read and write them.</summary>
 public static class Words
 {
     /// <summary>A name in words: <c>OuterWall</c> is "Outer wall".</summary>
     public static string Spaced(string name)
         => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? " " + char.ToLowerInvariant(c) : c.ToString()));
+
+    /// <summary>A name as keys and options have it, also one in words: <c>OuterWall</c> and "Outer wall" are <c>outer_wall</c>.</summary>
+    public static string Snake(string name)
+        => string.Concat(name.Select((c, i) => c is ' ' or '-' ? "_" : (i > 0 && char.IsUpper(c) ? "_" : "") + char.ToLowerInvariant(c)));
 }

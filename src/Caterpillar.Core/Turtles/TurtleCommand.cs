@@ -179,15 +179,11 @@ public sealed class TurtleCommand
 
     private static Role RoleOf(string text)
     {
-        var names = Enum.GetNames(typeof(Role)).Select(Snake).ToArray();
-        var index = Array.IndexOf(names, Snake(text));
+        var names = Enum.GetNames(typeof(Role)).Select(Words.Snake).ToArray();
+        var index = Array.IndexOf(names, Words.Snake(text));
         if (index < 0) throw new ArgumentException($"There is no role '{text}'.{SpellingSuggestion.Hint(text, names)}", nameof(text));
         return (Role)Enum.GetValues(typeof(Role)).GetValue(index)!;
     }
-
-    private static string Snake(string name)
-        => string.Concat(name.Select((ch, i) => ch is ' ' or '-' ? "_" : i > 0
-            && char.IsUpper(ch) ? "_" + char.ToLowerInvariant(ch) : char.ToLowerInvariant(ch).ToString()));
 
     private static double? Keep(double value) => double.IsNaN(value) ? null : value;
 

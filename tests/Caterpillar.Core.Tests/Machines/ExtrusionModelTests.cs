@@ -20,7 +20,7 @@ public class ExtrusionLawTests
     public void Extruder_turtles_standard_is_the_formula_of_caterpillar()
     {
         // H 0.2, W 0.4, D 1.75, M 1 give 0.0333; the paper calls 0.03 standard.
-        Assert.That(Filament.FactorOfArea(ExtrusionModel.AreaOfWidth(0.4, 0.2)), Is.EqualTo(0.03326).Within(1e-5));
+        Assert.That(Filament.FactorOfArea(0.4 * 0.2), Is.EqualTo(0.03326).Within(1e-5));
         Assert.That(Filament.E(1, 0.4 * 0.2), Is.EqualTo(0.03326).Within(1e-5));
     }
 
@@ -82,13 +82,6 @@ public class ExtrusionLawTests
 
     [Test]
     public void Backward_moves_extrude_too() => Assert.That(Filament.E(-3, 0.1), Is.EqualTo(Filament.E(3, 0.1)));
-
-    [Test]
-    public void Percent_inputs_are_of_the_nozzle_and_of_a_reference()
-    {
-        Assert.That(ExtrusionModel.WidthOfPercent(112.5, 0.4), Is.EqualTo(0.45).Within(1e-12));
-        Assert.That(ExtrusionModel.SpeedOfPercent(50, 24), Is.EqualTo(12).Within(1e-12));
-    }
 
     [TestCase(0)]
     [TestCase(-1)]

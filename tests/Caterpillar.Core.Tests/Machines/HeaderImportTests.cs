@@ -246,7 +246,7 @@ public class HeaderImportTests
         var setup = new PrintSetup(found.Printer, found.Material, new PrintSettings());
         var path = new PrintPath([new Vec3(50, 50, height), new Vec3(60, 50, height)], new Bead(0.1));
         var toolpath = Planner.Plan([path], setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).Value!;
-        return Template.Parse(template(found.Printer)).Value!.Render(TemplateValues.Of(setup, toolpath)).Value!;
+        return PrintTemplate.Parse(template(found.Printer)).Value!.Render(PrintValues.Of(setup, toolpath)).Value!;
     }
 
     [TestCase("G28\nG1 X90 Y60 Z5", 180, 120)]

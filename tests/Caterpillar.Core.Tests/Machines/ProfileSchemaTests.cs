@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Caterpillar.Machines;
+using Caterpillar.Manual;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 
@@ -11,6 +12,8 @@ namespace Caterpillar.Tests.Machines;
 
 public class ProfileSchemaTests
 {
+    private static readonly SettingDocs Docs = new(TestData.Repository);
+
     private static string Folder => Path.Combine(TestData.Repository, "printers");
 
     public static IEnumerable<string> ProfileFiles()
@@ -23,7 +26,7 @@ public class ProfileSchemaTests
     public void The_schema_is_current(string kind) => Current(Path.Combine(Folder, "schema", kind + ".schema.json"), Schema(kind));
 
     [Test]
-    public void The_manual_is_current() => Current(Path.Combine(TestData.Repository, "docs", "profiles.md"), ProfileManual.Write(new ProfileLibrary()));
+    public void The_manual_is_current() => Current(Path.Combine(TestData.Repository, "docs", "profiles.md"), ProfileManual.Write(new ProfileLibrary(), Docs));
 
     [TestCaseSource(nameof(ProfileFiles))]
     public void Every_profile_obeys_the_schema_that_it_names(string file)
@@ -60,6 +63,22 @@ public class ProfileSchemaTests
     }
 
     [Test]
+    public void What_a_key_means_stands_at_its_property_with_the_unit()
+    {
+        var units = new Dictionary<string, string>
+        {
+            ["mm3_s"] = "mm³/s", ["mm_s2"] = "mm/s²", ["mm_s"] = "mm/s", ["mm2"] = "mm²", ["mm3"] = "mm³", ["mm"] = "mm", ["g_cm3"] = "g/cm³",
+            ["deg"] = "Degrees", ["percent"] = "%", ["c"] = "°C", ["s"] = "s",
+        };
+        foreach (var key in ProfileKeys.Printer.Concat(ProfileKeys.Material).Concat(ProfileKeys.Settings))
+        {
+            Assert.That(key.Summary, Is.EqualTo(Docs[key].Sentence).And.EndsWith("."), key.Name);
+            if (key.Name.EndsWith("_c_s", StringComparison.Ordinal)) Assert.That(Docs[key].Value, Is.EqualTo("°C/s."));
+            else if (units.TryGetValue(KeyAdvice.UnitOf(key.Name), out var unit)) Assert.That(Docs[key].Value, Does.StartWith(unit), key.Name);
+        }
+    }
+
+    [Test]
     public void Every_property_of_the_records_has_its_key()
     {
         Assert.That(Properties(typeof(Printer)), Is.EqualTo(ProfileKeys.Printer.Count));
@@ -71,7 +90,10 @@ public class ProfileSchemaTests
     }
 
     private static string Schema(string kind)
-        => kind switch { "printer" => ProfileSchema.Printer, "material" => ProfileSchema.Material, _ => ProfileSchema.Settings };
+    {
+        var schema = new ProfileSchema(Docs);
+        return kind switch { "printer" => schema.Printer, "material" => schema.Material, _ => schema.Settings };
+    }
 
     private static void Current(string file, string expected)
     {

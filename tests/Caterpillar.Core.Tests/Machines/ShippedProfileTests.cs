@@ -115,7 +115,7 @@ public class ShippedProfileTests
     private static IReadOnlyList<string> Start(string printer, string? material)
     {
         var setup = Library.Setup(printer, material).Value!;
-        return Render(setup.Printer.StartTemplate, TemplateValues.Of(setup));
+        return Render(setup.Printer.StartTemplate, PrintValues.Of(setup));
     }
 
     private static IReadOnlyList<string> End(string printer, double top = 10)
@@ -123,12 +123,12 @@ public class ShippedProfileTests
         var setup = Library.Setup(printer).Value!;
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(new Vec3(0, 0, top), 1, 1, 10, MoveKind.Print, Role.OuterWall, -1, 0, 0);
-        return Render(setup.Printer.EndTemplate, TemplateValues.Of(setup, builder.Build([new ToolpathTool(setup.Extrusion.VolumePerE)])));
+        return Render(setup.Printer.EndTemplate, PrintValues.Of(setup, builder.Build([new ToolpathTool(setup.Extrusion.VolumePerE)])));
     }
 
     private static IReadOnlyList<string> Render(IReadOnlyList<string> template, TemplateValues values)
     {
-        var lines = Template.Parse(template).Value!.Render(values);
+        var lines = PrintTemplate.Parse(template).Value!.Render(values);
         Assert.That(lines.Diagnostics, Is.Empty);
         return lines.Value!;
     }

@@ -20,7 +20,7 @@ public class TemplateTests
     {
         string Nested(int depth) => string.Concat(Enumerable.Repeat("{if 1}", depth)) + "G28" + string.Concat(Enumerable.Repeat("{endif}", depth));
         Assert.That(Render(Pla, Nested(100)), Is.EqualTo(new[] { "G28" }));
-        var error = Template.Parse([Nested(100_000)]).Diagnostics.Single();
+        var error = PrintTemplate.Parse([Nested(100_000)]).Diagnostics.Single();
         Assert.That((error.Code, error.Source!.Line, error.Source.Column), Is.EqualTo(("template.nesting", (int?)1, (int?)602)));
         Assert.That(error.Message, Is.EqualTo("Conditions are nested more than 100 deep."));
     }
@@ -90,7 +90,7 @@ public class TemplateTests
     [TestCase("M104 S{random()}", 1, 8)]
     public void Errors_carry_line_and_column(string template, int line, int column)
     {
-        var result = Template.Parse(template.Split('|'), new SourceLocation("p.json", Key: "start_template"));
+        var result = PrintTemplate.Parse(template.Split('|'), new SourceLocation("p.json", Key: "start_template"));
         Assert.That(result.Value, Is.Null);
         var error = result.Diagnostics[0];
         Assert.That((error.Source!.Line, error.Source.Column, error.Source.File, error.Source.Key), Is.EqualTo((line, column, "p.json", "start_template")),
@@ -99,13 +99,13 @@ public class TemplateTests
 
     [Test]
     public void A_wrong_name_suggests_the_right_one()
-        => Assert.That(Template.Parse(["M104 S{nozle_temperature_c}"]).Diagnostics.Single().Message, Does.Contain("nozzle_temperature_c"));
+        => Assert.That(PrintTemplate.Parse(["M104 S{nozle_temperature_c}"]).Diagnostics.Single().Message, Does.Contain("nozzle_temperature_c"));
 
     [Test]
     public void What_is_not_yet_known_is_an_error()
     {
-        var result = Template.Parse(["{layer_count}", "{if print_max_z_mm > 3}a{endif}", "{1 / (nozzle_temperature_c - 205)}"])
-            .Value!.Render(TemplateValues.Of(Pla));
+        var result = PrintTemplate.Parse(["{layer_count}", "{if print_max_z_mm > 3}a{endif}", "{1 / (nozzle_temperature_c - 205)}"])
+            .Value!.Render(PrintValues.Of(Pla));
         Assert.That(result.Value, Is.Null);
         Assert.That(result.Diagnostics.Select(d => (d.Code, d.Source!.Line)),
             Is.EqualTo(new[] { ("template.no_value", (int?)1), ("template.no_value", 2), ("template.not_finite", 3) }));
@@ -121,7 +121,7 @@ public class TemplateTests
         var layer = builder.AddLayer(new Layer(0, 0.2, 0.2));
         builder.Add(new Vec3(10, 20, 0.2), 0, 0, 100, MoveKind.Travel, Role.Unspecified, layer, 0, 0);
         builder.Add(new Vec3(110, 20, 0.2), e, e, 50, MoveKind.Print, Role.OuterWall, layer, 0, 1);
-        var values = TemplateValues.Of(Pla with { Material = Pla.Material with { CostPerKg = 20 } }, builder.Build([new ToolpathTool(law.VolumePerE)]));
+        var values = PrintValues.Of(Pla with { Material = Pla.Material with { CostPerKg = 20 } }, builder.Build([new ToolpathTool(law.VolumePerE)]));
         Assert.That(values.Number("material_used_mm3"), Is.EqualTo(10).Within(1e-9));
         Assert.That(values.Number("material_used_g"), Is.EqualTo(0.0124).Within(1e-9));
         Assert.That(values.Number("material_cost"), Is.EqualTo(0.000248).Within(1e-9));
@@ -139,9 +139,9 @@ public class TemplateTests
         var setup = Pla with { Printer = Pla.Printer with { ExtrusionUnit = unit } };
         Assert.That(Render(setup, "{if volume_per_e_mm3 > 0}E{20 / volume_per_e_mm3}{else}pen {volume_per_e_mm3}{endif}"),
             Is.EqualTo(new[] { expected > 0 ? "E20" : "pen 0" }));
-        Assert.That(TemplateValues.Of(setup).Number("volume_per_e_mm3"), Is.EqualTo(expected));
+        Assert.That(PrintValues.Of(setup).Number("volume_per_e_mm3"), Is.EqualTo(expected));
         // A start code that divides by it is refused rather than written with an infinite E.
-        var divided = Template.Parse(["G1 X9 E{20 / volume_per_e_mm3}"]).Value!.Render(TemplateValues.Of(setup));
+        var divided = PrintTemplate.Parse(["G1 X9 E{20 / volume_per_e_mm3}"]).Value!.Render(PrintValues.Of(setup));
         Assert.That(divided.Diagnostics.Select(d => d.Code), Is.EqualTo(expected > 0 ? Array.Empty<string>() : ["template.not_finite"]));
     }
 
@@ -152,15 +152,15 @@ public class TemplateTests
         var layer = builder.AddLayer(new Layer(0, 0.2, 0.2));
         builder.Add(new Vec3(100, 0, 0.2), 4, 4, 50, MoveKind.Print, Role.OuterWall, layer, 0, 0);
         builder.Add(new Vec3(200, 0, 0.2), 3, 3, 50, MoveKind.Print, Role.OuterWall, layer, 1, 1);
-        var values = TemplateValues.Of(Pla, builder.Build([new ToolpathTool(2), new ToolpathTool((double?)null)]));
+        var values = PrintValues.Of(Pla, builder.Build([new ToolpathTool(2), new ToolpathTool((double?)null)]));
         Assert.That((values.Number("material_used_mm3"), values.Number("filament_used_mm")), Is.EqualTo((8.0, 7.0)));
     }
 
     [Test]
     public void Every_name_has_a_value_or_belongs_to_a_hook()
     {
-        var values = TemplateValues.Of(Pla, new ToolpathBuilder(MoveSource.Steps, null).Build([new ToolpathTool(1)]));
-        var missing = TemplateNames.Print.Select(p => p.Key).Where(n => values.Number(n) is null && values.Text(n) is null);
+        var values = PrintValues.Of(Pla, new ToolpathBuilder(MoveSource.Steps, null).Build([new ToolpathTool(1)]));
+        var missing = PrintTemplate.Names.Select(p => p.Key).Where(n => values.Number(n) is null && values.Text(n) is null);
         Assert.That(missing, Is.EquivalentTo(new[] { "layer", "layer_z_mm", "tool", "previous_tool" }));
     }
 
@@ -173,9 +173,9 @@ public class TemplateTests
         {
             var lines = Enumerable.Range(0, random.Next(4))
                 .Select(_ => string.Concat(Enumerable.Range(0, random.Next(10)).Select(_ => pieces[random.Next(pieces.Length)]))).ToArray();
-            var template = Template.Parse(lines);
+            var template = PrintTemplate.Parse(lines);
             Assert.That(template.Value is null, Is.EqualTo(template.Diagnostics.Count > 0));
-            template.Value?.Render(TemplateValues.Of(Pla));
+            template.Value?.Render(PrintValues.Of(Pla));
         }
     }
 
@@ -199,9 +199,9 @@ public class TemplateTests
 
     private static IReadOnlyList<string> Render(PrintSetup setup, params string[] lines)
     {
-        var template = Template.Parse(lines);
+        var template = PrintTemplate.Parse(lines);
         Assert.That(template.Diagnostics, Is.Empty);
-        var result = template.Value!.Render(TemplateValues.Of(setup));
+        var result = template.Value!.Render(PrintValues.Of(setup));
         Assert.That(result.Diagnostics, Is.Empty);
         return result.Value!;
     }

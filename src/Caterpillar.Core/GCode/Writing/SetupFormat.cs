@@ -18,7 +18,7 @@ public static class SetupFormat
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var printer = setup.Printer;
         var problems = new DiagnosticList();
-        var values = TemplateValues.Of(setup, toolpath);
+        var values = PrintValues.Of(setup, toolpath);
         var start = Lines(printer, "start_template", printer.StartTemplate, values, problems);
         var end = Lines(printer, "end_template", printer.EndTemplate, values, problems);
         var layers = Template(printer, "layer_template", printer.LayerTemplate, problems);
@@ -46,7 +46,7 @@ public static class SetupFormat
     {
         var printer = setup.Printer;
         var problems = new DiagnosticList();
-        var values = TemplateValues.Of(setup);
+        var values = PrintValues.Of(setup);
         var start = Lines(printer, "start_template", printer.StartTemplate, values, problems);
         var layers = Template(printer, "layer_template", printer.LayerTemplate, problems);
         var tools = Template(printer, "tool_change_template", printer.ToolChangeTemplate, problems);
@@ -100,7 +100,7 @@ public static class SetupFormat
     private static Template? Template(Printer printer, string key, IReadOnlyList<string> lines, DiagnosticList problems)
     {
         if (lines.Count == 0) return null;
-        var template = Machines.Template.Parse(lines, new SourceLocation(printer.Name, Key: key));
+        var template = PrintTemplate.Parse(lines, new SourceLocation(printer.Name, Key: key));
         problems.AddRange(template.Diagnostics);
         return template.Value;
     }

@@ -8,18 +8,18 @@ namespace Caterpillar.Machines;
 public static class ProfileWriter
 {
     /// <summary>A printer as JSON with all its keys.</summary>
-    public static string Write(Printer printer) => Write(PrinterKeys.All, printer);
+    public static string Write(Printer printer) => Write(ProfileKinds.Printer.Keys, printer);
 
     /// <summary>A material as JSON with all its keys.</summary>
-    public static string Write(Material material) => Write(MaterialKeys.All, material);
+    public static string Write(Material material) => Write(ProfileKinds.Material.Keys, material);
 
     /// <summary>Print settings as JSON with all their keys.</summary>
-    public static string Write(PrintSettings settings) => Write(SettingsKeys.All, settings);
+    public static string Write(PrintSettings settings) => Write(ProfileKinds.Settings.Keys, settings);
 
     private static string Write<T>(IEnumerable<ProfileKey<T>> keys, T profile)
         where T : class
     {
         if (profile is null) throw new ArgumentNullException(nameof(profile));
-        return JsonText.Object(keys.Select(k => new KeyValuePair<string, object>(k.Name, k.Get(profile))));
+        return ProfileJson.Write(keys.Select(k => new KeyValuePair<string, object>(k.Name, k.Get(profile))));
     }
 }

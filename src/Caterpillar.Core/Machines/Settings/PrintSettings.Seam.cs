@@ -1,37 +1,65 @@
 using Caterpillar.Geometry;
+using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, int>;
+using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
 
 namespace Caterpillar.Machines;
 
 // Where loops begin, and in which order the walls of a contour are printed.
 public sealed partial record PrintSettings
 {
-    /// <summary>Where the outer walls begin and end.</summary>
+    /// <summary>
+    /// Where outer walls begin: in a corner and above the seam of the layer below, where the head comes from, at the back, near seam_point_mm, anywhere, or in
+    /// the most concave corner of each layer.
+    /// </summary>
     public SeamPosition SeamPosition { get; init; } = SeamPosition.Aligned;
 
-    /// <summary>For <see cref="SeamPosition.Point"/>: seams lie on the side of this point, X and Y in mm.</summary>
+    /// <summary>For seam_position point: seams lie on the side of this point of the bed.</summary> <value>mm.</value>
     public Vec3 SeamPoint { get; init => field = SeamKeys.SeamPoint.Check(value); }
 
-    /// <summary>Painted places: where a loop passes one of these balls, its seam lies there.</summary>
+    /// <summary>Painted places for seams: a list of balls [x, y, z, radius]; loops that pass one begin there, whatever seam_position is.</summary>
+    /// <value>mm.</value>
     public ValueList<SeamMark> SeamMarks { get; init => field = SeamKeys.SeamMarks.Check(value); } = ValueList<SeamMark>.Empty;
 
-    /// <summary>Seed of the random numbers of <see cref="SeamPosition.Random"/>.</summary>
+    /// <summary>Seed of the random numbers of seam_position random.</summary>
     public int SeamSeed { get; init => field = SeamKeys.SeamSeed.Check(value); } = 1;
 
-    /// <summary>
-    /// So far before it has gone around a closed wall the extruder stops, mm, at most a tenth of the wall: beads begin and end round, so that two ends in one
-    /// place would be a blob.
-    /// </summary>
+    /// <summary>So far before it has gone around a wall the extruder stops, for the strand begins round; at most a tenth of the wall. 0 for none.</summary>
+    /// <value>mm.</value> <remarks>Beads begin and end round, so that two ends in one place would be a blob.</remarks>
     public double SeamGap { get; init => field = SeamKeys.SeamGap.Check(value); } = 0.06;
 
-    /// <summary>Length over which an outer wall rises at its start and runs out over that ramp at its end, mm; 0 for a plain seam.</summary>
+    /// <summary>Length over which an outer wall rises at its start and runs out over that ramp at its end; 0 for a plain seam.</summary> <value>mm.</value>
     public double ScarfLength { get; init => field = SeamKeys.ScarfLength.Check(value); }
 
     /// <summary>Steps of the ramp of a scarf seam.</summary>
     public int ScarfSteps { get; init => field = SeamKeys.ScarfSteps.Check(value); } = 12;
 
-    /// <summary>The order of the walls of a contour.</summary>
+    /// <summary>Order of the walls of a contour: the outer wall last, first, or alternating from layer to layer.</summary>
     public WallOrder WallOrder { get; init; } = WallOrder.InsideOut;
 
-    /// <summary>The order of the walls of contours that hang over the layer below somewhere.</summary>
+    /// <summary>Order of the walls of contours that hang over the layer below somewhere.</summary>
     public OverhangWallOrder OverhangWallOrder { get; init; } = OverhangWallOrder.Same;
+}
+
+/// <summary>Keys of print settings: where loops begin, and in which order the walls of a contour are printed.</summary>
+internal static class SeamKeys
+{
+    public static readonly KeyTable<PrintSettings> All = new();
+
+    public static readonly ProfileKey<PrintSettings, SeamPosition> SeamPosition
+        = All.Choice("seam_position", s => s.SeamPosition, (s, v) => s with { SeamPosition = v });
+    public static readonly ProfileKey<PrintSettings, Vec3> SeamPoint = All.Of(
+        "seam_point_mm", new NumbersFormat<Vec3>(["x", "y"], -100_000, 100_000, n => new Vec3(n[0], n[1]), v => [v.X, v.Y]), s => s.SeamPoint,
+        (s, v) => s with { SeamPoint = v });
+    public static readonly ProfileKey<PrintSettings, ValueList<SeamMark>> SeamMarks = All.Of(
+        "seam_marks_mm",
+        new RowsFormat<SeamMark>(
+            ["x", "y", "z", "radius"], 10_000, -100_000, 100_000, SeamMark.Of, m => [m.Place.X, m.Place.Y, m.Place.Z, m.Radius], SeamMark.Problem),
+        s => s.SeamMarks, (s, v) => s with { SeamMarks = v });
+    public static readonly IntegerKey SeamSeed = All.Integer("seam_seed", 0, 1_000_000_000, s => s.SeamSeed, (s, v) => s with { SeamSeed = v });
+    public static readonly NumberKey SeamGap = All.Number("seam_gap_mm", 0, 10, s => s.SeamGap, (s, v) => s with { SeamGap = v });
+    public static readonly NumberKey ScarfLength = All.NumberOrZero("scarf_length_mm", 0.1, 1000, s => s.ScarfLength, (s, v) => s with { ScarfLength = v });
+    public static readonly IntegerKey ScarfSteps = All.Integer("scarf_steps", 2, 1000, s => s.ScarfSteps, (s, v) => s with { ScarfSteps = v });
+    public static readonly ProfileKey<PrintSettings, WallOrder> WallOrder = All.Choice("wall_order", s => s.WallOrder, (s, v) => s with { WallOrder = v });
+    public static readonly ProfileKey<PrintSettings, OverhangWallOrder> OverhangWallOrder
+        = All.Choice("overhang_wall_order", s => s.OverhangWallOrder, (s, v) => s with { OverhangWallOrder = v });
 }

@@ -1,3 +1,7 @@
+using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, bool>;
+using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, int>;
+using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
+
 namespace Caterpillar.Machines;
 
 // The closed layers at the top and the bottom of a part, and bridges.
@@ -9,10 +13,10 @@ public sealed partial record PrintSettings
     /// <summary>Closed layers above every surface that is seen from below.</summary>
     public int BottomLayers { get; init => field = SkinKeys.BottomLayers.Check(value); } = 4;
 
-    /// <summary>Least thickness of the closed layers at the top; more layers are closed where they are thin, mm.</summary>
+    /// <summary>Least thickness of the closed layers at the top; more layers are closed where they are thin.</summary> <value>mm.</value>
     public double TopThickness { get; init => field = SkinKeys.TopThickness.Check(value); } = 0.7;
 
-    /// <summary>Least thickness of the closed layers at the bottom; more layers are closed where they are thin, mm.</summary>
+    /// <summary>Least thickness of the closed layers at the bottom; more layers are closed where they are thin.</summary> <value>mm.</value>
     public double BottomThickness { get; init => field = SkinKeys.BottomThickness.Check(value); } = 0.7;
 
     /// <summary>Lines of the surfaces seen from above.</summary>
@@ -21,55 +25,56 @@ public sealed partial record PrintSettings
     /// <summary>Lines of the surfaces seen from below.</summary>
     public InfillPattern BottomPattern { get; init => field = SkinKeys.BottomPattern.Check(value); } = InfillPattern.Monotonic;
 
-    /// <summary>Direction of the skins in the first layer, from +X; it turns by a quarter from layer to layer, degrees.</summary>
+    /// <summary>Direction of the skins in the first layer, from +X; it turns by a quarter from layer to layer.</summary> <value>Degrees.</value>
     public double SkinAngle { get; init => field = SkinKeys.SkinAngle.Check(value); } = 45;
 
-    /// <summary>Width of the strands of the skins; 0 for the line width, mm.</summary>
+    /// <summary>Width of the strands of the skins; 0 for the line width.</summary> <value>mm.</value>
     public double SkinWidth { get; init => field = SkinKeys.SkinWidth.Check(value); }
 
-    /// <summary>Skins narrower than this are left to the walls, mm.</summary>
+    /// <summary>Skins narrower than this are left to the walls.</summary> <value>mm.</value>
     public double SkinMinWidth { get; init => field = SkinKeys.SkinMinWidth.Check(value); } = 0.2;
 
-    /// <summary>How far skins reach into the infill, which holds them there, mm.</summary>
+    /// <summary>How far skins reach into the infill, which holds them there.</summary> <value>mm.</value>
     public double SkinExpand { get; init => field = SkinKeys.SkinExpand.Check(value); } = 0.6;
 
-    /// <summary>Pieces of infill smaller than this area are made solid, mm².</summary>
+    /// <summary>Pieces of infill smaller than this area are made solid.</summary> <value>mm².</value>
     public double SolidBelow { get; init => field = SkinKeys.SolidBelow.Check(value); } = 10;
 
-    /// <summary>Closed areas inside that are narrower than this are filled along their outline, mm; 0 for lines everywhere.</summary>
+    /// <summary>Closed areas inside that are narrower than this are filled along their outline, which is quicker; 0 for lines everywhere.</summary>
+    /// <value>mm.</value>
     public double NarrowSolid { get; init => field = SkinKeys.NarrowSolid.Check(value); } = 4;
 
-    /// <summary>Speed of the surfaces seen from above, mm/s; 0 for the speed of outer walls.</summary>
+    /// <summary>Speed of the surfaces seen from above; 0 for the speed of outer walls.</summary> <value>mm/s.</value>
     public double TopSkinSpeed { get; init => field = SkinKeys.TopSkinSpeed.Check(value); }
 
-    /// <summary>Speed of the other closed layers, mm/s; 0 for the speed of the infill.</summary>
+    /// <summary>Speed of the other closed layers; 0 for the speed of the infill.</summary> <value>mm/s.</value>
     public double SolidInfillSpeed { get; init => field = SkinKeys.SolidInfillSpeed.Check(value); }
 
     /// <summary>The hot nozzle goes over surfaces seen from above once more, with little material, and smooths them.</summary>
     public bool Ironing { get; init; }
 
-    /// <summary>Distance between the lines of ironing, mm.</summary>
+    /// <summary>Distance between the lines of ironing.</summary> <value>mm.</value>
     public double IroningSpacing { get; init => field = SkinKeys.IroningSpacing.Check(value); } = 0.1;
 
-    /// <summary>Material of ironing, of what would fill its layer, %.</summary>
+    /// <summary>Material of ironing, of what would fill its layer.</summary> <value>%.</value>
     public double IroningFlowPercent { get; init => field = SkinKeys.IroningFlowPercent.Check(value); } = 10;
 
-    /// <summary>Speed of ironing, mm/s; 0 for the print speed.</summary>
+    /// <summary>Speed of ironing; 0 for the print speed.</summary> <value>mm/s.</value>
     public double IroningSpeed { get; init => field = SkinKeys.IroningSpeed.Check(value); } = 15;
 
     /// <summary>Skins over air are spanned in the direction in which they are held best.</summary>
     public bool Bridges { get; init; } = true;
 
-    /// <summary>How far a bridge lies on what holds it, mm.</summary>
+    /// <summary>How far a bridge lies on what holds it.</summary> <value>mm.</value>
     public double BridgeAnchor { get; init => field = SkinKeys.BridgeAnchor.Check(value); } = 1;
 
     /// <summary>Material of bridges, of that of the other strands.</summary>
     public double BridgeFlow { get; init => field = SkinKeys.BridgeFlow.Check(value); } = 1;
 
-    /// <summary>Speed of bridges, mm/s; 0 for the print speed.</summary>
+    /// <summary>Speed of bridges; 0 for the print speed.</summary> <value>mm/s.</value>
     public double BridgeSpeed { get; init => field = SkinKeys.BridgeSpeed.Check(value); } = 25;
 
-    /// <summary>Fan while a bridge is printed, %.</summary>
+    /// <summary>Fan while a bridge is printed.</summary> <value>%.</value>
     public double BridgeFanPercent { get; init => field = SkinKeys.BridgeFanPercent.Check(value); } = 100;
 
     /// <summary>The first closed layer over sparse infill is printed across its lines, as bridges are.</summary>
@@ -78,12 +83,62 @@ public sealed partial record PrintSettings
     /// <summary>Material of bridges over infill, of that of the other strands.</summary>
     public double InfillBridgeFlow { get; init => field = SkinKeys.InfillBridgeFlow.Check(value); } = 1;
 
-    /// <summary>Speed of bridges over infill, mm/s; 0 for the speed of bridges.</summary>
+    /// <summary>Speed of bridges over infill; 0 for the speed of bridges.</summary> <value>mm/s.</value>
     public double InfillBridgeSpeed { get; init => field = SkinKeys.InfillBridgeSpeed.Check(value); } = 40;
 
-    /// <summary>Material of all strands of a part, of the usual.</summary>
+    /// <summary>Material of all strands of a part or of what a modifier covers, of the usual.</summary>
     public double PartFlow { get; init => field = SkinKeys.PartFlow.Check(value); } = 1;
 
-    /// <summary>Walls over air, classed by the percentage of their width that hangs over.</summary>
+    /// <summary>
+    /// Walls over air, classed by the percentage of their width that hangs over: a list of [percent, mm/s (0 as usual), fan percent, flow factor].
+    /// </summary>
     public ValueList<OverhangClass> OverhangClasses { get; init => field = SkinKeys.OverhangClasses.Check(value); } = OverhangClass.Usual;
+}
+
+/// <summary>Keys of print settings: the closed layers at the top and the bottom of a part, and bridges.</summary>
+internal static class SkinKeys
+{
+    public static readonly KeyTable<PrintSettings> All = new();
+
+    public static readonly IntegerKey TopLayers = All.Integer("top_layers", 0, 100_000, s => s.TopLayers, (s, v) => s with { TopLayers = v });
+    public static readonly IntegerKey BottomLayers = All.Integer("bottom_layers", 0, 100_000, s => s.BottomLayers, (s, v) => s with { BottomLayers = v });
+    public static readonly NumberKey TopThickness = All.Number("top_thickness_mm", 0, 10_000, s => s.TopThickness, (s, v) => s with { TopThickness = v });
+    public static readonly NumberKey BottomThickness
+        = All.Number("bottom_thickness_mm", 0, 10_000, s => s.BottomThickness, (s, v) => s with { BottomThickness = v });
+    public static readonly ProfileKey<PrintSettings, InfillPattern> TopPattern
+        = All.Choice("top_pattern", s => s.TopPattern, (s, v) => s with { TopPattern = v }, InfillKeys.Solid);
+    public static readonly ProfileKey<PrintSettings, InfillPattern> BottomPattern
+        = All.Choice("bottom_pattern", s => s.BottomPattern, (s, v) => s with { BottomPattern = v }, InfillKeys.Solid);
+    public static readonly NumberKey SkinAngle = All.Number("skin_angle_deg", -360, 360, s => s.SkinAngle, (s, v) => s with { SkinAngle = v });
+    public static readonly NumberKey SkinWidth = All.NumberOrZero("skin_line_width_mm", 0.01, 1000, s => s.SkinWidth, (s, v) => s with { SkinWidth = v });
+    public static readonly NumberKey SkinMinWidth = All.Number("skin_min_width_mm", 0, 1000, s => s.SkinMinWidth, (s, v) => s with { SkinMinWidth = v });
+    public static readonly NumberKey SkinExpand = All.Number("skin_expand_mm", 0, 1000, s => s.SkinExpand, (s, v) => s with { SkinExpand = v });
+    public static readonly NumberKey SolidBelow = All.Number("solid_below_area_mm2", 0, 1e9, s => s.SolidBelow, (s, v) => s with { SolidBelow = v });
+    public static readonly NumberKey NarrowSolid = All.Number("narrow_solid_mm", 0, 1000, s => s.NarrowSolid, (s, v) => s with { NarrowSolid = v });
+    public static readonly NumberKey TopSkinSpeed = All.Number("top_skin_speed_mm_s", 0, 10_000, s => s.TopSkinSpeed, (s, v) => s with { TopSkinSpeed = v });
+    public static readonly NumberKey SolidInfillSpeed
+        = All.Number("solid_infill_speed_mm_s", 0, 10_000, s => s.SolidInfillSpeed, (s, v) => s with { SolidInfillSpeed = v });
+    public static readonly FlagKey Ironing = All.Boolean("ironing", s => s.Ironing, (s, v) => s with { Ironing = v });
+    public static readonly NumberKey IroningSpacing
+        = All.Number("ironing_spacing_mm", 0.01, 100, s => s.IroningSpacing, (s, v) => s with { IroningSpacing = v });
+    public static readonly NumberKey IroningFlowPercent
+        = All.Number("ironing_flow_percent", 0, 100, s => s.IroningFlowPercent, (s, v) => s with { IroningFlowPercent = v });
+    public static readonly NumberKey IroningSpeed = All.Number("ironing_speed_mm_s", 0, 10_000, s => s.IroningSpeed, (s, v) => s with { IroningSpeed = v });
+    public static readonly FlagKey Bridges = All.Boolean("bridges", s => s.Bridges, (s, v) => s with { Bridges = v });
+    public static readonly NumberKey BridgeAnchor = All.Number("bridge_anchor_mm", 0, 1000, s => s.BridgeAnchor, (s, v) => s with { BridgeAnchor = v });
+    public static readonly NumberKey BridgeFlow = All.Number("bridge_flow", 0.01, 10, s => s.BridgeFlow, (s, v) => s with { BridgeFlow = v });
+    public static readonly NumberKey BridgeSpeed = All.Number("bridge_speed_mm_s", 0, 10_000, s => s.BridgeSpeed, (s, v) => s with { BridgeSpeed = v });
+    public static readonly NumberKey BridgeFanPercent
+        = All.Number("bridge_fan_percent", 0, 100, s => s.BridgeFanPercent, (s, v) => s with { BridgeFanPercent = v });
+    public static readonly FlagKey InfillBridges = All.Boolean("infill_bridges", s => s.InfillBridges, (s, v) => s with { InfillBridges = v });
+    public static readonly NumberKey InfillBridgeFlow
+        = All.Number("infill_bridge_flow", 0.01, 10, s => s.InfillBridgeFlow, (s, v) => s with { InfillBridgeFlow = v });
+    public static readonly NumberKey InfillBridgeSpeed
+        = All.Number("infill_bridge_speed_mm_s", 0, 10_000, s => s.InfillBridgeSpeed, (s, v) => s with { InfillBridgeSpeed = v });
+    public static readonly NumberKey PartFlow = All.Number("part_flow", 0.01, 10, s => s.PartFlow, (s, v) => s with { PartFlow = v });
+    public static readonly ProfileKey<PrintSettings, ValueList<OverhangClass>> OverhangClasses = All.Of(
+        "overhang_classes",
+        new RowsFormat<OverhangClass>(
+            ["percent", "speed", "fan", "flow"], 20, 0, 10_000, OverhangClass.Of, c => [c.Percent, c.Speed, c.FanPercent, c.Flow], OverhangClass.Problem),
+        s => s.OverhangClasses, (s, v) => s with { OverhangClasses = v });
 }

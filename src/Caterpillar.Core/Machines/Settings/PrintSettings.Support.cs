@@ -1,47 +1,81 @@
+using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, int>;
+using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
+
 namespace Caterpillar.Machines;
 
 // What holds up the parts of a print that hang in the air.
 public sealed partial record PrintSettings
 {
-    /// <summary>The kind of supports.</summary>
+    /// <summary>What holds up parts of the print that hang in the air: nothing, columns of lines, or branches.</summary>
     public SupportKind Support { get; init; } = SupportKind.None;
 
-    /// <summary>Whether supports may stand on the part, or on the bed only.</summary>
+    /// <summary>Supports stand on bed and part, or on the bed only.</summary>
     public SupportPlace SupportPlace { get; init; } = SupportPlace.Everywhere;
 
-    /// <summary>Surfaces that lean farther out than this from the vertical are supported, degrees.</summary>
+    /// <summary>Surfaces that lean farther out than this from the vertical are supported; 90 for none but those in enforcers.</summary> <value>Degrees.</value>
     public double SupportAngle { get; init => field = SupportKeys.SupportAngle.Check(value); } = 50;
 
-    /// <summary>Air between supports and the walls of the part, mm.</summary>
+    /// <summary>Air between supports and the walls of the part.</summary> <value>mm.</value>
     public double SupportXyGap { get; init => field = SupportKeys.SupportXyGap.Check(value); } = 0.6;
 
-    /// <summary>Least air between a support and the part above it, mm.</summary>
+    /// <summary>Least air between a support and the part above it; it is rounded up to whole layers.</summary> <value>mm.</value>
     public double SupportTopGap { get; init => field = SupportKeys.SupportTopGap.Check(value); } = 0.2;
 
-    /// <summary>Least air between a support and the part below it, mm.</summary>
+    /// <summary>Least air between a support and the part below it; it is rounded up to whole layers.</summary> <value>mm.</value>
     public double SupportBottomGap { get; init => field = SupportKeys.SupportBottomGap.Check(value); } = 0.2;
 
-    /// <summary>How much of a grid is filled, %.</summary>
+    /// <summary>How much of the columns of support grid is filled.</summary> <value>%.</value>
     public double SupportPercent { get; init => field = SupportKeys.SupportPercent.Check(value); } = 15;
 
     /// <summary>Dense layers at the top of supports.</summary>
     public int SupportInterfaceLayers { get; init => field = SupportKeys.SupportInterfaceLayers.Check(value); } = 2;
 
-    /// <summary>How much of the dense layers is filled, %.</summary>
+    /// <summary>How much of the dense layers is filled.</summary> <value>%.</value>
     public double SupportInterfacePercent { get; init => field = SupportKeys.SupportInterfacePercent.Check(value); } = 75;
 
-    /// <summary>Distance between the tips of trees, mm.</summary>
+    /// <summary>Distance between the tips of support tree.</summary> <value>mm.</value>
     public double SupportTipDistance { get; init => field = SupportKeys.SupportTipDistance.Check(value); } = 2.5;
 
-    /// <summary>How far the branches of trees lean, degrees from the vertical.</summary>
+    /// <summary>How far the branches of support tree lean, from the vertical.</summary> <value>Degrees.</value>
     public double SupportBranchAngle { get; init => field = SupportKeys.SupportBranchAngle.Check(value); } = 40;
 
-    /// <summary>Greatest diameter of the branches of trees, mm.</summary>
+    /// <summary>Greatest diameter of the branches of support tree.</summary> <value>mm.</value>
     public double SupportBranchDiameter { get; init => field = SupportKeys.SupportBranchDiameter.Check(value); } = 5;
 
-    /// <summary>Speed of supports, mm/s; 0 for the print speed.</summary>
+    /// <summary>Speed of supports; 0 for the print speed.</summary> <value>mm/s.</value>
     public double SupportSpeed { get; init => field = SupportKeys.SupportSpeed.Check(value); }
 
-    /// <summary>What a model is for; set for a single one of several.</summary>
+    /// <summary>
+    /// What a model is for (--for MODEL:model_use=...): to be printed; or as a body in which nothing is supported, everything that is seen from below is, or
+    /// parts have its settings.
+    /// </summary>
     public ModelUse ModelUse { get; init; } = ModelUse.Part;
+}
+
+/// <summary>Keys of print settings: what holds up the parts of a print that hang in the air.</summary>
+internal static class SupportKeys
+{
+    public static readonly KeyTable<PrintSettings> All = new();
+
+    public static readonly ProfileKey<PrintSettings, SupportKind> Support = All.Choice("support", s => s.Support, (s, v) => s with { Support = v });
+    public static readonly ProfileKey<PrintSettings, SupportPlace> SupportPlace
+        = All.Choice("support_place", s => s.SupportPlace, (s, v) => s with { SupportPlace = v });
+    public static readonly NumberKey SupportAngle = All.Number("support_angle_deg", 0, 90, s => s.SupportAngle, (s, v) => s with { SupportAngle = v });
+    public static readonly NumberKey SupportXyGap = All.Number("support_xy_gap_mm", 0.05, 100, s => s.SupportXyGap, (s, v) => s with { SupportXyGap = v });
+    public static readonly NumberKey SupportTopGap = All.Number("support_top_gap_mm", 0, 100, s => s.SupportTopGap, (s, v) => s with { SupportTopGap = v });
+    public static readonly NumberKey SupportBottomGap
+        = All.Number("support_bottom_gap_mm", 0, 100, s => s.SupportBottomGap, (s, v) => s with { SupportBottomGap = v });
+    public static readonly NumberKey SupportPercent = All.Number("support_percent", 1, 100, s => s.SupportPercent, (s, v) => s with { SupportPercent = v });
+    public static readonly IntegerKey SupportInterfaceLayers
+        = All.Integer("support_interface_layers", 0, 1000, s => s.SupportInterfaceLayers, (s, v) => s with { SupportInterfaceLayers = v });
+    public static readonly NumberKey SupportInterfacePercent
+        = All.Number("support_interface_percent", 1, 100, s => s.SupportInterfacePercent, (s, v) => s with { SupportInterfacePercent = v });
+    public static readonly NumberKey SupportTipDistance
+        = All.Number("support_tip_distance_mm", 0.2, 100, s => s.SupportTipDistance, (s, v) => s with { SupportTipDistance = v });
+    public static readonly NumberKey SupportBranchAngle
+        = All.Number("support_branch_angle_deg", 0, 70, s => s.SupportBranchAngle, (s, v) => s with { SupportBranchAngle = v });
+    public static readonly NumberKey SupportBranchDiameter
+        = All.Number("support_branch_diameter_mm", 0.2, 100, s => s.SupportBranchDiameter, (s, v) => s with { SupportBranchDiameter = v });
+    public static readonly NumberKey SupportSpeed = All.Number("support_speed_mm_s", 0, 10_000, s => s.SupportSpeed, (s, v) => s with { SupportSpeed = v });
+    public static readonly ProfileKey<PrintSettings, ModelUse> ModelUse = All.Choice("model_use", s => s.ModelUse, (s, v) => s with { ModelUse = v });
 }

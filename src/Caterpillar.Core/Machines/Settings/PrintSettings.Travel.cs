@@ -1,11 +1,23 @@
+using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
+
 namespace Caterpillar.Machines;
 
 // How the head gets from path to path, and what it does while a layer cools.
 public sealed partial record PrintSettings
 {
-    /// <summary>So much longer than straight a travel inside the part may be to avoid a retraction, mm.</summary>
+    /// <summary>So much longer than straight a travel inside the part may be, around its corners, to avoid a retraction; 0 for straight ones only.</summary>
+    /// <value>mm.</value>
     public double CombDetour { get; init => field = TravelKeys.CombDetour.Check(value); } = 15;
 
-    /// <summary>What the machine does where a layer is too quick even at the least speed.</summary>
+    /// <summary>What happens where a layer takes less than min_layer_time_s even at min_speed_mm_s: nothing, the head waits above it, or beside it.</summary>
     public LayerWait LayerWait { get; init; } = LayerWait.None;
+}
+
+/// <summary>Keys of print settings: how the head gets from path to path, and what it does while a layer cools.</summary>
+internal static class TravelKeys
+{
+    public static readonly KeyTable<PrintSettings> All = new();
+
+    public static readonly NumberKey CombDetour = All.Number("comb_detour_mm", 0, 10_000, s => s.CombDetour, (s, v) => s with { CombDetour = v });
+    public static readonly ProfileKey<PrintSettings, LayerWait> LayerWait = All.Choice("layer_wait", s => s.LayerWait, (s, v) => s with { LayerWait = v });
 }

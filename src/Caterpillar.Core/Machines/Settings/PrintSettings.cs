@@ -1,4 +1,7 @@
 using Caterpillar.Toolpaths;
+using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, bool>;
+using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, int>;
+using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
 
 namespace Caterpillar.Machines;
 
@@ -14,73 +17,75 @@ public sealed partial record PrintSettings
     /// <summary>Display name.</summary>
     public string Title { get; init => field = SettingsKeys.Title.Check(value); } = "Standard";
 
-    /// <summary>mm.</summary>
+    /// <summary>Height of a layer.</summary> <value>mm.</value>
     public double LayerHeight { get; init => field = SettingsKeys.LayerHeight.Check(value); } = 0.2;
 
-    /// <summary>Height of the layer on the bed, mm.</summary>
+    /// <summary>Height of the layer on the bed.</summary> <value>mm.</value>
     public double FirstLayerHeight { get; init => field = SettingsKeys.FirstLayerHeight.Check(value); } = 0.2;
 
-    /// <summary>Width of a strand, mm.</summary>
+    /// <summary>Width of a strand.</summary> <value>mm.</value>
     public double LineWidth { get; init => field = SettingsKeys.LineWidth.Check(value); } = 0.45;
 
     /// <summary>Shape of the cross-section, which relates area and width of a strand.</summary>
     public BeadShape BeadShape { get; init; } = BeadShape.Stadium;
 
-    /// <summary>Walls around each region.</summary>
+    /// <summary>Number of walls around each region.</summary>
     public int WallCount { get; init => field = SettingsKeys.WallCount.Check(value); } = 2;
 
-    /// <summary>Share of the inside that is filled, %; ignored if <see cref="InfillSpacing"/> is given.</summary>
+    /// <summary>Share of the inside that is filled; ignored if infill_spacing_mm is given.</summary> <value>%.</value>
     public double InfillPercent { get; init => field = SettingsKeys.InfillPercent.Check(value); } = 20;
 
-    /// <summary>Distance between the lines of the infill, mm (the "density" of Caterpillar 2019); 0 to take it from <see cref="InfillPercent"/>.</summary>
+    /// <summary>Distance between the lines of the infill; 0 to take it from infill_percent.</summary>
+    /// <value>mm.</value> <remarks>The "density" of Caterpillar 2019.</remarks>
     public double InfillSpacing { get; init => field = SettingsKeys.InfillSpacing.Check(value); }
 
-    /// <summary>Direction of the infill in the first layer, degrees from +X.</summary>
+    /// <summary>Direction of the infill in the first layer, from +X.</summary> <value>Degrees.</value>
     public double InfillAngle { get; init => field = SettingsKeys.InfillAngle.Check(value); } = 45;
 
     /// <summary>Overlap of the infill with the innermost wall, % of the line width; lines of closed areas overlap by two thirds of it.</summary>
+    /// <value>%.</value>
     public double InfillOverlapPercent { get; init => field = SettingsKeys.InfillOverlapPercent.Check(value); } = 15;
 
-    /// <summary>Maximum deviation of simplified contours, mm.</summary>
+    /// <summary>Maximum deviation of simplified contours.</summary> <value>mm.</value>
     public double SimplifyTolerance { get; init => field = SettingsKeys.SimplifyTolerance.Check(value); } = 0.0125;
 
-    /// <summary>Models that run through each other are printed as one solid.</summary>
+    /// <summary>Models that run through each other are printed as one solid; without it the place where they overlap is printed twice.</summary>
     public bool MergeOverlapping { get; init; } = true;
 
-    /// <summary>Several models are printed layer by layer, or one after the other.</summary>
+    /// <summary>Several models are printed layer by layer, or one after the other, the lowest first.</summary>
     public PrintSequence PrintSequence { get; init; } = PrintSequence.ByLayer;
 
-    /// <summary>Meshes that are not closed are made solid before they are sliced.</summary>
+    /// <summary>Meshes that are not closed are made solid before they are sliced: rims joined, holes filled, triangles and bodies turned outwards.</summary>
     public bool MendMeshes { get; init; } = true;
 
-    /// <summary>Gaps in the contours of broken meshes are closed up to this width, mm; 0 closes none.</summary>
+    /// <summary>Gaps in the contours of broken meshes are closed up to this width; 0 closes none.</summary> <value>mm.</value>
     public double LargestGap { get; init => field = SettingsKeys.LargestGap.Check(value); } = 10;
 
-    /// <summary>A layer of a broken mesh that loses more than this of the area of its neighbors is an error, %; 100 allows any loss.</summary>
+    /// <summary>A layer of a broken mesh that loses more than this of the area of its neighbors is an error; 100 allows any loss.</summary> <value>%.</value>
     public double MaxAreaLossPercent { get; init => field = SettingsKeys.MaxAreaLossPercent.Check(value); } = 25;
 
-    /// <summary>Length of the pieces of subdivided curves, mm.</summary>
+    /// <summary>Length of the pieces of subdivided curves.</summary> <value>mm.</value>
     public double SubdivisionDistance { get; init => field = SettingsKeys.SubdivisionDistance.Check(value); } = 1;
 
-    /// <summary>mm/s.</summary>
+    /// <summary>Speed of printing moves.</summary> <value>mm/s.</value>
     public double PrintSpeed { get; init => field = SettingsKeys.PrintSpeed.Check(value); } = 60;
 
-    /// <summary>Speed of outer walls, mm/s; 0 for <see cref="PrintSpeed"/>.</summary>
+    /// <summary>Speed of outer walls; 0 for the print speed.</summary> <value>mm/s.</value>
     public double OuterWallSpeed { get; init => field = SettingsKeys.OuterWallSpeed.Check(value); } = 40;
 
-    /// <summary>Speed of infill, mm/s; 0 for <see cref="PrintSpeed"/>.</summary>
+    /// <summary>Speed of infill; 0 for the print speed.</summary> <value>mm/s.</value>
     public double InfillSpeed { get; init => field = SettingsKeys.InfillSpeed.Check(value); }
 
-    /// <summary>Maximum print speed in the first layer, mm/s; 0 for no limit.</summary>
+    /// <summary>Maximum print speed in the first layer; 0 for no limit.</summary> <value>mm/s.</value>
     public double FirstLayerSpeed { get; init => field = SettingsKeys.FirstLayerSpeed.Check(value); } = 25;
 
-    /// <summary>mm/s.</summary>
+    /// <summary>Speed of travel moves.</summary> <value>mm/s.</value>
     public double TravelSpeed { get; init => field = SettingsKeys.TravelSpeed.Check(value); } = 150;
 
-    /// <summary>How high the head rises before travels.</summary>
+    /// <summary>Lift for travels: above everything printed, above what lies under the path of the travel, or none.</summary>
     public TravelLift TravelLift { get; init; } = TravelLift.PrintedTop;
 
-    /// <summary>Travels up to this length are made without a lift, mm.</summary>
+    /// <summary>Travels up to this length are made without a lift.</summary> <value>mm.</value>
     public double LiftMinTravel { get; init => field = SettingsKeys.LiftMinTravel.Check(value); } = 2;
 
     /// <summary>Travels go around printed parts if that is faster than over them.</summary>
@@ -89,19 +94,19 @@ public sealed partial record PrintSettings
     /// <summary>Travels within a layer that stay inside the part are made without lift and retraction.</summary>
     public bool Comb { get; init; } = true;
 
-    /// <summary>Travels up to this length are made without a retraction, mm.</summary>
+    /// <summary>Travels up to this length are made without a retraction.</summary> <value>mm.</value>
     public double RetractionMinTravel { get; init => field = SettingsKeys.RetractionMinTravel.Check(value); } = 1.5;
 
-    /// <summary>Distance back along the path during which filament is retracted, mm; 0 for none.</summary>
+    /// <summary>Distance back along the path during which filament is retracted; 0 for none.</summary> <value>mm.</value>
     public double WipeDistance { get; init => field = SettingsKeys.WipeDistance.Check(value); }
 
     /// <summary>Retracted filament is restored while the head descends to a path, not afterwards.</summary>
     public bool RestoreDuringDescent { get; init; }
 
-    /// <summary>Length of bead that is extruded in place before a path starts, for materials with a delayed response, mm.</summary>
+    /// <summary>Length of bead extruded in place before a path starts, for materials with a delayed response.</summary> <value>mm.</value>
     public double StartDistance { get; init => field = SettingsKeys.StartDistance.Check(value); }
 
-    /// <summary>The extruder stops this far before the end of a path, mm.</summary>
+    /// <summary>The extruder stops this far before the end of a path (coasting).</summary> <value>mm.</value>
     public double StopDistance { get; init => field = SettingsKeys.StopDistance.Check(value); }
 
     /// <summary>Sliced paths are sorted inside their groups, for short travels.</summary>
@@ -126,4 +131,53 @@ public sealed partial record PrintSettings
     }
 
     public override string ToString() => Title;
+}
+
+/// <summary>Keys of print settings: sizes, speeds and what is planned.</summary>
+internal static class SettingsKeys
+{
+    public static readonly KeyTable<PrintSettings> All = new();
+
+    public static readonly ProfileKey<PrintSettings, string> Title = All.Text("title", s => s.Title, (s, v) => s with { Title = v });
+    public static readonly NumberKey LayerHeight = All.Number("layer_height_mm", 0.001, 1000, s => s.LayerHeight, (s, v) => s with { LayerHeight = v });
+    public static readonly NumberKey FirstLayerHeight
+        = All.Number("first_layer_height_mm", 0.001, 1000, s => s.FirstLayerHeight, (s, v) => s with { FirstLayerHeight = v });
+    public static readonly NumberKey LineWidth = All.Number("line_width_mm", 0.001, 1000, s => s.LineWidth, (s, v) => s with { LineWidth = v });
+    public static readonly ProfileKey<PrintSettings, BeadShape> BeadShape = All.Choice("bead_shape", s => s.BeadShape, (s, v) => s with { BeadShape = v });
+    public static readonly IntegerKey WallCount = All.Integer("wall_count", 0, 10_000, s => s.WallCount, (s, v) => s with { WallCount = v });
+    public static readonly NumberKey InfillPercent = All.Number("infill_percent", 0, 100, s => s.InfillPercent, (s, v) => s with { InfillPercent = v });
+    public static readonly NumberKey InfillSpacing = All.Number("infill_spacing_mm", 0, 10_000, s => s.InfillSpacing, (s, v) => s with { InfillSpacing = v });
+    public static readonly NumberKey InfillAngle = All.Number("infill_angle_deg", -360, 360, s => s.InfillAngle, (s, v) => s with { InfillAngle = v });
+    public static readonly NumberKey InfillOverlapPercent
+        = All.Number("infill_overlap_percent", 0, 100, s => s.InfillOverlapPercent, (s, v) => s with { InfillOverlapPercent = v });
+    public static readonly NumberKey SimplifyTolerance
+        = All.Number("simplify_tolerance_mm", 0, 100, s => s.SimplifyTolerance, (s, v) => s with { SimplifyTolerance = v });
+    public static readonly FlagKey MergeOverlapping = All.Boolean("merge_overlapping", s => s.MergeOverlapping, (s, v) => s with { MergeOverlapping = v });
+    public static readonly ProfileKey<PrintSettings, PrintSequence> PrintSequence
+        = All.Choice("print_sequence", s => s.PrintSequence, (s, v) => s with { PrintSequence = v });
+    public static readonly FlagKey MendMeshes = All.Boolean("mend_meshes", s => s.MendMeshes, (s, v) => s with { MendMeshes = v });
+    public static readonly NumberKey LargestGap = All.Number("largest_gap_mm", 0, 1000, s => s.LargestGap, (s, v) => s with { LargestGap = v });
+    public static readonly NumberKey MaxAreaLossPercent
+        = All.Number("max_area_loss_percent", 0, 100, s => s.MaxAreaLossPercent, (s, v) => s with { MaxAreaLossPercent = v });
+    public static readonly NumberKey SubdivisionDistance
+        = All.Number("subdivision_distance_mm", 0.001, 10_000, s => s.SubdivisionDistance, (s, v) => s with { SubdivisionDistance = v });
+    public static readonly NumberKey PrintSpeed = All.Number("print_speed_mm_s", 0.01, 10_000, s => s.PrintSpeed, (s, v) => s with { PrintSpeed = v });
+    public static readonly NumberKey OuterWallSpeed
+        = All.Number("outer_wall_speed_mm_s", 0, 10_000, s => s.OuterWallSpeed, (s, v) => s with { OuterWallSpeed = v });
+    public static readonly NumberKey InfillSpeed = All.Number("infill_speed_mm_s", 0, 10_000, s => s.InfillSpeed, (s, v) => s with { InfillSpeed = v });
+    public static readonly NumberKey FirstLayerSpeed
+        = All.Number("first_layer_speed_mm_s", 0, 10_000, s => s.FirstLayerSpeed, (s, v) => s with { FirstLayerSpeed = v });
+    public static readonly NumberKey TravelSpeed = All.Number("travel_speed_mm_s", 0.01, 10_000, s => s.TravelSpeed, (s, v) => s with { TravelSpeed = v });
+    public static readonly ProfileKey<PrintSettings, TravelLift> TravelLift = All.Choice("travel_lift", s => s.TravelLift, (s, v) => s with { TravelLift = v });
+    public static readonly NumberKey LiftMinTravel = All.Number("lift_min_travel_mm", 0, 10_000, s => s.LiftMinTravel, (s, v) => s with { LiftMinTravel = v });
+    public static readonly FlagKey Detour = All.Boolean("detour", s => s.Detour, (s, v) => s with { Detour = v });
+    public static readonly FlagKey Comb = All.Boolean("comb", s => s.Comb, (s, v) => s with { Comb = v });
+    public static readonly NumberKey RetractionMinTravel
+        = All.Number("retraction_min_travel_mm", 0, 10_000, s => s.RetractionMinTravel, (s, v) => s with { RetractionMinTravel = v });
+    public static readonly NumberKey WipeDistance = All.Number("wipe_distance_mm", 0, 1000, s => s.WipeDistance, (s, v) => s with { WipeDistance = v });
+    public static readonly FlagKey RestoreDuringDescent
+        = All.Boolean("restore_during_descent", s => s.RestoreDuringDescent, (s, v) => s with { RestoreDuringDescent = v });
+    public static readonly NumberKey StartDistance = All.Number("start_distance_mm", 0, 1000, s => s.StartDistance, (s, v) => s with { StartDistance = v });
+    public static readonly NumberKey StopDistance = All.Number("stop_distance_mm", 0, 1000, s => s.StopDistance, (s, v) => s with { StopDistance = v });
+    public static readonly FlagKey SortPaths = All.Boolean("sort_paths", s => s.SortPaths, (s, v) => s with { SortPaths = v });
 }

@@ -8,34 +8,36 @@ namespace Caterpillar.Machines;
 
 /// <summary>
 /// Lines of G-code with values and conditions: <c>M104 S{nozzle_temperature_c}</c>, <c>{if bed_temperature_c &gt; 0}</c> … <c>{elsif …}</c> … <c>{else}</c> …
-/// <c>{endif}</c>. Braces contain any formula of <see cref="Expressions.Formula"/> over the keys of the profiles and the names of
-/// <see cref="TemplateNames"/>, or the name of a text. Flags are 1 and 0. Numbers are written with up to five decimals. A line with only directives gives
-/// no line; <c>{{</c> and <c>}}</c> are braces of the text. Immutable.
+/// <c>{endif}</c>. Braces contain any formula of <see cref="Expressions.Formula"/> over named numbers, or the name of a text. Flags are 1 and 0. Numbers are
+/// written with up to five decimals. A line with only directives gives no line; <c>{{</c> and <c>}}</c> are braces of the text. Immutable.
 /// </summary>
-public sealed class Template
+internal sealed class Template
 {
     private const int Decimals = 5;
 
     private readonly IReadOnlyList<TemplatePart> _parts;
+    private readonly TemplateNames _names;
 
-    private Template(IReadOnlyList<TemplatePart> parts) => _parts = parts;
+    private Template(IReadOnlyList<TemplatePart> parts, TemplateNames names)
+    {
+        _parts = parts;
+        _names = names;
+    }
 
     /// <summary>Reads a template; errors carry its line and column, and file and key of <paramref name="source"/>.</summary>
-    public static Result<Template> Parse(IReadOnlyList<string> lines, SourceLocation? source = null)
+    public static Result<Template> Parse(IReadOnlyList<string> lines, TemplateNames names, SourceLocation source)
     {
-        if (lines is null) throw new ArgumentNullException(nameof(lines));
-        var parser = new TemplateParser(source ?? new SourceLocation());
+        var parser = new TemplateParser(names, source);
         parser.Parse(lines);
-        return new Result<Template>(parser.Problems.Count == 0 ? new Template(parser.Parts) : null, parser.Problems);
+        return new Result<Template>(parser.Problems.Count == 0 ? new Template(parser.Parts, names) : null, parser.Problems);
     }
 
     /// <summary>The lines for these values. An error if a value is unknown here or not finite.</summary>
     public Result<IReadOnlyList<string>> Render(TemplateValues values)
     {
-        if (values is null) throw new ArgumentNullException(nameof(values));
         var problems = new List<Diagnostic>();
-        var slots = TemplateNames.Numbers.Select(n => values.Number(n) ?? double.NaN).ToArray();
-        var missing = TemplateNames.Numbers.Where(n => values.Number(n) is null).ToArray();
+        var slots = _names.Numbers.Select(n => values.Number(n) ?? double.NaN).ToArray();
+        var missing = _names.Numbers.Where(n => values.Number(n) is null).ToArray();
         var lines = new List<string>();
         var line = new StringBuilder();
         var directives = false;

@@ -8,7 +8,7 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Machines;
 
 /// <summary>Cuts lines into text, values and directives, and checks that these fit together.</summary>
-internal sealed class TemplateParser(SourceLocation source)
+internal sealed class TemplateParser(TemplateNames names, SourceLocation source)
 {
     // Every part asks all the conditions around it.
     private const int MaxNesting = 100;
@@ -102,7 +102,7 @@ internal sealed class TemplateParser(SourceLocation source)
                 _parts.Add(new TemplatePart(TemplatePartKind.Endif, "", place));
                 return;
         }
-        if (TemplateNames.Texts.Contains(trimmed)) _parts.Add(new TemplatePart(TemplatePartKind.Name, trimmed, place));
+        if (names.Texts.Contains(trimmed)) _parts.Add(new TemplatePart(TemplatePartKind.Name, trimmed, place));
         else Formula(TemplatePartKind.Value, inside, 0, place);
     }
 
@@ -117,7 +117,7 @@ internal sealed class TemplateParser(SourceLocation source)
             Problem("template.empty", kind == TemplatePartKind.Value ? "There is nothing between the braces." : "There is no condition.", place);
             return;
         }
-        var formula = Expressions.Formula.Compile(text, TemplateNames.Numbers, place);
+        var formula = Expressions.Formula.Compile(text, names.Numbers, place);
         foreach (var problem in formula.Diagnostics) _problems.Add(problem with { Source =
             place with { Column = place.Column + from + (problem.Source?.Column ?? 1) - 1 } });
         if (formula.Value is { UsesRandom: true }) Problem("template.random", "Templates cannot use random numbers.", place);

@@ -1,16 +1,13 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Machines;
 
-/// <summary>
-/// The values that templates may use: every number and word of the three profiles by its key, and what is known about the print (<see cref="TemplateNames"/>).
-/// Immutable.
-/// </summary>
-public sealed class TemplateValues
+/// <summary>The names that a template may use: those of numbers, in the order of the slots of formulas, and those of texts.</summary>
+internal sealed record TemplateNames(string[] Numbers, string[] Texts);
+
+/// <summary>The values of such names. Immutable.</summary>
+internal sealed class TemplateValues
 {
     private readonly Dictionary<string, double> _numbers;
     private readonly Dictionary<string, string> _texts;
@@ -18,36 +15,11 @@ public sealed class TemplateValues
     // What is measured of the print, where it is asked for.
     private readonly Lazy<Dictionary<string, double>>? _ofPrint;
 
-    private TemplateValues(Dictionary<string, double> numbers, Dictionary<string, string> texts, Lazy<Dictionary<string, double>>? ofPrint)
+    public TemplateValues(Dictionary<string, double> numbers, Dictionary<string, string> texts, Lazy<Dictionary<string, double>>? ofPrint)
     {
         _numbers = numbers;
         _texts = texts;
         _ofPrint = ofPrint;
-    }
-
-    /// <summary>The values of a setup, and of the print if there is a toolpath.</summary>
-    public static TemplateValues Of(PrintSetup setup, Toolpath? toolpath = null)
-    {
-        if (setup is null) throw new ArgumentNullException(nameof(setup));
-        var numbers = new Dictionary<string, double>(StringComparer.Ordinal);
-        var texts = new Dictionary<string, string>(StringComparer.Ordinal);
-        Take(PrinterKeys.All, setup.Printer, numbers, texts);
-        Take(MaterialKeys.All, setup.Material, numbers, texts);
-        Take(SettingsKeys.All, setup.Settings, numbers, texts);
-        texts["printer_name"] = setup.Printer.Name;
-        texts["material_name"] = setup.Material.Name;
-        texts["settings_name"] = setup.Settings.Name;
-        var material = setup.Material;
-        numbers["start_nozzle_temperature_c"] = material.FirstLayerNozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : material.NozzleTemperature;
-        var bed = setup.Printer.BuildBounds;
-        numbers["bed_min_x_mm"] = bed.Min.X;
-        numbers["bed_min_y_mm"] = bed.Min.Y;
-        numbers["bed_max_x_mm"] = bed.Max.X;
-        numbers["bed_max_y_mm"] = bed.Max.Y;
-        numbers["bed_max_z_mm"] = bed.Max.Z;
-        numbers["volume_per_e_mm3"] = setup.Extrusion.VolumePerE ?? 0;
-        numbers["tool_count"] = setup.Printer.ToolCount;
-        return new TemplateValues(numbers, texts, toolpath is null ? null : new(() => Measure(toolpath, setup)));
     }
 
     /// <summary>The same with one more number.</summary>
@@ -61,58 +33,4 @@ public sealed class TemplateValues
 
     /// <summary>The text of this name, or null.</summary>
     public string? Text(string name) => _texts.TryGetValue(name, out var value) ? value : null;
-
-    private static void Take<T>(IReadOnlyList<ProfileKey<T>> keys, T profile, Dictionary<string, double> numbers, Dictionary<string, string> texts)
-        where T : class
-    {
-        foreach (var key in keys)
-        {
-            switch (key.Kind)
-            {
-                case KeyKind.Number or KeyKind.Integer: numbers[key.Name] = (double)key.Get(profile); break;
-                case KeyKind.Boolean: numbers[key.Name] = (bool)key.Get(profile) ? 1 : 0; break;
-                case KeyKind.Choice: texts[key.Name] = (string)key.Get(profile); break;
-            }
-        }
-    }
-
-    private static Dictionary<string, double> Measure(Toolpath toolpath, PrintSetup setup)
-    {
-        var numbers = new Dictionary<string, double>(StringComparer.Ordinal);
-        var bounds = Bounds.Empty;
-        double volume = 0, filament = 0;
-        var law = setup.Extrusion;
-        var wasPrinting = false;
-        for (var b = 0; b < toolpath.Blocks.Count; b++)
-        {
-            var c = toolpath.Blocks[b].Columns;
-            var start = toolpath.StartOf(b);
-            for (var i = 0; i < c.Count; i++)
-            {
-                var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
-                if (c.Deposited[i] != 0)
-                {
-                    volume += c.Deposited[i] * (toolpath.VolumePerE(c.Tool[i]) ?? 0);
-                    filament += c.Deposited[i] * law.FilamentPerE;
-                }
-                var prints = c.Kind[i] == MoveKind.Print;
-                if (prints && !wasPrinting) bounds = bounds.Include(start);
-                if (prints) bounds = c.TryGetArc(i, out var arc) ? bounds.Include(arc.Bounds(start, end)) : bounds.Include(end);
-                wasPrinting = prints;
-                start = end;
-            }
-        }
-        numbers["layer_count"] = toolpath.CountLayers();
-        numbers["print_min_x_mm"] = bounds.Min.X;
-        numbers["print_min_y_mm"] = bounds.Min.Y;
-        numbers["print_min_z_mm"] = bounds.Min.Z;
-        numbers["print_max_x_mm"] = bounds.Max.X;
-        numbers["print_max_y_mm"] = bounds.Max.Y;
-        numbers["print_max_z_mm"] = bounds.Max.Z;
-        numbers["material_used_mm3"] = volume;
-        numbers["filament_used_mm"] = filament;
-        numbers["material_used_g"] = volume / 1000 * setup.Material.Density;
-        numbers["material_cost"] = volume / 1_000_000 * setup.Material.Density * setup.Material.CostPerKg;
-        return numbers;
-    }
 }

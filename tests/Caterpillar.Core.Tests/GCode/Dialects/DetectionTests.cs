@@ -5,6 +5,7 @@ using System.Text;
 using Caterpillar.Dialects;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
+using Caterpillar.Manual;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests.GCode.Dialects;

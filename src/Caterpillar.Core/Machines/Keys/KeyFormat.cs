@@ -1,0 +1,44 @@
+using System.Collections.Generic;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Machines;
+
+/// <summary>How the value of a key is read, written and limited.</summary>
+internal abstract class KeyFormat
+{
+    public abstract KeyKind Kind { get; }
+
+    /// <summary>What is expected, for messages: <c>a number</c>.</summary>
+    public abstract string Expected { get; }
+
+    public abstract string Range { get; }
+
+    /// <summary>Constraints as a JSON schema: keys and raw values in order.</summary>
+    public abstract IReadOnlyList<KeyValuePair<string, object>> Schema { get; }
+
+    /// <summary>Reads text as written after <c>key=</c>; null if it is of another kind.</summary>
+    public abstract object? Parse(string text);
+
+    /// <summary>The sentence " Did you mean …?" about a word that it does not take, or nothing.</summary>
+    public virtual string Hint(string word) => "";
+
+    public static string Describe(object raw) => raw switch
+    {
+        string text => "the text \"" + (text.Length > 40 ? text.Substring(0, 40) + "…" : text) + "\"",
+        bool flag => flag ? "true" : "false",
+        double number => NumberFormatter.Shortest(number),
+        IReadOnlyList<object> list => list.Count == 1 ? "a list of 1 value" : "a list of " + NumberFormatter.Shortest(list.Count) + " values",
+        _ => "an object",
+    };
+}
+
+/// <inheritdoc/>
+internal abstract class KeyFormat<TValue> : KeyFormat
+{
+    public abstract bool TryRead(object raw, out TValue? value);
+
+    public abstract object Write(TValue value);
+
+    /// <summary>The problem of a value, or null.</summary>
+    public abstract string? Problem(TValue value);
+}

@@ -1,0 +1,60 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Machines;
+
+/// <summary>A number in a range.</summary>
+internal sealed class NumberFormat(double min, double max, double leastAboveZero = 0) : KeyFormat<double>
+{
+    public override KeyKind Kind => KeyKind.Number;
+
+    public override string Expected => "a number";
+
+    public override string Range => RawValues.Range(min, max);
+
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "number"), new("minimum", min), new("maximum", max)];
+
+    public override object? Parse(string text) => NumberReader.TryParse(text.Trim(), out var value) ? value : null;
+
+    public override bool TryRead(object raw, out double value)
+    {
+        value = raw is double number ? number : 0;
+        return raw is double;
+    }
+
+    public override object Write(double value) => value;
+
+    public override string? Problem(double value)
+    {
+        if (value > 0 && value < leastAboveZero) return "must be 0, or at least " + NumberFormatter.Shortest(leastAboveZero) + ", not " + Shown(value);
+        return value >= min && value <= max ? null : "must be " + Range + (double.IsNaN(value) ? "" : ", not " + Shown(value));
+    }
+
+    private static string Shown(double value) => double.IsInfinity(value) ? "infinite" : NumberFormatter.Shortest(value);
+}
+
+/// <summary>An integer in a range.</summary>
+internal sealed class IntegerFormat(int min, int max) : KeyFormat<int>
+{
+    public override KeyKind Kind => KeyKind.Integer;
+
+    public override string Expected => "an integer";
+
+    public override string Range => RawValues.Range(min, max);
+
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "integer"), new("minimum", (double)min), new("maximum", (double)max)];
+
+    public override object? Parse(string text) => NumberReader.TryParse(text.Trim(), out var value) ? value : null;
+
+    public override bool TryRead(object raw, out int value)
+    {
+        var whole = raw is double number && number == Math.Floor(number) && Math.Abs(number) <= int.MaxValue;
+        value = whole ? (int)(double)raw : 0;
+        return whole;
+    }
+
+    public override object Write(int value) => (double)value;
+
+    public override string? Problem(int value) => value >= min && value <= max ? null : "must be " + Range + ", not " + NumberFormatter.Format(value);
+}

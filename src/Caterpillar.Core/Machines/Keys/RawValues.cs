@@ -1,0 +1,50 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Machines;
+
+/// <summary>Values as JSON has them: text, double, bool, and lists of these.</summary>
+internal static class RawValues
+{
+    public static string Range(double min, double max) => NumberFormatter.Shortest(min) + " to " + NumberFormatter.Shortest(max);
+
+    public static double[]? Numbers(object raw, int count)
+        => raw is IReadOnlyList<object> list && list.Count == count && list.All(i => i is double) ? list.Cast<double>().ToArray() : null;
+
+    public static object List(params double[] values) => values.Cast<object>().ToArray();
+
+    /// <summary>Numbers separated by commas, spaces or x, in brackets or not; null if one is not a number.</summary>
+    public static object? ParseNumbers(string text)
+    {
+        text = text.Trim();
+        if (IsBracketed(text)) text = text.Substring(1, text.Length - 2);
+        var parts = text.Split([',', ' ', 'x', '×'], StringSplitOptions.RemoveEmptyEntries);
+        var numbers = new object[parts.Length];
+        for (var i = 0; i < parts.Length; i++)
+        {
+            if (!NumberReader.TryParse(parts[i], out var number)) return null;
+            numbers[i] = number;
+        }
+        return numbers;
+    }
+
+    /// <summary>Rows of numbers: separated by semicolons, or in brackets as in a profile, <c>[[1, 2], [3, 4]]</c>.</summary>
+    public static object? ParseRows(string text)
+    {
+        var inner = text.Trim();
+        if (IsBracketed(inner) && (inner == "[]" || IsBracketed(inner.Substring(1, inner.Length - 2).Trim()))) inner = inner.Substring(1, inner.Length - 2);
+        var rows = new List<object>();
+        foreach (var row in Regex.Replace(inner, @"\]\s*,", "];").Split(';'))
+        {
+            if (row.Trim().Length == 0) continue;
+            if (ParseNumbers(row) is not { } numbers) return null;
+            rows.Add(numbers);
+        }
+        return rows.ToArray();
+    }
+
+    private static bool IsBracketed(string text) => text.Length >= 2 && text[0] == '[' && text[text.Length - 1] == ']';
+}

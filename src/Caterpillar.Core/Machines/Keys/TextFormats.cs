@@ -1,0 +1,158 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Expressions;
+
+namespace Caterpillar.Machines;
+
+/// <summary>True or false.</summary>
+internal sealed class BooleanFormat : KeyFormat<bool>
+{
+    public override KeyKind Kind => KeyKind.Boolean;
+
+    public override string Expected => "true or false";
+
+    public override string Range => Expected;
+
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "boolean")];
+
+    public override object? Parse(string text) => text.Trim() switch
+    {
+        "true" or "yes" or "on" or "1" => true,
+        "false" or "no" or "off" or "0" => false,
+        _ => null,
+    };
+
+    public override bool TryRead(object raw, out bool value)
+    {
+        value = raw is true;
+        return raw is bool;
+    }
+
+    public override object Write(bool value) => value;
+
+    public override string? Problem(bool value) => null;
+}
+
+/// <summary>Text on one line.</summary>
+internal sealed class TextFormat : KeyFormat<string>
+{
+    public override KeyKind Kind => KeyKind.Text;
+
+    public override string Expected => "text";
+
+    public override string Range => "text on one line";
+
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "string"), new("minLength", 1.0)];
+
+    public override object? Parse(string text) => text.Trim();
+
+    public override bool TryRead(object raw, out string? value)
+    {
+        value = raw as string;
+        return value is not null;
+    }
+
+    public override object Write(string value) => value;
+
+    public override string? Problem(string value)
+        => value.Length == 0 ? "must not be empty" : value.IndexOfAny(['\n', '\r']) >= 0 ? "must be on one line" : null;
+}
+
+/// <summary>A formula in some variables, or nothing.</summary>
+internal sealed class FormulaFormat(params string[] variables) : KeyFormat<string>
+{
+    public override KeyKind Kind => KeyKind.Text;
+
+    public override string Expected => "a formula";
+
+    public override string Range => "a formula in " + string.Join(", ", variables) + ", or empty";
+
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "string")];
+
+    public override object? Parse(string text) => text.Trim();
+
+    public override bool TryRead(object raw, out string? value)
+    {
+        value = raw as string;
+        return value is not null;
+    }
+
+    public override object Write(string value) => value;
+
+    public override string? Problem(string value)
+    {
+        if (value.Length == 0) return null;
+        var formula = Formula.Compile(value, variables);
+        return formula.Value is null ? "is no formula: " + formula.Diagnostics[0].Message.TrimEnd('.') : null;
+    }
+}
+
+/// <summary>One of several words.</summary>
+internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] choices) : KeyFormat<TValue>
+{
+    public override KeyKind Kind => KeyKind.Choice;
+
+    public override string Expected => Range;
+
+    public override string Range => choices.Length == 1
+        ? choices[0].Word
+        : string.Join(", ", choices.Take(choices.Length - 1).Select(c => c.Word)) + " or " + choices[choices.Length - 1].Word;
+
+    public override string Hint(string word) => SpellingSuggestion.Hint(word, choices.Select(c => c.Word));
+
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("enum", choices.Select(c => (object)c.Word).ToArray())];
+
+    public override object? Parse(string text) => text.Trim();
+
+    public override bool TryRead(object raw, out TValue? value)
+    {
+        foreach (var choice in choices)
+        {
+            if (raw is not string word || word != choice.Word) continue;
+            value = choice.Value;
+            return true;
+        }
+        value = default;
+        return false;
+    }
+
+    public override object Write(TValue value)
+    {
+        foreach (var choice in choices)
+        {
+            if (EqualityComparer<TValue>.Default.Equals(choice.Value, value)) return choice.Word;
+        }
+        throw new ArgumentOutOfRangeException(nameof(value), value, "Not one of the choices.");
+    }
+
+    public override string? Problem(TValue value)
+        => choices.Any(c => EqualityComparer<TValue>.Default.Equals(c.Value, value)) ? null : "must be " + Range;
+}
+
+/// <summary>Lines of a template.</summary>
+internal sealed class LinesFormat(Func<ValueList<string>, string?> check) : KeyFormat<ValueList<string>>
+{
+    public override KeyKind Kind => KeyKind.Lines;
+
+    public override string Expected => "a list of lines";
+
+    public override string Range => "a list of lines of text";
+
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema
+        => [new("type", "array"), new("items", new KeyValuePair<string, object>[] { new("type", "string") })];
+
+    public override object? Parse(string text)
+        => text.Length == 0 ? Array.Empty<object>() : text.Split(["\r\n", "\n", "\\n"], StringSplitOptions.None).Cast<object>().ToArray();
+
+    public override bool TryRead(object raw, out ValueList<string>? value)
+    {
+        value = raw is IReadOnlyList<object> list && list.All(i => i is string) ? new ValueList<string>(list.Cast<string>()) : null;
+        return value is not null;
+    }
+
+    public override object Write(ValueList<string> value) => value.Cast<object>().ToArray();
+
+    public override string? Problem(ValueList<string> value)
+        => value.Any(l => l is null || l.IndexOfAny(['\n', '\r']) >= 0) ? "has an entry with more than one line" : check(value);
+}

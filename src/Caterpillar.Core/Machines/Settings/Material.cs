@@ -1,0 +1,79 @@
+using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Material, int>;
+using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Material, double>;
+
+namespace Caterpillar.Machines;
+
+/// <summary>
+/// What is extruded. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's range throws an
+/// <see cref="System.ArgumentOutOfRangeException"/>. Immutable.
+/// </summary>
+public sealed record Material
+{
+    /// <summary>Name of the profile.</summary>
+    public string Name { get; init; } = "pla";
+
+    /// <summary>Display name.</summary>
+    public string Title { get; init => field = MaterialKeys.Title.Check(value); } = "PLA";
+
+    /// <summary>Diameter of the filament, or of the plunger whose travel E measures.</summary> <value>mm.</value>
+    public double FilamentDiameter { get; init => field = MaterialKeys.FilamentDiameter.Check(value); } = 1.75;
+
+    /// <summary>Temperature of the nozzle; 0 = off.</summary> <value>°C.</value>
+    public double NozzleTemperature { get; init => field = MaterialKeys.NozzleTemperature.Check(value); } = 210;
+
+    /// <summary>Temperature of the nozzle in the first layer; 0 for that of the other layers.</summary> <value>°C.</value>
+    public double FirstLayerNozzleTemperature { get; init => field = MaterialKeys.FirstLayerNozzleTemperature.Check(value); }
+
+    /// <summary>Temperature of the bed; 0 = off.</summary> <value>°C.</value>
+    public double BedTemperature { get; init => field = MaterialKeys.BedTemperature.Check(value); } = 60;
+
+    /// <summary>Scales E of all strands.</summary> <remarks>1 for material that fills exactly the requested bead.</remarks>
+    public double FlowMultiplier { get; init => field = MaterialKeys.FlowMultiplier.Check(value); } = 1;
+
+    /// <summary>Part cooling.</summary> <value>%.</value>
+    public double FanPercent { get; init => field = MaterialKeys.FanPercent.Check(value); } = 100;
+
+    /// <summary>Part cooling of the quickest layers; less than fan_percent means the same as that.</summary> <value>%.</value>
+    public double FanMaxPercent { get; init => field = MaterialKeys.FanMaxPercent.Check(value); } = 100;
+
+    /// <summary>Layers that take less time than this get more part cooling, up to fan_max_percent at min_layer_time_s; 0 for the same in all layers.</summary>
+    /// <value>s.</value>
+    public double FanLayerTime { get; init => field = MaterialKeys.FanLayerTime.Check(value); }
+
+    /// <summary>Number of first layers that are printed without part cooling.</summary>
+    public int FanOffLayers { get; init => field = MaterialKeys.FanOffLayers.Check(value); } = 1;
+
+    /// <summary>Mass per volume.</summary> <value>g/cm³.</value>
+    public double Density { get; init => field = MaterialKeys.Density.Check(value); } = 1.24;
+
+    /// <summary>Price of a kilogram in any currency; 0 if unknown.</summary>
+    public double CostPerKg { get; init => field = MaterialKeys.CostPerKg.Check(value); }
+
+    /// <summary>Material that can be melted or pumped; 0 if unknown.</summary> <value>mm³/s.</value>
+    public double MaxFlow { get; init => field = MaterialKeys.MaxFlow.Check(value); }
+
+    public override string ToString() => Title;
+}
+
+/// <summary>The keys of materials.</summary>
+internal static class MaterialKeys
+{
+    public static readonly KeyTable<Material> All = new();
+
+    public static readonly ProfileKey<Material, string> Title = All.Text("title", m => m.Title, (m, v) => m with { Title = v });
+    public static readonly NumberKey FilamentDiameter
+        = All.Number("filament_diameter_mm", 0.01, 1000, m => m.FilamentDiameter, (m, v) => m with { FilamentDiameter = v });
+    public static readonly NumberKey NozzleTemperature
+        = All.Number("nozzle_temperature_c", 0, 2000, m => m.NozzleTemperature, (m, v) => m with { NozzleTemperature = v });
+    public static readonly NumberKey FirstLayerNozzleTemperature
+        = All.Number("first_layer_nozzle_temperature_c", 0, 2000, m => m.FirstLayerNozzleTemperature, (m, v) => m with { FirstLayerNozzleTemperature = v });
+    public static readonly NumberKey BedTemperature = All.Number("bed_temperature_c", 0, 500, m => m.BedTemperature, (m, v) => m with { BedTemperature = v });
+    public static readonly NumberKey FlowMultiplier = All.Number("flow_multiplier", 0.01, 100, m => m.FlowMultiplier, (m, v) => m with { FlowMultiplier = v });
+    public static readonly NumberKey FanPercent = All.Number("fan_percent", 0, 100, m => m.FanPercent, (m, v) => m with { FanPercent = v });
+    public static readonly NumberKey FanMaxPercent = All.Number("fan_max_percent", 0, 100, m => m.FanMaxPercent, (m, v) => m with { FanMaxPercent = v });
+    public static readonly NumberKey FanLayerTime = All.Number("fan_layer_time_s", 0, 10_000, m => m.FanLayerTime, (m, v) => m with { FanLayerTime = v });
+    public static readonly IntegerKey FanOffLayers = All.Integer("fan_off_layers", 0, 1_000_000, m => m.FanOffLayers, (m, v) => m with { FanOffLayers = v });
+    public static readonly NumberKey Density = All.Number("density_g_cm3", 0.01, 30, m => m.Density, (m, v) => m with { Density = v });
+    public static readonly NumberKey CostPerKg = All.Number("cost_per_kg", 0, 1_000_000, m => m.CostPerKg, (m, v) => m with { CostPerKg = v });
+    public static readonly NumberKey MaxFlow = All.Number("material_max_flow_mm3_s", 0, 1_000_000, m => m.MaxFlow, (m, v) => m with { MaxFlow = v });
+}

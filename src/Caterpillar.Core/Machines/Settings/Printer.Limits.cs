@@ -1,0 +1,38 @@
+using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, double>;
+
+namespace Caterpillar.Machines;
+
+// How much and how hot it extrudes.
+public sealed partial record Printer
+{
+    /// <summary>Material that the hot end or pump can push; 0 if unknown.</summary> <value>mm³/s.</value>
+    public double MaxFlow { get; init => field = LimitKeys.MaxFlow.Check(value); } = 12;
+
+    /// <summary>Minimum nozzle temperature for extrusion; 0 for materials that are not heated.</summary> <value>°C.</value>
+    public double MinExtrusionTemperature { get; init => field = LimitKeys.MinExtrusionTemperature.Check(value); } = 170;
+
+    /// <summary>Highest temperature that the hot end stands; 0 for a nozzle that cannot be heated.</summary> <value>°C.</value>
+    public double MaxNozzleTemperature { get; init => field = LimitKeys.MaxNozzleTemperature.Check(value); } = 300;
+
+    /// <summary>Highest temperature of the bed; 0 for a bed that cannot be heated.</summary> <value>°C.</value>
+    public double MaxBedTemperature { get; init => field = LimitKeys.MaxBedTemperature.Check(value); } = 120;
+
+    /// <summary>Most material that may be pushed out, or pulled back, while the head stands still.</summary> <value>mm³.</value>
+    public double MaxStationaryVolume { get; init => field = LimitKeys.MaxStationaryVolume.Check(value); } = 500;
+}
+
+/// <summary>Keys of printers: how much and how hot it extrudes.</summary>
+internal static class LimitKeys
+{
+    public static readonly KeyTable<Printer> All = new();
+
+    public static readonly NumberKey MaxFlow = All.Number("max_flow_mm3_s", 0, 1_000_000, p => p.MaxFlow, (p, v) => p with { MaxFlow = v });
+    public static readonly NumberKey MinExtrusionTemperature
+        = All.Number("min_extrusion_temperature_c", 0, 2000, p => p.MinExtrusionTemperature, (p, v) => p with { MinExtrusionTemperature = v });
+    public static readonly NumberKey MaxNozzleTemperature
+        = All.Number("max_nozzle_temperature_c", 0, 2000, p => p.MaxNozzleTemperature, (p, v) => p with { MaxNozzleTemperature = v });
+    public static readonly NumberKey MaxBedTemperature
+        = All.Number("max_bed_temperature_c", 0, 500, p => p.MaxBedTemperature, (p, v) => p with { MaxBedTemperature = v });
+    public static readonly NumberKey MaxStationaryVolume
+        = All.Number("max_stationary_volume_mm3", 0, 1e9, p => p.MaxStationaryVolume, (p, v) => p with { MaxStationaryVolume = v });
+}

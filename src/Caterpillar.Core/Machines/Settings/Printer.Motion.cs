@@ -1,0 +1,94 @@
+using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, int>;
+using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, double>;
+
+namespace Caterpillar.Machines;
+
+// Speeds, accelerations, and what takes time.
+public sealed partial record Printer
+{
+    /// <summary>Maximum speed of each axis.</summary> <value>mm/s.</value>
+    public AxisValues MaxSpeed { get; init => field = MotionKeys.MaxSpeed.Check(value); } = new(300, 300, 12, 60);
+
+    /// <summary>Maximum acceleration of each axis.</summary> <value>mm/s².</value>
+    public AxisValues MaxAcceleration { get; init => field = MotionKeys.MaxAcceleration.Check(value); } = new(1000, 1000, 100, 5000);
+
+    /// <summary>Acceleration of printing moves.</summary> <value>mm/s².</value>
+    public double PrintAcceleration { get; init => field = MotionKeys.PrintAcceleration.Check(value); } = 800;
+
+    /// <summary>Acceleration of travels.</summary> <value>mm/s².</value>
+    public double TravelAcceleration { get; init => field = MotionKeys.TravelAcceleration.Check(value); } = 1000;
+
+    /// <summary>Acceleration of moves of the extruder alone.</summary> <value>mm/s².</value>
+    public double RetractionAcceleration { get; init => field = MotionKeys.RetractionAcceleration.Check(value); } = 1000;
+
+    /// <summary>How the firmware limits the speed in corners.</summary>
+    public CornerRule CornerRule { get; init; } = CornerRule.JunctionDeviation;
+
+    /// <summary>Sudden change of speed allowed for each axis, for corner_rule jerk.</summary> <value>mm/s.</value>
+    public AxisValues Jerk { get; init => field = MotionKeys.Jerk.Check(value); } = new(8, 8, 0.4, 5);
+
+    /// <summary>For corner_rule junction_deviation.</summary> <value>mm.</value>
+    public double JunctionDeviation { get; init => field = MotionKeys.JunctionDeviation.Check(value); } = 0.013;
+
+    /// <summary>For corner_rule square_corner_velocity.</summary> <value>mm/s.</value>
+    public double SquareCornerVelocity { get; init => field = MotionKeys.SquareCornerVelocity.Check(value); } = 5;
+
+    /// <summary>Klipper's minimum share of a move at constant speed.</summary>
+    public double MinimumCruiseRatio { get; init => field = MotionKeys.MinimumCruiseRatio.Check(value); }
+
+    /// <summary>For corner_rule square_corner_velocity: jump of the speed of the extruder.</summary> <value>mm/s.</value>
+    public double InstantaneousCornerVelocity { get; init => field = MotionKeys.InstantaneousCornerVelocity.Check(value); } = 1;
+
+    /// <summary>Moves that the firmware plans ahead; 0 for all.</summary>
+    public int PlannerQueue { get; init => field = MotionKeys.PlannerQueue.Check(value); } = 16;
+
+    /// <summary>Length of the straight pieces in which the firmware goes through arcs.</summary> <value>mm.</value>
+    public double ArcSegment { get; init => field = MotionKeys.ArcSegment.Check(value); } = 1;
+
+    /// <summary>Degrees per second by which a nozzle heats up; 0 leaves waits for heat out of times.</summary> <value>°C/s.</value>
+    public double NozzleHeating { get; init => field = MotionKeys.NozzleHeating.Check(value); } = 2;
+
+    /// <summary>Degrees per second by which the bed heats up; 0 leaves waits for heat out of times.</summary> <value>°C/s.</value>
+    public double BedHeating { get; init => field = MotionKeys.BedHeating.Check(value); } = 0.5;
+
+    /// <summary>Time for a change of the tool beside its moves.</summary> <value>s.</value>
+    public double ToolChangeTime { get; init => field = MotionKeys.ToolChangeTime.Check(value); }
+
+    /// <summary>Time for homing.</summary> <value>s.</value>
+    public double HomingTime { get; init => field = MotionKeys.HomingTime.Check(value); }
+}
+
+/// <summary>Keys of printers: speeds, accelerations, and what takes time.</summary>
+internal static class MotionKeys
+{
+    public static readonly KeyTable<Printer> All = new();
+
+    public static readonly ProfileKey<Printer, AxisValues> MaxSpeed
+        = All.Axes("max_speed_mm_s", 0.01, 100_000, p => p.MaxSpeed, (p, v) => p with { MaxSpeed = v });
+    public static readonly ProfileKey<Printer, AxisValues> MaxAcceleration
+        = All.Axes("max_acceleration_mm_s2", 0.01, 1_000_000, p => p.MaxAcceleration, (p, v) => p with { MaxAcceleration = v });
+    public static readonly NumberKey PrintAcceleration
+        = All.Number("print_acceleration_mm_s2", 0.01, 1_000_000, p => p.PrintAcceleration, (p, v) => p with { PrintAcceleration = v });
+    public static readonly NumberKey TravelAcceleration
+        = All.Number("travel_acceleration_mm_s2", 0.01, 1_000_000, p => p.TravelAcceleration, (p, v) => p with { TravelAcceleration = v });
+    public static readonly NumberKey RetractionAcceleration
+        = All.Number("retraction_acceleration_mm_s2", 0.01, 1_000_000, p => p.RetractionAcceleration, (p, v) => p with { RetractionAcceleration = v });
+    public static readonly ProfileKey<Printer, CornerRule> CornerRule = All.Choice("corner_rule", p => p.CornerRule, (p, v) => p with { CornerRule = v });
+    public static readonly ProfileKey<Printer, AxisValues> Jerk = All.Axes("jerk_mm_s", 0, 10_000, p => p.Jerk, (p, v) => p with { Jerk = v });
+    public static readonly NumberKey JunctionDeviation
+        = All.Number("junction_deviation_mm", 0.0001, 10, p => p.JunctionDeviation, (p, v) => p with { JunctionDeviation = v });
+    public static readonly NumberKey SquareCornerVelocity
+        = All.Number("square_corner_velocity_mm_s", 0, 10_000, p => p.SquareCornerVelocity, (p, v) => p with { SquareCornerVelocity = v });
+    public static readonly NumberKey MinimumCruiseRatio
+        = All.Number("minimum_cruise_ratio", 0, 0.99, p => p.MinimumCruiseRatio, (p, v) => p with { MinimumCruiseRatio = v });
+    public static readonly NumberKey InstantaneousCornerVelocity = All.Number(
+        "instantaneous_corner_velocity_mm_s", 0.001, 10_000, p => p.InstantaneousCornerVelocity, (p, v) => p with { InstantaneousCornerVelocity = v });
+    public static readonly IntegerKey PlannerQueue
+        = All.Integer("planner_queue_moves", 0, 1_000_000, p => p.PlannerQueue, (p, v) => p with { PlannerQueue = v });
+    public static readonly NumberKey ArcSegment = All.Number("arc_segment_mm", 0.01, 1000, p => p.ArcSegment, (p, v) => p with { ArcSegment = v });
+    public static readonly NumberKey NozzleHeating = All.Number("nozzle_heating_c_s", 0, 1000, p => p.NozzleHeating, (p, v) => p with { NozzleHeating = v });
+    public static readonly NumberKey BedHeating = All.Number("bed_heating_c_s", 0, 1000, p => p.BedHeating, (p, v) => p with { BedHeating = v });
+    public static readonly NumberKey ToolChangeTime
+        = All.Number("tool_change_time_s", 0, 10_000, p => p.ToolChangeTime, (p, v) => p with { ToolChangeTime = v });
+    public static readonly NumberKey HomingTime = All.Number("homing_time_s", 0, 10_000, p => p.HomingTime, (p, v) => p with { HomingTime = v });
+}

@@ -1,0 +1,40 @@
+using Caterpillar.Geometry;
+using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, double>;
+
+namespace Caterpillar.Machines;
+
+// What a pause does that is put into a print.
+public sealed partial record Printer
+{
+    /// <summary>Height of the nozzle above the print during a pause.</summary> <value>mm.</value> <remarks>0 for a pause on the spot.</remarks>
+    public double PauseLift { get; init => field = PauseKeys.PauseLift.Check(value); } = 10;
+
+    /// <summary>Where the head waits during a pause; without it, the corner with the least X and Y that the print reaches.</summary>
+    /// <value>mm.</value> <remarks>One point, or none.</remarks>
+    public ValueList<Vec3> PausePark { get; init => field = PauseKeys.PausePark.Check(value); } = new();
+
+    /// <summary>Filament retracted during a pause.</summary> <value>mm.</value>
+    public double PauseRetraction { get; init => field = PauseKeys.PauseRetraction.Check(value); } = 2;
+
+    /// <summary>Extra filament after a pause, beyond what was retracted.</summary> <value>mm.</value>
+    public double PausePrime { get; init => field = PauseKeys.PausePrime.Check(value); }
+
+    /// <summary>Lines that pause; without them, the command of the dialect.</summary>
+    public ValueList<string> PauseCommand { get; init => field = PauseKeys.PauseCommand.Check(value); } = new();
+}
+
+/// <summary>Keys of printers: pauses.</summary>
+internal static class PauseKeys
+{
+    public static readonly KeyTable<Printer> All = new();
+
+    public static readonly NumberKey PauseLift = All.Number("pause_lift_mm", 0, 10_000, p => p.PauseLift, (p, v) => p with { PauseLift = v });
+    public static readonly ProfileKey<Printer, ValueList<Vec3>> PausePark = All.Of(
+        "pause_park_mm", new RowsFormat<Vec3>(["x", "y"], 1, -100_000, 100_000, n => new Vec3(n[0], n[1], 0), v => [v.X, v.Y]), p => p.PausePark,
+        (p, v) => p with { PausePark = v });
+    public static readonly NumberKey PauseRetraction
+        = All.Number("pause_retraction_mm", 0, 1000, p => p.PauseRetraction, (p, v) => p with { PauseRetraction = v });
+    public static readonly NumberKey PausePrime = All.Number("pause_prime_mm", 0, 1000, p => p.PausePrime, (p, v) => p with { PausePrime = v });
+    public static readonly ProfileKey<Printer, ValueList<string>> PauseCommand
+        = All.Of("pause_command", new LinesFormat(PrintTemplate.Problem), p => p.PauseCommand, (p, v) => p with { PauseCommand = v });
+}

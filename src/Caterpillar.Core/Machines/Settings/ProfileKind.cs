@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Machines;
+
+/// <summary>One of the three kinds of profiles: its folder, its keys, its record.</summary>
+internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<ProfileKey<T>> keys, Func<T> empty, Func<T, string, T> named)
+    where T : class
+{
+    private readonly Dictionary<string, ProfileKey<T>> _byName = keys.ToDictionary(k => k.Name, StringComparer.Ordinal);
+
+    /// <summary><c>printer</c>, <c>material</c> or <c>settings</c>.</summary>
+    public string Noun => noun;
+
+    /// <summary>Folder under <c>printers/</c>, with a trailing slash.</summary>
+    public string Folder => folder;
+
+    public IReadOnlyList<ProfileKey<T>> Keys => keys;
+
+    public T Empty(string name) => named(empty(), name);
+
+    public T Named(T profile, string name) => named(profile, name);
+
+    public ProfileKey<T>? Find(string key) => _byName.TryGetValue(key, out var found) ? found : null;
+
+    /// <summary>The profile with one more value, or the same and an error.</summary>
+    public T Apply(T profile, string key, object? raw, SourceLocation place, List<Diagnostic> diagnostics)
+    {
+        if (Find(key) is not { } found)
+        {
+            diagnostics.Add(UnknownKey.Problem(Noun, key, Keys.Select(k => k.Name).Concat(["inherits"]), place));
+            return profile;
+        }
+        if (raw is null)
+        {
+            diagnostics.Add(new Diagnostic(Severity.Error, "profile.wrong_kind", $"{key} needs {found.Format.Expected}.", place));
+            return profile;
+        }
+        var changed = found.Set(profile, raw, out var problem);
+        if (changed is not null) return changed;
+        var code = problem!.StartsWith("needs", StringComparison.Ordinal) ? "profile.wrong_kind" : "profile.out_of_range";
+        diagnostics.Add(new Diagnostic(Severity.Error, code, $"{key} {problem}." + (raw is string word ? found.Format.Hint(word) : ""), place));
+        return profile;
+    }
+}
+
+/// <summary>The three kinds of profiles.</summary>
+internal static class ProfileKinds
+{
+    public static readonly ProfileKind<Printer> Printer = new("printer", "",
+        [.. PrinterKeys.All, .. RetractionKeys.All, .. MotionKeys.All, .. HeadKeys.All, .. LimitKeys.All,
+            .. TemplateKeys.All, .. PauseKeys.All],
+        () => new Printer(), (p, name) => p with { Name = name });
+
+    public static readonly ProfileKind<Material> Material = new("material", "materials/",
+        MaterialKeys.All, () => new Material(), (m, name) => m with { Name = name });
+
+    public static readonly ProfileKind<PrintSettings> Settings = new("settings", "settings/",
+        [.. SettingsKeys.All, .. WallWidthKeys.All, .. LayerKeys.All, .. SkinKeys.All, .. InfillKeys.All, .. BedKeys.All, .. SurfaceKeys.All,
+            .. SeamKeys.All, .. TravelKeys.All, .. CurvedKeys.All, .. SupportKeys.All],
+        () => new PrintSettings(), (s, name) => s with { Name = name });
+
+    /// <summary>The kind of profiles that has a key, for messages.</summary>
+    public static string? KindOf(string key)
+        => Printer.Find(key) is not null ? "printers" : Material.Find(key) is not null ? "materials" : Settings.Find(key) is not null ? "settings" : null;
+}

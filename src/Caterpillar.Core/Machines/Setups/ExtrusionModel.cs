@@ -1,0 +1,88 @@
+using System;
+
+namespace Caterpillar.Machines;
+
+/// <summary>
+/// The extrusion model: the one place that converts between amounts of E, areas of strands and the three notations of extrusion. Internally everything is the
+/// area of the strand in mm².
+/// <list type="bullet">
+/// <item>E factor (ExtruderTurtle): mm of filament per mm of path, <c>E = L · k</c>.</item>
+/// <item>Area (Kanada): <c>E = L · A / (π (D/2)²)</c>.</item>
+/// <item>Width × height × multiplier (Caterpillar 2019): <c>E = H · W · L · M / ((D/2)² π)</c>.</item>
+/// </list>
+/// Volumetric firmware takes mm³; the plunger of a clay printer is a filament of a large diameter; a pen has no E at all.
+/// </summary>
+public sealed record ExtrusionModel
+{
+    /// <summary>Default of ExtruderTurtle's E factor.</summary>
+    public const double DefaultFactor = 0.05;
+
+    /// <param name="unit">Unit of E.</param>
+    /// <param name="filamentDiameter">Diameter of filament or plunger, mm.</param>
+    /// <param name="multiplier">Scales all E.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The diameter or the multiplier is not positive and finite.</exception>
+    public ExtrusionModel(ExtrusionUnit unit, double filamentDiameter, double multiplier = 1)
+    {
+        Unit = unit;
+        FilamentDiameter = Positive(filamentDiameter, nameof(filamentDiameter));
+        Multiplier = Positive(multiplier, nameof(multiplier));
+    }
+
+    /// <summary>What E counts.</summary>
+    public ExtrusionUnit Unit { get; }
+
+    /// <summary>Diameter of the filament or plunger, mm.</summary>
+    public double FilamentDiameter { get; }
+
+    /// <summary>Scales E, not the intended strand: <see cref="E"/> asks the machine for this many times the volume.</summary>
+    public double Multiplier { get; }
+
+    /// <summary>Cross-section of the filament or plunger, mm².</summary>
+    public double FilamentArea => FilamentAreaOf(FilamentDiameter);
+
+    /// <summary>mm³ that the machine feeds per unit of E; null if there is no E.</summary>
+    public double? FedVolumePerE => Unit switch
+    {
+        ExtrusionUnit.Mm => FilamentArea,
+        ExtrusionUnit.Mm3 => 1,
+        _ => null,
+    };
+
+    /// <summary>
+    /// mm³ of strand per unit of E, with the multiplier (as in <c>ToolpathTool.VolumePerE</c>); null if there is no E.
+    /// </summary>
+    public double? VolumePerE => FedVolumePerE / Multiplier;
+
+    /// <summary>mm of filament per unit of E; 1 for a pen.</summary>
+    public double FilamentPerE => Unit == ExtrusionUnit.Mm3 ? 1 / FilamentArea : 1;
+
+    /// <summary>
+    /// E for a length of path in mm with a strand of some area in mm²; 0 where there is no E. Backward moves extrude too: the length counts without its
+    /// sign.
+    /// </summary>
+    public double E(double length, double area) => VolumePerE is { } volume ? Math.Abs(length) * area / volume : 0;
+
+    /// <summary>Area in mm² of the strand that an amount of E gives over a length of path in mm; 0 where there is no E.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The length is not positive.</exception>
+    public double Area(double e, double length) => VolumePerE is { } volume ? e * volume / Positive(length, nameof(length)) : 0;
+
+    /// <summary>Amount of E for mm of filament, the unit of retractions.</summary>
+    public double EOfFilament(double millimeters) => Unit switch
+    {
+        ExtrusionUnit.Mm => millimeters,
+        ExtrusionUnit.Mm3 => millimeters * FilamentArea,
+        _ => 0,
+    };
+
+    /// <summary>Area in mm² of the strand that ExtruderTurtle's E factor (mm of filament per mm of path) makes.</summary>
+    public double AreaOfFactor(double factor) => factor * FilamentArea;
+
+    /// <summary>ExtruderTurtle's E factor (mm of filament per mm of path) for a strand of some area in mm².</summary>
+    public double FactorOfArea(double area) => area / FilamentArea;
+
+    /// <summary>Cross-section in mm² of a filament or plunger of a diameter in mm.</summary>
+    public static double FilamentAreaOf(double diameter) => Math.PI / 4 * diameter * diameter;
+
+    private static double Positive(double value, string name)
+        => value > 0 && !double.IsInfinity(value) ? value : throw new ArgumentOutOfRangeException(name, value, "Must be positive and finite.");
+}

@@ -1,0 +1,61 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Machines;
+
+/// <summary>Applies <c>key=value</c> to a setup.</summary>
+internal static class SetupValues
+{
+    public static Result<PrintSetup> Apply(PrintSetup setup, IEnumerable<string> values)
+    {
+        var diagnostics = new List<Diagnostic>();
+        foreach (var entry in values)
+        {
+            var at = entry.IndexOfAny(['=']);
+            var key = (at < 0 ? entry : entry.Substring(0, at)).Trim();
+            var place = new SourceLocation(Key: key);
+            if (at < 0) diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_value", $"\"{entry}\" is not key=value.", place));
+            else setup = One(setup, key, entry.Substring(at + 1), place, diagnostics);
+        }
+        return new Result<PrintSetup>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : setup, diagnostics);
+    }
+
+    private static PrintSetup One(PrintSetup setup, string key, string text, SourceLocation place, List<Diagnostic> diagnostics)
+    {
+        // All three have a title; it does not affect the print.
+        if (key != "title")
+        {
+            if (Changed(ProfileKinds.Settings, setup.Settings) is { } settings) return setup with { Settings = settings };
+            if (Changed(ProfileKinds.Material, setup.Material) is { } material) return setup with { Material = material };
+            if (Changed(ProfileKinds.Printer, setup.Printer) is { } printer) return setup with { Printer = printer };
+        }
+        var known = ProfileKeys.Settings.Concat(ProfileKeys.Material).Concat(ProfileKeys.Printer).Select(k => k.Name).Where(k => k != "title");
+        diagnostics.Add(UnknownKey.Problem("printer, material or settings", key, known, place));
+        return setup;
+
+        // The same profile where the value is wrong, and none where the key is not one of this kind.
+        T? Changed<T>(ProfileKind<T> kind, T profile)
+            where T : class
+            => kind.Find(key) is { } found
+                ? kind.Apply(profile, key, Parse(found, found.Get(profile), text, setup.Printer.NozzleDiameter), place, diagnostics)
+                : null;
+    }
+
+    // Text of another kind is passed on as text, so that the message can show it.
+    private static object Parse(ProfileKey key, object present, string text, double nozzle)
+        => key.Format.Parse(text) ?? Percent(key, present, text.Trim(), nozzle) ?? text;
+
+    // Speeds, flows and accelerations take percents of what the profile says, widths of strands of the nozzle, and factors are percents themselves.
+    private static object? Percent(ProfileKey key, object present, string text, double nozzle)
+    {
+        if (key.Kind != KeyKind.Number || !text.EndsWith("%", StringComparison.Ordinal)) return null;
+        if (!NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent)) return null;
+        bool Ends(string ending) => key.Name.EndsWith(ending, StringComparison.Ordinal);
+        if (Ends("_percent")) return percent;
+        if (Ends("_mm_s") || Ends("_mm_s2") || Ends("_mm3_s")) return present is double speed ? percent / 100 * speed : null;
+        if (Ends("_width_mm")) return percent / 100 * nozzle;
+        return Ends("_multiplier") || Ends("_flow") || Ends("_factor") ? percent / 100 : null;
+    }
+}

@@ -1,0 +1,53 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Net;
+using System.Reflection;
+using System.Text.RegularExpressions;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Manual;
+
+/// <summary>What stands in the source at the property of a setting: the sentence, and what its value is, which begins with the unit.</summary>
+internal sealed record SettingDoc(string Sentence, string Value);
+
+/// <summary>Reads the sentences of all settings where they are written: at the properties of printers, materials and print settings.</summary>
+internal sealed class SettingDocs
+{
+    private static readonly Regex Properties = new(@"((?:^ *///[^\n]*\n)+) *public [^\n(]+ (\w+) \{ get; init", RegexOptions.Multiline);
+    private static readonly Regex Record = new(@"public sealed (?:partial )?record (\w+)");
+
+    private readonly Dictionary<ProfileKey, SettingDoc> _docs = [];
+
+    /// <param name="repository">Folder of the repository.</param>
+    public SettingDocs(string repository)
+    {
+        var written = new Dictionary<(string Record, string Property), SettingDoc>();
+        foreach (var file in Directory.GetFiles(Path.Combine(repository, "src", "Caterpillar.Core", "Machines", "Settings"), "*.cs"))
+        {
+            var text = File.ReadAllText(file);
+            var record = Record.Match(text).Groups[1].Value;
+            foreach (Match property in Properties.Matches(text)) written[(record, property.Groups[2].Value)] = Doc(property.Groups[1].Value);
+        }
+        foreach (var (record, property, key) in Keys()) _docs.Add(key, written[(record, property)]);
+    }
+
+    public SettingDoc this[ProfileKey key] => _docs[key];
+
+    // A key has the name of its property.
+    private static IEnumerable<(string Record, string Property, ProfileKey Key)> Keys()
+        => from table in typeof(ProfileKey).Assembly.GetTypes()
+           where table.Name.EndsWith("Keys", StringComparison.Ordinal)
+           from field in table.GetFields(BindingFlags.Static | BindingFlags.Public)
+           where typeof(ProfileKey).IsAssignableFrom(field.FieldType)
+           select (field.FieldType.GenericTypeArguments[0].Name, field.Name, (ProfileKey)field.GetValue(null)!);
+
+    private static SettingDoc Doc(string lines)
+    {
+        var text = string.Join(" ", lines.Split('\n').Select(l => l.Trim().TrimStart('/').Trim()));
+        return new SettingDoc(Tag("summary"), Tag("value"));
+
+        string Tag(string name) => WebUtility.HtmlDecode(Regex.Match(text, $"<{name}>(.*)</{name}>").Groups[1].Value.Trim());
+    }
+}
