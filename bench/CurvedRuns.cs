@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using Caterpillar.Geometry;
+using Caterpillar.Tests.Geometry.Meshes;
 
 namespace Caterpillar.Bench;
 

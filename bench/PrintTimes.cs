@@ -10,6 +10,7 @@ using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Simulation;
 using Caterpillar.Slicing;
+using Caterpillar.Tests.Geometry.Meshes;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Bench;

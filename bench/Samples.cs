@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
+using Caterpillar.Tests.Geometry.Meshes;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Bench;

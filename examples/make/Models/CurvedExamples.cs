@@ -8,6 +8,7 @@ using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Slicing;
+using Caterpillar.Tests.Geometry.Meshes;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples;

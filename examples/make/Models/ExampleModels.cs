@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.Geometry;
+using Caterpillar.Tests.Geometry.Meshes;
 
 namespace Caterpillar.Examples;
 

@@ -69,14 +69,6 @@ public sealed class Polyline
         }
     }
 
-    /// <summary>The same points in reverse; a closed one keeps its first point.</summary>
-    public Polyline Reversed()
-    {
-        var points = (Vec3[])_points.Clone();
-        Array.Reverse(points, IsClosed ? 1 : 0, points.Length - (IsClosed && points.Length > 0 ? 1 : 0));
-        return new Polyline(points, IsClosed);
-    }
-
     /// <summary>Takes ownership of the array without a copy; for code that has just made it.</summary>
     internal static Polyline Own(Vec3[] points, bool closed) => new(points, closed);
 

@@ -10,6 +10,7 @@ using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
+using Caterpillar.Tests.Geometry.Curves;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests.Examples;
@@ -45,7 +46,7 @@ public class ExampleCurveTests
         Assert.That(curves[3].Curve.Length, Is.EqualTo(2 * Math.PI * (20 + 12 * 0.9)).Within(1e-2));
         Assert.That(curves.All(c => c.Curve.IsClosed));
         // The path goes into its circles and out of them without a corner.
-        Assert.That(curves[3].Curve.Kinks(1), Is.Empty);
+        Assert.That(CurveMaker.Kinks(curves[3].Curve, 1), Is.Empty);
     }
 
     [Test]

@@ -29,7 +29,7 @@ public class ExampleModelTests
         var read = MeshReader.Read(PathOf(name));
         Assert.That(read.Diagnostics, Is.Empty);
         var mesh = read.Value!.Single().Mesh;
-        Assert.That((mesh.IsWatertight, mesh.BodyCount), Is.EqualTo((true, 1)));
+        Assert.That((mesh.IsWatertight, mesh.BodyCount()), Is.EqualTo((true, 1)));
         Assert.That(mesh.Volume, Is.GreaterThan(1000));
         Assert.That(mesh.Bounds.Min.Z, Is.EqualTo(0));
         Assert.That(mesh.Bounds.Center.LengthXY, Is.LessThan(0.5));

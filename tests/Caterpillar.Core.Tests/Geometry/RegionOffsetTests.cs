@@ -166,53 +166,6 @@ public class RegionOffsetTests
     }
 
     [Test]
-    public void Insets_drop_what_is_too_thin_and_the_rest_tells_where()
-    {
-        // Two blocks with a neck of 1 mm between them.
-        var dumbbell = Region.Rectangle(0, 0, 10, 10).Union(Region.Rectangle(14, 0, 24, 10)).Union(Region.Rectangle(9, 4.5, 15, 5.5));
-        Assert.That(dumbbell.Inset(0.2, 0.5).Area, Is.EqualTo(2 * 9.6 * 9.6 + 0.6 * 4.4).Within(1e-3));
-        Assert.That(dumbbell.Inset(0.2, 0.7).Area, Is.EqualTo(2 * 9.6 * 9.6).Within(1e-3));
-        Assert.That(dumbbell.Inset(0.2, 0).Area, Is.EqualTo(dumbbell.Offset(-0.2).Area));
-        Assert.That(dumbbell.NarrowerThan(0.9).IsEmpty);
-        var neck = dumbbell.NarrowerThan(1.1).WithoutSmallContours(0.01);
-        Assert.That(neck.Area, Is.EqualTo(4).Within(1e-3));
-        Assert.That(neck.Bounds.Min.X, Is.EqualTo(10).Within(1e-3));
-        Assert.That(() => dumbbell.Inset(-1, 0), Throws.ArgumentException.With.Property("ParamName").EqualTo("distance"));
-        Assert.That(() => dumbbell.Inset(1, -1), Throws.ArgumentException.With.Property("ParamName").EqualTo("thinnest"));
-        Assert.That(() => dumbbell.NarrowerThan(double.NaN), Throws.ArgumentException.With.Property("ParamName").EqualTo("width"));
-    }
-
-    [Test]
-    public void Strokes_cover_what_the_formula_says()
-    {
-        var line = new Polyline(new[] { new Vec3(0, 0), new Vec3(10, 0), new Vec3(10, 10) });
-        Assert.That(Region.Around(new[] { line }, 1, JoinStyle.Miter).Area, Is.EqualTo(24 + 20).Within(1e-6));
-        Assert.That(Region.Around(new[] { line }, 1, JoinStyle.Round, 2, 1e-4).Area, Is.EqualTo(20 + 20 - 1 + Math.PI + Math.PI / 4).Within(2e-3));
-        var loop = new Polyline(new[] { new Vec3(0, 0), new Vec3(10, 0), new Vec3(10, 10), new Vec3(0, 10) }, closed: true);
-        Assert.That(Region.Around(new[] { loop }, 1, JoinStyle.Miter).Area, Is.EqualTo(144 - 64).Within(1e-6));
-        Assert.That(Region.Around(new[] { loop, line }, 1, JoinStyle.Miter).Contours, Has.Count.EqualTo(2));
-        var dot = new Polyline(new[] { new Vec3(3, 3), new Vec3(3, 3) });
-        Assert.That(Region.Around(new[] { dot }, 1, JoinStyle.Round, 2, 1e-4).Area, Is.EqualTo(Math.PI).Within(1e-3));
-        Assert.That(Region.Around(new[] { new Polyline(Array.Empty<Vec3>()) }, 1).IsEmpty);
-        Assert.That(() => Region.Around(new[] { line }, 0), Throws.ArgumentException.With.Property("ParamName").EqualTo("distance"));
-    }
-
-    [Test]
-    public void Strokes_that_cross_themselves_agree_with_buffers_of_NetTopologySuite()
-    {
-        var random = new Random(31);
-        var factory = new NetTopologySuite.Geometries.GeometryFactory();
-        for (var k = 0; k < (Fast ? 200 : 15); k++)
-        {
-            var line = new Polyline(RegionReference.Random(random, 2 + k % 20, 12).Points);
-            var ours = Region.Around(new[] { line }, 0.37, JoinStyle.Round, 2, 0.0005);
-            RegionReference.AssertValid(ours);
-            var theirs = factory.CreateLineString(line.Points.Select(p => new NetTopologySuite.Geometries.Coordinate(p.X, p.Y)).ToArray()).Buffer(0.37, 64);
-            Assert.That(ours.Area, Is.EqualTo(theirs.Area).Within(0.002 * (1 + theirs.Length)));
-        }
-    }
-
-    [Test]
     public void Simplifying_keeps_within_the_tolerance()
     {
         var circle = Region.From(new Polyline(Enumerable.Range(0, 1000).Select(i =>
@@ -222,9 +175,9 @@ public class RegionOffsetTests
         }), closed: true));
         var simple = circle.Simplified(0.0125);
         RegionReference.AssertValid(simple);
-        Assert.That(simple.VertexCount, Is.InRange(60, 200));
+        Assert.That(simple.VertexCount(), Is.InRange(60, 200));
         Assert.That(simple.Subtract(circle.Offset(0.0126)).IsEmpty && circle.Offset(-0.0126).Subtract(simple).IsEmpty);
-        Assert.That(circle.Simplified(0).VertexCount, Is.EqualTo(1000));
+        Assert.That(circle.Simplified(0).VertexCount(), Is.EqualTo(1000));
     }
 
     [Test]
@@ -238,7 +191,7 @@ public class RegionOffsetTests
             {
                 var simple = region.Simplified(tolerance);
                 RegionReference.AssertValid(simple);
-                Assert.That(simple.VertexCount, Is.LessThanOrEqualTo(region.VertexCount));
+                Assert.That(simple.VertexCount(), Is.LessThanOrEqualTo(region.VertexCount()));
                 var turned = Region.From(region.Contours.Select(c => new Polyline(c.Points.Skip(77).Concat(c.Points.Take(77)), closed: true)))
                     .Simplified(tolerance);
                 Assert.That(turned.Xor(simple).IsEmpty, "it depends on where the contour starts");
@@ -258,16 +211,4 @@ public class RegionOffsetTests
     }
 
     private static bool Fast => Type.GetType("Mono.Runtime") is null;
-
-    [Test]
-    public void A_closed_line_that_repeats_its_first_point_has_the_same_strip_around_it()
-    {
-        Vec3[] corners = [new(0, 0), new(20, 0), new(20, 10), new(5, 14)];
-        var once = Region.Around([new Polyline(corners, true)], 1);
-        var twice = Region.Around([new Polyline(corners.Append(corners[0]), true)], 1);
-        Assert.That(twice.Area, Is.EqualTo(once.Area).Within(1e-9));
-        Assert.That(twice.Subtract(once).IsEmpty && once.Subtract(twice).IsEmpty, Is.True);
-        // One corner less is another strip.
-        Assert.That(Region.Around([new Polyline(corners.Take(3), true)], 1).Area, Is.Not.EqualTo(once.Area).Within(1));
-    }
 }

@@ -86,7 +86,7 @@ public class NarrowAreaTests
     public void The_narrowest_wall_is_a_setting()
     {
         Region Covered(PrintSettings settings) => Region.Union(Solids.Paths(Sliced(settings)[3])
-            .Where(p => p.Role == Role.OuterWall).Select(p => Region.Around([new Polyline(p.RawPoints.ToArray(), p.IsClosed)], 0.05)));
+            .Where(p => p.Role == Role.OuterWall).Select(p => RegionTools.Around([new Polyline(p.RawPoints.ToArray(), p.IsClosed)], 0.05)));
         System.Collections.Generic.IReadOnlyList<SlicedLayer> Sliced(PrintSettings settings)
             => Solids.Slice(settings, Solids.Block(0, 0, 0, 10, 10, 2), Solids.Block(12, 0, 0, 12.2, 10, 2));
         var usual = new PrintSettings { MinLayerTime = 0 };

@@ -46,37 +46,11 @@ public sealed class ArcCurve : Curve
     /// <summary>A full circle in a horizontal plane, counterclockwise from its point with the largest X.</summary>
     public static ArcCurve Circle(Vec3 center, double radius) => new(Frame.At(center), radius);
 
-    /// <summary>The arc from one point through a second to a third.</summary>
-    /// <exception cref="ArgumentException">The points lie on a line.</exception>
-    public static ArcCurve Through(Vec3 start, Vec3 middle, Vec3 end)
-    {
-        var a = start - middle;
-        var b = end - middle;
-        var normal = Vec3.Cross(b, a);
-        var squared = normal.LengthSquared;
-        if (!(squared > 1e-24 * a.LengthSquared * b.LengthSquared)) throw new ArgumentException("Three points on a line do not define an arc.", nameof(middle));
-        var center = middle + Vec3.Cross(a.LengthSquared * b - b.LengthSquared * a, Vec3.Cross(a, b)) / (2 * squared);
-        var x = start - center;
-        var up = normal.Unit();
-        var frame = Frame.FromAxes(center, x, Vec3.Cross(up, x));
-        var local = frame.ToLocal(end);
-        var sweep = Angle.Atan2(local.Y, local.X);
-        return new ArcCurve(frame, x.Length, sweep > 0 ? sweep : sweep + 360);
-    }
-
     public override Vec3 PointAt(double t)
     {
         t = Clamp(t);
         var (sin, cos) = Angle.SinCos(Sweep * t);
         return Center + Frame.X * (Radius * cos) + Frame.Y * (Radius * sin);
-    }
-
-    public override Vec3 DerivativeAt(double t) => Derivatives(Clamp(t)).First;
-
-    public override Curve Reversed()
-    {
-        var start = TurnedFrame(Sweep);
-        return new ArcCurve(start, Radius, -Sweep);
     }
 
     public override Curve Transformed(Affine map)
@@ -141,13 +115,5 @@ public sealed class ArcCurve : Curve
         return ((Frame.Y * cos - Frame.X * sin) * (Radius * rate), (Frame.X * cos + Frame.Y * sin) * (-Radius * rate * rate));
     }
 
-    internal override void AddSpans(List<CurveSpan> spans, double start, double scale) => spans.Add(CurveSpan.Of(start, start + scale, this));
-
-    private protected override Curve Part(double from, double to) => new ArcCurve(TurnedFrame(Sweep * from), Radius, Sweep * (to - from));
-
-    private Frame TurnedFrame(double degrees)
-    {
-        var (sin, cos) = Angle.SinCos(degrees);
-        return Frame.FromAxes(Center, Frame.X * cos + Frame.Y * sin, Frame.Y * cos - Frame.X * sin);
-    }
+    internal override void AddSpans(List<CurveSpan> spans) => spans.Add(CurveSpan.Of(this));
 }

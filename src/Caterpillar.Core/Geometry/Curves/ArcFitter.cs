@@ -9,7 +9,7 @@ namespace Caterpillar.Geometry;
 /// on the perpendicular bisector of the two; the deviation is tested at all vertices and at the midpoints of all chords, so that a corner is never rounded
 /// beyond the tolerance. Runs grow greedily.
 /// </summary>
-public sealed class ArcFitter
+internal sealed class ArcFitter
 {
     private readonly ArcFitOptions _options;
     private readonly IReadOnlyList<Vec3> _points;

@@ -5,9 +5,9 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// Length along a curve, and the inverse. Straight parts and arcs are exact; others are integrated by ten-point Gauss–Legendre quadrature on intervals that are
-/// halved until halving changes nothing beyond the tolerance. <see cref="ErrorBound"/> is the sum of these changes, which is far above the true error.
+/// halved until halving changes nothing beyond the tolerance.
 /// </summary>
-public sealed class ArcLength
+internal sealed class ArcLength
 {
     /// <summary>Tolerance of one interval: 1e-10 mm plus 1e-12 of its length.</summary>
     private const double AbsoluteTolerance = 1e-10;
@@ -24,65 +24,29 @@ public sealed class ArcLength
     private readonly List<CurveSpan> _spans;
     private readonly List<Leaf> _leaves = [];
 
-    private ArcLength(List<CurveSpan> spans)
+    /// <param name="spans">The spans of a curve, in order.</param>
+    public ArcLength(List<CurveSpan> spans)
     {
         _spans = spans;
         for (var i = 0; i < spans.Count; i++)
         {
-            if (spans[i].IsEven) Add(i, 0, 1, spans[i].EvenLength, 0);
+            if (spans[i].IsEven) Add(i, 0, 1, spans[i].EvenLength);
             else Refine(i, 0, 1, Integral(spans[i], 0, 1), 0);
         }
     }
 
-    /// <summary>Prepares the lengths of a curve.</summary>
-    public static ArcLength Of(Curve curve) => new((curve ?? throw new ArgumentNullException(nameof(curve))).Spans());
-
-    internal static ArcLength Of(List<CurveSpan> spans) => new(spans);
-
     /// <summary>Length of the whole curve, mm.</summary>
     public double Total { get; private set; }
 
-    /// <summary>Maximum error of a length, mm.</summary>
-    public double ErrorBound { get; private set; }
+    public List<CurveSpan> Spans => _spans;
 
-    /// <summary>Length from the start to a parameter, mm.</summary>
-    public double LengthAt(double t)
-    {
-        if (_spans.Count == 0 || !(t > _spans[0].From)) return 0;
-        int low = 0, high = _leaves.Count;
-        while (high - low > 1)
-        {
-            var middle = (low + high) / 2;
-            if (_spans[_leaves[middle].Span].ParameterOf(_leaves[middle].From) <= t) low = middle;
-            else high = middle;
-        }
-        var leaf = _leaves[low];
-        var span = _spans[leaf.Span];
-        if (t >= span.ParameterOf(leaf.To)) return leaf.Start + leaf.Length;
-        return leaf.Start + Within(span, leaf, (t - span.From) / (span.To - span.From));
-    }
+    public int LeafCount => _leaves.Count;
 
-    /// <summary>The parameter at a length in mm from the start; beyond the ends that of the nearer end.</summary>
-    public double ParameterAt(double length)
-    {
-        if (_spans.Count == 0) return 0;
-        var (leaf, u) = Locate(length);
-        return _spans[_leaves[leaf].Span].ParameterOf(u);
-    }
-
-    internal List<CurveSpan> Spans => _spans;
-
-    internal int LeafCount => _leaves.Count;
-
-    /// <summary>Span, first and last u of a leaf, and the length up to its start.</summary>
-    internal (int Span, double From, double To, double Start, double Length) LeafAt(int index)
-    {
-        var leaf = _leaves[index];
-        return (leaf.Span, leaf.From, leaf.To, leaf.Start, leaf.Length);
-    }
+    /// <summary>One of the intervals, in order.</summary>
+    public Leaf LeafAt(int index) => _leaves[index];
 
     /// <summary>The leaf, and the u of its span, at a length from the start.</summary>
-    internal (int Leaf, double U) Locate(double length)
+    public (int Leaf, double U) Locate(double length)
     {
         int low = 0, high = _leaves.Count;
         while (high - low > 1)
@@ -129,19 +93,18 @@ public sealed class ArcLength
         var change = Math.Abs(left + right - whole);
         if (change <= AbsoluteTolerance + RelativeTolerance * whole || depth == MaxDepth)
         {
-            Add(span, a, middle, left, 0.5 * change);
-            Add(span, middle, b, right, 0.5 * change);
+            Add(span, a, middle, left);
+            Add(span, middle, b, right);
             return;
         }
         Refine(span, a, middle, left, depth + 1);
         Refine(span, middle, b, right, depth + 1);
     }
 
-    private void Add(int span, double a, double b, double length, double error)
+    private void Add(int span, double a, double b, double length)
     {
         _leaves.Add(new Leaf(span, a, b, Total, length));
         Total += length;
-        ErrorBound += error + 1e-15 * Total;
     }
 
     private static double Integral(CurveSpan span, double a, double b)
@@ -157,5 +120,6 @@ public sealed class ArcLength
         return sum * half;
     }
 
-    private readonly record struct Leaf(int Span, double From, double To, double Start, double Length);
+    /// <summary>An interval from one u of a span to another, with the length of the curve up to its start and its own, mm.</summary>
+    public readonly record struct Leaf(int Span, double From, double To, double Start, double Length);
 }

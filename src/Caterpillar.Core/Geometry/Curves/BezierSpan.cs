@@ -105,21 +105,6 @@ internal sealed class BezierSpan
     /// <summary>True if all control points coincide.</summary>
     public bool IsPoint => Hull.Size.Length <= 1e-12;
 
-    /// <summary>The two halves at u.</summary>
-    public (BezierSpan Left, BezierSpan Right) Split(double u)
-    {
-        var p = Degree;
-        var left = new HomogeneousPoint[p + 1];
-        var right = (HomogeneousPoint[])_controls.Clone();
-        left[0] = right[0];
-        for (var r = 1; r <= p; r++)
-        {
-            for (var i = 0; i <= p - r; i++) right[i] = HomogeneousPoint.Mix(right[i], right[i + 1], u);
-            left[r] = right[0];
-        }
-        return (new BezierSpan(left), new BezierSpan(right));
-    }
-
     private void Reduce(HomogeneousPoint[] work, double u, int to)
     {
         for (var r = Degree; r > to; r--)

@@ -4,34 +4,26 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A smooth span of a curve, with its own parameter u from 0 to 1, linear in that of the curve: a straight line at constant speed, an arc, or a
-/// rational Bézier piece.
+/// A smooth span of a curve, with its own parameter u from 0 to 1: a straight line at constant speed, an arc, or a rational Bézier piece.
 /// </summary>
 internal readonly struct CurveSpan
 {
     private readonly BezierSpan? _bezier;
     private readonly ArcCurve? _arc;
 
-    private CurveSpan(double from, double to, Vec3 start, Vec3 end, BezierSpan? bezier, ArcCurve? arc)
+    private CurveSpan(Vec3 start, Vec3 end, BezierSpan? bezier, ArcCurve? arc)
     {
-        From = from;
-        To = to;
         Start = start;
         End = end;
         _bezier = bezier;
         _arc = arc;
     }
 
-    public static CurveSpan Straight(double from, double to, Vec3 start, Vec3 end) => new(from, to, start, end, null, null);
+    public static CurveSpan Straight(Vec3 start, Vec3 end) => new(start, end, null, null);
 
-    public static CurveSpan Of(double from, double to, BezierSpan bezier) => new(from, to, bezier.Point(0), bezier.Point(1), bezier, null);
+    public static CurveSpan Of(BezierSpan bezier) => new(bezier.Point(0), bezier.Point(1), bezier, null);
 
-    public static CurveSpan Of(double from, double to, ArcCurve arc) => new(from, to, arc.Start, arc.End, null, arc);
-
-    /// <summary>Parameter of the curve at the start of the span.</summary>
-    public double From { get; }
-
-    public double To { get; }
+    public static CurveSpan Of(ArcCurve arc) => new(arc.Start, arc.End, null, arc);
 
     public Vec3 Start { get; }
 
@@ -44,9 +36,9 @@ internal readonly struct CurveSpan
     /// <summary>True if length is linear in u.</summary>
     public bool IsEven => _bezier is null;
 
-    public Vec3 StartTangent => _arc is not null ? _arc.TangentAt(0) : _bezier is not null ? _bezier.StartTangent : (End - Start).Unit();
+    public Vec3 StartTangent => _arc is not null ? _arc.Derivatives(0).First.Unit() : _bezier is not null ? _bezier.StartTangent : (End - Start).Unit();
 
-    public Vec3 EndTangent => _arc is not null ? _arc.TangentAt(1) : _bezier is not null ? _bezier.EndTangent : (End - Start).Unit();
+    public Vec3 EndTangent => _arc is not null ? _arc.Derivatives(1).First.Unit() : _bezier is not null ? _bezier.EndTangent : (End - Start).Unit();
 
     /// <summary>Length of a span that <see cref="IsEven"/>, mm.</summary>
     public double EvenLength => _arc is not null ? _arc.Length : Start.DistanceTo(End);
@@ -62,8 +54,6 @@ internal readonly struct CurveSpan
         if (_bezier is not null) return _bezier.Derivatives(u);
         return _arc is not null ? _arc.Derivatives(u) : (End - Start, Vec3.Zero);
     }
-
-    public double ParameterOf(double u) => u >= 1 ? To : From + (To - From) * u;
 
     /// <summary>The angle between two unit vectors, 0 to 180 degrees.</summary>
     public static double TurnDegrees(Vec3 a, Vec3 b) => Angle.Atan2(Vec3.Cross(a, b).Length, Vec3.Dot(a, b));

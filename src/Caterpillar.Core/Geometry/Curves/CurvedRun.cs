@@ -34,7 +34,7 @@ internal sealed class CurvedRun
         _options = options;
         _mostPoints = mostPoints;
         _cancel = cancel;
-        _length = ArcLength.Of(spans);
+        _length = new ArcLength(spans);
         _longest = options.Distance;
         if (options.MaxLength > 0 && (_longest == 0 || options.MaxLength < _longest)) _longest = options.MaxLength;
     }

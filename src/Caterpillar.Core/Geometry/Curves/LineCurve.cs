@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>A straight line from one point to another, in mm; its parameter runs from 0 to 1.</summary>
-public sealed class LineCurve : Curve
+internal sealed class LineCurve : Curve
 {
     private readonly Vec3 _from;
     private readonly Vec3 _to;
@@ -27,15 +27,9 @@ public sealed class LineCurve : Curve
 
     public override Vec3 PointAt(double t) => Vec3.Lerp(_from, _to, Clamp(t));
 
-    public override Vec3 DerivativeAt(double t) => _to - _from;
-
-    public override Curve Reversed() => new LineCurve(_to, _from);
-
     /// <inheritdoc/>
     /// <exception cref="ArgumentException">The map collapses it to a point.</exception>
     public override Curve Transformed(Affine map) => new LineCurve(map.Apply(_from), map.Apply(_to));
 
-    internal override void AddSpans(List<CurveSpan> spans, double start, double scale) => spans.Add(CurveSpan.Straight(start, start + scale, _from, _to));
-
-    private protected override Curve Part(double from, double to) => new LineCurve(PointAt(from), PointAt(to));
+    internal override void AddSpans(List<CurveSpan> spans) => spans.Add(CurveSpan.Straight(_from, _to));
 }

@@ -7,7 +7,7 @@ namespace Caterpillar.Geometry;
 /// <summary>
 /// A rational B-spline curve of any degree, in mm. Knots are the full vector (control points + degree + 1 of them), clamped or not; the domain lies between the
 /// knots with the numbers degree and count of control points. Weights are positive.
-/// Evaluation is de Boor's algorithm in homogeneous coordinates; parts and Bézier pieces come from its polar form (Ramshaw 1989).
+/// Evaluation is de Boor's algorithm in homogeneous coordinates; Bézier pieces come from its polar form (Ramshaw 1989).
 /// </summary>
 public sealed class NurbsCurve : Curve
 {
@@ -76,9 +76,6 @@ public sealed class NurbsCurve : Curve
     /// <summary>Control points + degree + 1 of them, ascending.</summary>
     public IReadOnlyList<double> Knots => (double[])_knots.Clone();
 
-    /// <summary>Its weights differ.</summary>
-    public bool IsRational => Array.Exists(_controls, c => c.Weight != _controls[0].Weight);
-
     public override double DomainStart => _knots[Degree];
 
     public override double DomainEnd => _knots[_controls.Length];
@@ -124,67 +121,17 @@ public sealed class NurbsCurve : Curve
         return work[Degree].Point;
     }
 
-    public override Vec3 DerivativeAt(double t)
-    {
-        t = Clamp(t);
-        var span = SpanOf(t);
-        var (a, b) = (_knots[span], _knots[span + 1]);
-        return Piece(span).Derivatives((t - a) / (b - a)).First / (b - a);
-    }
-
-    public override Curve Reversed()
-    {
-        var controls = (HomogeneousPoint[])_controls.Clone();
-        Array.Reverse(controls);
-        var sum = DomainStart + DomainEnd;
-        var knots = new double[_knots.Length];
-        for (var i = 0; i < knots.Length; i++) knots[i] = sum - _knots[knots.Length - 1 - i];
-        // The ends of the domain keep their values exactly.
-        for (var i = 0; i < knots.Length; i++)
-        {
-            if (_knots[knots.Length - 1 - i] == DomainEnd) knots[i] = DomainStart;
-            else if (_knots[knots.Length - 1 - i] == DomainStart) knots[i] = DomainEnd;
-        }
-        return new NurbsCurve(Degree, controls, knots);
-    }
-
     public override Curve Transformed(Affine map)
         => new NurbsCurve(Degree, Array.ConvertAll(_controls, c => HomogeneousPoint.Of(map.Apply(c.Point), c.Weight)), _knots);
 
-    internal override void AddSpans(List<CurveSpan> spans, double start, double scale)
+    internal override void AddSpans(List<CurveSpan> spans)
     {
         for (var span = Degree; span < _controls.Length; span++)
         {
             if (!(_knots[span] < _knots[span + 1])) continue;
             var piece = Piece(span);
-            if (piece.IsPoint) continue;
-            var from = start + (_knots[span] - DomainStart) * scale;
-            spans.Add(CurveSpan.Of(from, start + (_knots[span + 1] - DomainStart) * scale, piece));
+            if (!piece.IsPoint) spans.Add(CurveSpan.Of(piece));
         }
-    }
-
-    // Clamped at both ends: control point i of the part is the polar value of its inner knots i+1 … i+degree.
-    private protected override Curve Part(double from, double to)
-    {
-        var knots = new List<double>();
-        for (var i = 0; i <= Degree; i++) knots.Add(from);
-        foreach (var knot in _knots)
-        {
-            if (knot > from && knot < to && knots.Count(k => k == knot) < Degree) knots.Add(knot);
-        }
-        for (var i = 0; i <= Degree; i++) knots.Add(to);
-        var controls = new HomogeneousPoint[knots.Count - Degree - 1];
-        var work = new HomogeneousPoint[Degree + 1];
-        for (var i = 0; i < controls.Length; i++)
-        {
-            // Any non-empty knot span within the support of the control point gives the same value.
-            var j = i;
-            while (!(knots[j] < knots[j + 1])) j++;
-            var first = i;
-            Polar(SpanOf(0.5 * (knots[j] + knots[j + 1])), (r, _) => knots[first + r], work);
-            controls[i] = work[Degree];
-        }
-        return new NurbsCurve(Degree, controls, knots.ToArray());
     }
 
     private BezierSpan Piece(int span)

@@ -40,34 +40,11 @@ public sealed class PolyCurve : Curve
         return piece.PointAt(inner);
     }
 
-    public override Vec3 DerivativeAt(double t)
-    {
-        var (piece, inner) = Locate(t);
-        return piece.DerivativeAt(inner) * (piece.DomainEnd - piece.DomainStart);
-    }
-
-    public override Curve Reversed() => new PolyCurve(Enumerable.Reverse(_pieces).Select(p => p.Reversed()), double.MaxValue);
-
     public override Curve Transformed(Affine map) => new PolyCurve(_pieces.Select(p => p.Transformed(map)), double.MaxValue);
 
-    internal override void AddSpans(List<CurveSpan> spans, double start, double scale)
+    internal override void AddSpans(List<CurveSpan> spans)
     {
-        for (var i = 0; i < _pieces.Length; i++)
-            _pieces[i].AddSpans(spans, start + i * scale, scale / (_pieces[i].DomainEnd - _pieces[i].DomainStart));
-    }
-
-    private protected override Curve Part(double from, double to)
-    {
-        var parts = new List<Curve>();
-        for (var i = (int)from; i < to; i++)
-        {
-            var piece = _pieces[i];
-            var size = piece.DomainEnd - piece.DomainStart;
-            var a = from > i ? piece.DomainStart + (from - i) * size : piece.DomainStart;
-            var b = to < i + 1 ? piece.DomainStart + (to - i) * size : piece.DomainEnd;
-            if (a < b) parts.Add(piece.SubCurve(a, b));
-        }
-        return parts.Count == 1 ? parts[0] : new PolyCurve(parts, double.MaxValue);
+        foreach (var piece in _pieces) piece.AddSpans(spans);
     }
 
     private (Curve Piece, double Inner) Locate(double t)

@@ -43,14 +43,6 @@ public sealed class PolylineCurve : Curve
         return Vec3.Lerp(_points[i], At(i + 1), t - i);
     }
 
-    public override Vec3 DerivativeAt(double t)
-    {
-        var i = Math.Min((int)Clamp(t), Polyline.SegmentCount - 1);
-        return At(i + 1) - _points[i];
-    }
-
-    public override Curve Reversed() => new PolylineCurve(Polyline.Reversed());
-
     public override Curve Transformed(Affine map)
     {
         var points = new Vec3[_points.Length];
@@ -58,20 +50,12 @@ public sealed class PolylineCurve : Curve
         return new PolylineCurve(Polyline.Own(points, Polyline.IsClosed));
     }
 
-    internal override void AddSpans(List<CurveSpan> spans, double start, double scale)
+    internal override void AddSpans(List<CurveSpan> spans)
     {
         for (var i = 0; i < Polyline.SegmentCount; i++)
         {
-            if (_points[i] != At(i + 1)) spans.Add(CurveSpan.Straight(start + i * scale, start + (i + 1) * scale, _points[i], At(i + 1)));
+            if (_points[i] != At(i + 1)) spans.Add(CurveSpan.Straight(_points[i], At(i + 1)));
         }
-    }
-
-    private protected override Curve Part(double from, double to)
-    {
-        var points = new List<Vec3> { PointAt(from) };
-        for (var i = (int)from + 1; i < to; i++) points.Add(At(i));
-        points.Add(PointAt(to));
-        return new PolylineCurve(points);
     }
 
     private Vec3 At(int i) => i == _points.Length ? _points[0] : _points[i];

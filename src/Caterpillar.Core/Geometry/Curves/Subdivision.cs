@@ -28,14 +28,8 @@ public sealed class Subdivision
     /// <summary>Pieces between points.</summary>
     public int SegmentCount => _linear.Length;
 
-    /// <summary>Some pieces are arcs.</summary>
-    public bool HasArcs => _arcs is not null;
-
     /// <summary>True if the segment is a linear part of the curve, false if it approximates a piece of a curved part.</summary>
     public bool IsLinear(int segment) => _linear[segment];
-
-    /// <summary>The arc of a segment, or null if it is straight.</summary>
-    public Arc? ArcOf(int segment) => _arcs?[segment];
 
     /// <summary>End point of a segment.</summary>
     public Vec3 EndOf(int segment) => segment + 1 == _points.Length ? _points[0] : _points[segment + 1];

@@ -42,9 +42,6 @@ public sealed record SubdivisionOptions
     /// <summary>Division by the distance between curve and chord, mm.</summary>
     public static SubdivisionOptions ByTolerance(double tolerance) => new() { ChordTolerance = tolerance };
 
-    /// <summary>Division by the turn along a segment, degrees.</summary>
-    public static SubdivisionOptions ByAngle(double degrees) => new() { Angle = degrees };
-
     /// <exception cref="ArgumentException">A value is negative or not finite, nothing is requested, or the lengths contradict each other.</exception>
     internal void Check()
     {

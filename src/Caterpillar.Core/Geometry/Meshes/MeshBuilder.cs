@@ -27,8 +27,6 @@ internal sealed class MeshBuilder
         (_vertices, _triangles) = (vertices, corners);
     }
 
-    public int VertexCount => _vertices?.Length ?? _welder.Count;
-
     public int TriangleCount => _used / 3;
 
     /// <summary>Triangles with a repeated vertex, which were dropped.</summary>

@@ -7,7 +7,7 @@ namespace Caterpillar.Geometry;
 /// Nearest points of a mesh, by a tree of boxes. The sign of a distance follows the normals of what is nearest, those of edges and vertices weighted by angle
 /// (Bærentzen and Aanæs, "Signed distance computation using the angle weighted pseudonormal", 2005). Immutable.
 /// </summary>
-public sealed class MeshDistance
+internal sealed class MeshDistance
 {
     private const int LeafSize = 4;
     private readonly Vec3[] _vertices;
@@ -186,4 +186,4 @@ public sealed class MeshDistance
 /// <param name="Distance">mm; negative on the side away from the normals.</param>
 /// <param name="Normal">Unit normal of the mesh there.</param>
 /// <param name="OnRim">The point lies on the edge of an open mesh.</param>
-public readonly record struct NearestOnMesh(Vec3 Point, double Distance, Vec3 Normal, bool OnRim);
+internal readonly record struct NearestOnMesh(Vec3 Point, double Distance, Vec3 Normal, bool OnRim);

@@ -6,7 +6,7 @@ namespace Caterpillar.Geometry;
 /// Heights of a surface above points of the XY plane: the triangles in a grid of cells, so that a query looks at only a few of them. Vertical triangles
 /// have no height. Immutable.
 /// </summary>
-public sealed class MeshHeights
+internal sealed class MeshHeights
 {
     private const int MaxCells = 1 << 22;
 

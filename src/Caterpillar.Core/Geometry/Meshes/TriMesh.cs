@@ -105,9 +105,6 @@ public sealed class TriMesh
     /// <summary>True if every edge has two triangles with opposite directions. Bodies may still intersect.</summary>
     public bool IsWatertight => Topology.IsWatertight && _triangles.Length > 0;
 
-    /// <summary>Number of bodies: sets of triangles that are connected across edges.</summary>
-    public int BodyCount => MeshBodies.Count(this);
-
     /// <summary>The image of the mesh. A mirroring map flips the triangles, so that they still face outward.</summary>
     /// <exception cref="ArgumentException">The map flattens space, is not finite, or moves a vertex beyond <see cref="MaxCoordinate"/>.</exception>
     public TriMesh Transformed(Affine map)
@@ -173,12 +170,6 @@ public sealed class TriMesh
         }
         return welder is null || welder.Count == near;
     }
-
-    /// <summary>The mesh scaled about the origin.</summary>
-    public TriMesh Scaled(double factor) => Transformed(Affine.Scale(factor));
-
-    /// <summary>The mesh turned about an axis through the origin by degrees.</summary>
-    public TriMesh Rotated(Vec3 axis, double degrees) => Transformed(Affine.Rotate(axis, degrees));
 
     /// <summary>Several meshes as one; vertices with equal coordinates become one.</summary>
     public static TriMesh Merge(IEnumerable<TriMesh> meshes)

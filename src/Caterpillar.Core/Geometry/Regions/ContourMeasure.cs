@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>Area and boundary length enclosed by contours, from their coordinates in double instead of on the 10 nm grid of <see cref="Region"/>.</summary>
-public static class ContourMeasure
+internal static class ContourMeasure
 {
     /// <summary>
     /// Measures the union of the solids (winding number not 0) of closed contours. If no contours cross or touch, sums over the points as they are;

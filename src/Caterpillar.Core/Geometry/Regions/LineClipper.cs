@@ -1,180 +1,89 @@
-using System;
 using System.Collections.Generic;
 
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Cuts lines at the boundary of a region and keeps the pieces inside, or outside. A piece is classified by its midpoint, so rounding can't invert the rest.
+/// The parts of the segments of a path inside a region, or outside. Segments that follow each other are near the same edges, and are mostly on the same side of
+/// all.
 /// </summary>
-internal sealed partial class LineClipper
+internal sealed class LineClipper(RegionIndex index, bool outside)
 {
-    private readonly RegionIndex _index;
-    private readonly bool _outside;
-    private readonly List<double> _cuts = new();
-    private readonly List<Vec3> _current = new();
-    private readonly List<Polyline> _pieces = new();
-    private double _near;
-    private bool _touched, _endTouches;
+    // Segments that look for edges together.
+    private const int Run = 16;
+    private readonly LineCuts _cuts = new(index);
+    private readonly List<int> _leaves = [];
+    private Vec3[] _path = [];
+    private int _run;
+    private int _after;
+    private bool? _last;
 
-    public LineClipper(RegionIndex index, bool outside)
+    /// <summary>Parts are those of the segments of this path, closed.</summary>
+    public void Follow(Vec3[] path) => (_path, _run, _after) = (path, -1, -1);
+
+    /// <summary>Adds the kept parts of a segment of the path as parameters from 0 to 1, in order and joined where they touch.</summary>
+    public void Parts(int segment, List<(double From, double To)> parts)
     {
-        _index = index;
-        _outside = outside;
-    }
-
-    public IReadOnlyList<Polyline> Pieces => _pieces;
-
-    public void Clip(Polyline line)
-    {
-        var first = _pieces.Count;
-        var whole = true;
-        bool? inside = null;
-        for (var i = 0; i < line.SegmentCount; i++) Segment(line[i], line[i + 1 == line.Count ? 0 : i + 1], ref whole, ref inside);
-        var open = _current.Count > 0;
-        if (line.IsClosed && whole && open)
+        Vec3 a = _path[segment], b = _path[segment + 1 == _path.Length ? 0 : segment + 1];
+        if (segment / Run != _run) FindLeaves(segment / Run);
+        _cuts.Begin(a, b);
+        foreach (var leaf in _leaves) _cuts.Add(leaf);
+        var goesOn = _after == segment && _last is not null && !_cuts.Touched;
+        // The end of a segment that ends at an edge tells nothing of the next.
+        _after = _cuts.EndTouches ? -1 : segment + 1;
+        if (goesOn)
         {
-            _pieces.Add(line);
-            _current.Clear();
+            if (_last == true) parts.Add((0, 1));
             return;
         }
-        Flush();
-        if (line.IsClosed && open && _pieces.Count > first + 1) JoinAround(line[0], first);
-    }
-
-    /// <summary>True if no piece of the line is cut off.</summary>
-    public bool IsWhole(Vec3 a, Vec3 b)
-    {
-        _cuts.Clear();
-        Cuts(a.X * Grid.PerMm, a.Y * Grid.PerMm, b.X * Grid.PerMm, b.Y * Grid.PerMm);
-        _cuts.Sort();
-        _cuts.Add(1);
+        var cuts = _cuts.Found;
+        if (cuts.Count > 1) cuts.Sort();
+        cuts.Add(1);
         var from = 0.0;
-        foreach (var to in _cuts)
+        foreach (var to in cuts)
         {
             if (to <= from) continue;
             var middle = Vec3.Lerp(a, b, (from + to) / 2);
-            if (_index.Contains(middle.X * Grid.PerMm, middle.Y * Grid.PerMm) == _outside) return false;
-            from = to;
-        }
-        return true;
-    }
-
-    // Whether the last piece was kept holds for the next segment too, as long as no edge is near.
-    private void Segment(Vec3 a, Vec3 b, ref bool whole, ref bool? last)
-    {
-        if (a.X == b.X && a.Y == b.Y)
-        {
-            if (_index.Contains(a.X * Grid.PerMm, a.Y * Grid.PerMm) != _outside) Extend(a, b);
-            return;
-        }
-        _cuts.Clear();
-        _touched = _endTouches = false;
-        double dx = (b.X - a.X) * Grid.PerMm, dy = (b.Y - a.Y) * Grid.PerMm;
-        _near = 2 / Math.Sqrt(dx * dx + dy * dy);
-        Cuts(a.X * Grid.PerMm, a.Y * Grid.PerMm, b.X * Grid.PerMm, b.Y * Grid.PerMm);
-        if (!_touched && last is { } same)
-        {
-            if (same) Extend(a, b);
-            return;
-        }
-        _cuts.Sort();
-        _cuts.Add(1);
-        var from = 0.0;
-        var start = 0.0;
-        var kept = false;
-        foreach (var to in _cuts)
-        {
-            if (to <= from) continue;
-            var middle = Vec3.Lerp(a, b, (from + to) / 2);
-            var keep = _index.Contains(middle.X * Grid.PerMm, middle.Y * Grid.PerMm) != _outside;
-            if (keep && !kept) start = from;
-            if (!keep && kept) Extend(Vec3.Lerp(a, b, start), Vec3.Lerp(a, b, from));
-            if (!keep)
+            _last = index.Contains(middle.X * Grid.PerMm, middle.Y * Grid.PerMm) != outside;
+            if (_last == true)
             {
-                Flush();
-                whole = false;
+                if (parts.Count > 0 && parts[parts.Count - 1].To == from) parts[parts.Count - 1] = (parts[parts.Count - 1].From, to);
+                else parts.Add((from, to));
             }
-            kept = keep;
             from = to;
         }
-        if (kept) Extend(Vec3.Lerp(a, b, start), b);
-        last = _endTouches ? null : kept;
     }
 
-    private void Extend(Vec3 from, Vec3 to)
+    // The leaves of edges near a run of segments.
+    private void FindLeaves(int run)
     {
-        if (_current.Count == 0 || _current[_current.Count - 1] != from)
+        _run = run;
+        _leaves.Clear();
+        var tree = index.Tree;
+        if (tree.Levels == 0) return;
+        double minX = double.PositiveInfinity, minY = minX, maxX = double.NegativeInfinity, maxY = maxX;
+        for (var i = run * Run; i <= (run + 1) * Run && i <= _path.Length; i++)
         {
-            Flush();
-            _current.Add(from);
+            ref readonly var p = ref _path[i == _path.Length ? 0 : i];
+            double x = p.X * Grid.PerMm, y = p.Y * Grid.PerMm;
+            if (x < minX) minX = x;
+            if (x > maxX) maxX = x;
+            if (y < minY) minY = y;
+            if (y > maxY) maxY = y;
         }
-        _current.Add(to);
+        FindLeaves(minX, minY, maxX, maxY, tree.Levels - 1, 0);
     }
 
-    private void Flush()
+    private void FindLeaves(double minX, double minY, double maxX, double maxY, int level, int node)
     {
-        if (_current.Count > 1) _pieces.Add(Polyline.Own(_current.ToArray(), closed: false));
-        _current.Clear();
-    }
-
-    // The last piece of a closed line continues as its first one.
-    private void JoinAround(Vec3 seam, int first)
-    {
-        var head = _pieces[first];
-        var tail = _pieces[_pieces.Count - 1];
-        if (head[0] != seam || tail[tail.Count - 1] != seam) return;
-        var points = new Vec3[tail.Count + head.Count - 1];
-        Array.Copy(tail.Raw, points, tail.Count);
-        Array.Copy(head.Raw, 1, points, tail.Count, head.Count - 1);
-        _pieces[first] = Polyline.Own(points, closed: false);
-        _pieces.RemoveAt(_pieces.Count - 1);
-    }
-
-    private void Cuts(double ax, double ay, double bx, double by)
-    {
-        if (_index.Tree.Levels > 0) Descend(ax, ay, bx, by, _index.Tree.Levels - 1, 0);
-    }
-
-    private void Descend(double ax, double ay, double bx, double by, int level, int node)
-    {
-        var tree = _index.Tree;
+        var tree = index.Tree;
         ref readonly var box = ref tree.Boxes[tree.LevelStart[level] + node];
-        if (Math.Max(ax, bx) < box.MinX - 1.0 || Math.Min(ax, bx) > box.MaxX + 1.0 || Math.Max(ay, by) < box.MinY - 1.0
-            || Math.Min(ay, by) > box.MaxY + 1.0)
+        if (maxX < box.MinX - 1.0 || minX > box.MaxX + 1.0 || maxY < box.MinY - 1.0 || minY > box.MaxY + 1.0) return;
+        if (level == 0)
         {
+            _leaves.Add(node);
             return;
         }
-        if (level > 0)
-        {
-            Descend(ax, ay, bx, by, level - 1, 2 * node);
-            if (2 * node + 1 < tree.LevelCount[level - 1]) Descend(ax, ay, bx, by, level - 1, 2 * node + 1);
-            return;
-        }
-        for (var i = tree.LeafStart[node]; i < tree.LeafStart[node + 1]; i++) Cut(ax, ay, bx, by, _index.Segments[i]);
-    }
-
-    private void Cut(double ax, double ay, double bx, double by, in Segment s)
-    {
-        double dx = bx - ax, dy = by - ay, square = dx * dx + dy * dy;
-        if (square == 0) return;
-        var c = dx * (s.Ay - ay) - dy * (s.Ax - ax);
-        var d = dx * (s.By - ay) - dy * (s.Bx - ax);
-        // Ends of edges within a grid unit of the line: where it may start or stop running along the boundary.
-        if (c * c <= square) Add((dx * (s.Ax - ax) + dy * (s.Ay - ay)) / square);
-        if (d * d <= square) Add((dx * (s.Bx - ax) + dy * (s.By - ay)) / square);
-        if ((c > 0 && d > 0) || (c < 0 && d < 0)) return;
-        double ex = (double)s.Bx - s.Ax, ey = (double)s.By - s.Ay;
-        var a = ex * (ay - s.Ay) - ey * (ax - s.Ax);
-        var b = ex * (by - s.Ay) - ey * (bx - s.Ax);
-        if ((a > 0 && b > 0) || (a < 0 && b < 0) || a == b) return;
-        Add(a / (a - b));
-    }
-
-    private void Add(double t)
-    {
-        if (t > 0 && t < 1) _cuts.Add(t);
-        if (!(t > -_near && t < 1 + _near)) return;
-        _touched = true;
-        if (t > 1 - _near) _endTouches = true;
+        FindLeaves(minX, minY, maxX, maxY, level - 1, 2 * node);
+        if (2 * node + 1 < tree.LevelCount[level - 1]) FindLeaves(minX, minY, maxX, maxY, level - 1, 2 * node + 1);
     }
 }

@@ -9,12 +9,13 @@ namespace Caterpillar.Geometry;
 /// Coordinates are mm in the interface and integers of 10 nm internally, so all decisions are exact; |coordinate| ≤ 5368.709 mm. Z is ignored and
 /// returned as 0. Immutable and thread-safe.
 /// </summary>
-public sealed partial class Region
+public sealed class Region
 {
     private readonly GridPoint[][] _paths;
     private Polyline[]? _contours;
     private Region[]? _islands;
     private RegionIndex? _index;
+    private GridBox[]? _boxes;
 
     private Region(GridPoint[][] paths) => _paths = paths;
 
@@ -111,17 +112,6 @@ public sealed partial class Region
         }
     }
 
-    /// <summary>Number of vertices of all contours.</summary>
-    public int VertexCount
-    {
-        get
-        {
-            var count = 0;
-            foreach (var path in _paths) count += path.Length;
-            return count;
-        }
-    }
-
     /// <summary>The contours in mm, closed, at Z 0: outers counterclockwise, holes clockwise.</summary>
     public IReadOnlyList<Polyline> Contours
     {
@@ -134,6 +124,11 @@ public sealed partial class Region
         }
     }
 
+    /// <summary>
+    /// The connected pieces: for each the outer contour first, then its holes; in the order of the outers. An island within a hole is a piece of its own.
+    /// </summary>
+    public IReadOnlyList<Region> Islands => _islands ?? Interlocked.CompareExchange(ref _islands, IslandFinder.Split(this), null) ?? _islands!;
+
     /// <summary>True if the point (mm) lies inside or within 5 nm of the boundary.</summary>
     public bool Contains(double x, double y) => Index.Contains(x * Grid.PerMm, y * Grid.PerMm);
 
@@ -143,27 +138,7 @@ public sealed partial class Region
     {
         Grid.FromMm(a, nameof(a));
         Grid.FromMm(b, nameof(b));
-        return !IsEmpty && new LineClipper(Index, outside: false).IsWhole(a, b);
-    }
-
-    /// <summary>The same region moved by (x, y) mm, rounded to grid steps.</summary>
-    /// <exception cref="ArgumentException">A distance is not a number, or the result would leave ±5368.709 mm.</exception>
-    public Region Moved(double x, double y)
-    {
-        int dx = Grid.FromMm(x, nameof(x)), dy = Grid.FromMm(y, nameof(y));
-        var bounds = Bounds;
-        if (IsEmpty || (dx == 0 && dy == 0)) return this;
-        Grid.FromMm(bounds.Min.X + x, nameof(x));
-        Grid.FromMm(bounds.Max.X + x, nameof(x));
-        Grid.FromMm(bounds.Min.Y + y, nameof(y));
-        Grid.FromMm(bounds.Max.Y + y, nameof(y));
-        var paths = new GridPoint[_paths.Length][];
-        for (var c = 0; c < paths.Length; c++)
-        {
-            paths[c] = new GridPoint[_paths[c].Length];
-            for (var i = 0; i < paths[c].Length; i++) paths[c][i] = new GridPoint(_paths[c][i].X + dx, _paths[c][i].Y + dy);
-        }
-        return new Region(paths);
+        return !IsEmpty && new PolylineClipper(Index, outside: false).IsWhole(a, b);
     }
 
     /// <summary>Without islands and holes whose contour encloses less than an area in mm².</summary>
@@ -175,10 +150,100 @@ public sealed partial class Region
         return Own(Array.FindAll(_paths, path => Math.Abs((double)Grid.DoubleArea(path, 0, path.Length)) >= 2 * area * Grid.PerMm * Grid.PerMm));
     }
 
+    /// <summary>The area in this region or the other.</summary>
+    public Region Union(Region other) => this.Union(other, new RegionEngine());
+
+    /// <summary>The area in both.</summary>
+    public Region Intersect(Region other) => this.Intersect(other, new RegionEngine());
+
+    /// <summary>The area in this region and not in the other.</summary>
+    public Region Subtract(Region other) => this.Subtract(other, new RegionEngine());
+
+    /// <summary>The area in any of the regions, in one pass.</summary>
+    public static Region Union(IEnumerable<Region> regions) => Union(regions, null);
+
+    internal static Region Union(IEnumerable<Region> regions, RegionEngine? engine)
+    {
+        if (regions is null) throw new ArgumentNullException(nameof(regions));
+        var parts = new List<Region>();
+        foreach (var region in regions)
+        {
+            if (!(region ?? throw new ArgumentException("A region is missing.", nameof(regions))).IsEmpty) parts.Add(region);
+        }
+        return parts.Count < 2 ? parts.Count == 0 ? Empty : parts[0] : RegionOperations.Combine(parts, [], InsideRule.Positive, engine ?? new RegionEngine());
+    }
+
+    /// <summary>The area in any of some regions and in none of others, in one pass.</summary>
+    internal static Region Difference(IReadOnlyList<Region> areas, IReadOnlyList<Region> without, RegionEngine engine)
+        => RegionOperations.Combine(areas, without, InsideRule.Difference, engine);
+
+    /// <summary>Regions that are apart from each other as one.</summary>
+    internal static Region Beside(IEnumerable<Region> regions)
+    {
+        var paths = new List<GridPoint[]>();
+        foreach (var region in regions) paths.AddRange(region._paths);
+        return Own([.. paths]);
+    }
+
+    /// <summary>
+    /// All points within a distance of the region, or, for a negative distance, all points of the region that are farther than that from the boundary. Corners
+    /// that are convex toward the offset get a join; the others are exact. Raw offset curve, then union by positive winding numbers (Chen and McMains, "Polygon
+    /// offsetting by computing winding numbers", 2005).
+    /// </summary>
+    /// <param name="distance">mm; positive grows, negative shrinks.</param>
+    /// <param name="join">The join at corners.</param>
+    /// <param name="miterLimit">Miter limit, in distances; at least 1. Longer ones are cut square.</param>
+    /// <param name="arcTolerance">Maximum deviation, in mm, of the chords of round joins from the arc; positive.</param>
+    /// <exception cref="ArgumentException">A parameter is not a number or out of its range, or the result would leave the grid.</exception>
+    public Region Offset(double distance, JoinStyle join = JoinStyle.Miter, double miterLimit = 2, double arcTolerance = 0.005)
+        => this.Offset(distance, join, miterLimit, arcTolerance, new RegionEngine());
+
+    /// <summary>
+    /// The parts of lines inside the region (or, with <paramref name="outside"/>, outside it). The boundary is inside. Original points and Z stay; new
+    /// points are placed on the boundary, with Z interpolated. A closed polyline that is not cut stays closed; cut ones are open.
+    /// </summary>
+    /// <exception cref="ArgumentException">A coordinate is not a number or beyond ±5368.709 mm.</exception>
+    public IReadOnlyList<Polyline> ClipLines(IEnumerable<Polyline> lines, bool outside = false)
+    {
+        if (lines is null) throw new ArgumentNullException(nameof(lines));
+        var clipper = new PolylineClipper(Index, outside);
+        foreach (var line in lines)
+        {
+            if (line is null) throw new ArgumentException("A line is missing.", nameof(lines));
+            foreach (var p in line.Raw) Grid.FromMm(p, nameof(lines));
+            clipper.Clip(line);
+        }
+        return clipper.Pieces;
+    }
+
+    /// <summary>
+    /// The parts inside the region of parallel lines, sorted by row and along the row. A line that runs along a boundary follows the half-open rule: it
+    /// is inside if the region lies on its left.
+    /// </summary>
+    /// <param name="angle">Direction of the lines, degrees counterclockwise from +X.</param>
+    /// <param name="spacing">Distance of the lines in mm, positive.</param>
+    /// <param name="phase">Distance of row 0 from the origin in mm, positive to the left of the direction.</param>
+    /// <exception cref="ArgumentException">A parameter is not a number, the spacing is not positive, or there would be more than 10 million rows.</exception>
+    public IReadOnlyList<HatchLine> HatchLines(double angle, double spacing, double phase = 0) => HatchScanner.Scan(_paths, angle, spacing, phase);
+
     /// <summary>The contours on the grid, for code that works there. Not to be changed.</summary>
     internal GridPoint[][] Paths => _paths;
 
     internal RegionIndex Index => _index ?? Interlocked.CompareExchange(ref _index, new RegionIndex(_paths), null) ?? _index!;
+
+    /// <summary>The boxes of the contours.</summary>
+    internal GridBox[] Boxes => _boxes ?? Interlocked.CompareExchange(ref _boxes, Array.ConvertAll(_paths, GridBox.Of), null) ?? _boxes!;
+
+    /// <summary>The box of the whole region, on the grid.</summary>
+    internal GridBox Box
+    {
+        get
+        {
+            var box = GridBox.Nothing;
+            foreach (var part in Boxes) box.Include(part);
+            return box;
+        }
+    }
 
     /// <summary>Takes ownership of valid paths without a check.</summary>
     internal static Region Own(GridPoint[][] paths) => paths.Length == 0 ? Empty : new Region(paths);

@@ -58,16 +58,16 @@ internal static class CurveMaker
         return sum / weight;
     }
 
-    /// <summary>Length by Simpson's rule on chords of many points, extrapolated.</summary>
-    public static double LengthByChords(Curve curve, int parts)
+    /// <summary>Length of a part of a span by Simpson's rule on chords of many points, extrapolated.</summary>
+    public static double LengthByChords(CurveSpan span, double from, double to, int parts)
     {
         double Chords(int n)
         {
             var sum = 0.0;
-            var last = curve.Start;
+            var last = span.Point(from);
             for (var i = 1; i <= n; i++)
             {
-                var next = curve.PointAt(curve.DomainStart + (curve.DomainEnd - curve.DomainStart) * i / n);
+                var next = span.Point(from + (to - from) * i / n);
                 sum += last.DistanceTo(next);
                 last = next;
             }
@@ -75,6 +75,27 @@ internal static class CurveMaker
         }
         var fine = Chords(2 * parts);
         return fine + (fine - Chords(parts)) / 3;
+    }
+
+    /// <summary>The point at half the length.</summary>
+    public static Vec3 Middle(Curve curve)
+    {
+        var length = new ArcLength(curve.Spans());
+        var (leaf, u) = length.Locate(length.Total / 2);
+        return length.Spans[length.LeafAt(leaf).Span].Point(u);
+    }
+
+    /// <summary>Points where the direction jumps by more than an angle in degrees.</summary>
+    public static IReadOnlyList<Vec3> Kinks(Curve curve, double degrees = 0.5)
+    {
+        var spans = curve.Spans();
+        var kinks = new List<Vec3>();
+        for (var i = curve.IsClosed ? 0 : 1; i < spans.Count; i++)
+        {
+            var before = spans[i == 0 ? spans.Count - 1 : i - 1];
+            if (CurveSpan.TurnDegrees(before.EndTangent, spans[i].StartTangent) > degrees) kinks.Add(spans[i].Start);
+        }
+        return kinks;
     }
 
     private static double Basis(List<double> knots, int i, int p, double t, double end)

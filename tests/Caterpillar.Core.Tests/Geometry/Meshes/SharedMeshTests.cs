@@ -34,7 +34,7 @@ public class SharedMeshTests
             Assert.That(mesh.NonManifoldEdgeCount, Is.EqualTo((int)truth["nonmanifold_edges"]!), "non-manifold edges");
             Assert.That(mesh.WindingConflictCount, Is.EqualTo((int)truth["winding_conflict_edges"]!), "winding conflicts");
             Assert.That(mesh.IsWatertight, Is.EqualTo((bool)truth["watertight"]!), "watertight");
-            Assert.That(mesh.BodyCount, Is.EqualTo((int)truth["bodies"]!), "bodies");
+            Assert.That(mesh.BodyCount(), Is.EqualTo((int)truth["bodies"]!), "bodies");
             Assert.That(mesh.Area, Is.EqualTo((double)truth["area_mm2"]!).Within(6e-5), "area");
             Assert.That(mesh.Volume, Is.EqualTo((double)truth["volume_mm3"]!).Within(6e-5), "volume");
             Assert.That(mesh.Bounds.Min.DistanceTo(Point(truth["bounds_min"]!)), Is.LessThan(2e-6), "lower corner");

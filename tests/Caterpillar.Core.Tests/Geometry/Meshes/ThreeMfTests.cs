@@ -34,7 +34,7 @@ public class ThreeMfTests
             + "<object id=\"3\"><components><component objectid=\"2\" transform=\"2 0 0 0 2 0 0 0 2 0 0 1\"/></components></object>"
             + "</resources><build><item objectid=\"3\" transform=\"1 0 0 0 1 0 0 0 1 0 0 -1\"/></build></model>";
         var mesh = MeshReader.Read(MeshBytes.ThreeMf(model), "x.3mf").Value!.Single().Mesh;
-        Assert.That((mesh.TriangleCount, mesh.BodyCount, mesh.IsWatertight), Is.EqualTo((24, 2, true)));
+        Assert.That((mesh.TriangleCount, mesh.BodyCount(), mesh.IsWatertight), Is.EqualTo((24, 2, true)));
         Assert.That(mesh.Volume, Is.EqualTo(96).Within(1e-9));
         Assert.That(mesh.Bounds, Is.EqualTo(new Bounds(new Vec3(-12, 0, 0), new Vec3(2, 4, 6))));
     }

@@ -30,7 +30,7 @@ public class TriMeshTests
     {
         var box = MeshMaker.Box(100, 0, 0, 101, 2, 3);
         Assert.That((box.VertexCount, box.TriangleCount, box.OpenEdgeCount, box.NonManifoldEdgeCount, box.WindingConflictCount), Is.EqualTo((8, 12, 0, 0, 0)));
-        Assert.That((box.IsWatertight, box.BodyCount), Is.EqualTo((true, 1)));
+        Assert.That((box.IsWatertight, box.BodyCount()), Is.EqualTo((true, 1)));
         Assert.That(box.Volume, Is.EqualTo(6).Within(1e-12));
         Assert.That(box.Area, Is.EqualTo(22).Within(1e-12));
         Assert.That(box.Normal(0), Is.EqualTo(new Vec3(0, 0, -1)));
@@ -45,7 +45,7 @@ public class TriMeshTests
             [1, 2, 3, 5, 6, 3, 1, 4, 2]);
         Assert.That(mesh.Vertices, Is.EqualTo(new Vec3[] { new(0, 0), new(1, 0), new(0, 1), new(1, 1) }));
         Assert.That(mesh.Indices, Is.EqualTo(new[] { 0, 1, 2, 1, 3, 2 }));
-        Assert.That((mesh.OpenEdgeCount, mesh.BodyCount), Is.EqualTo((4, 1)));
+        Assert.That((mesh.OpenEdgeCount, mesh.BodyCount()), Is.EqualTo((4, 1)));
         Assert.That(1 / mesh.Vertices[0].X, Is.EqualTo(double.PositiveInfinity), "no negative zero is left");
     }
 
@@ -105,7 +105,7 @@ public class TriMeshTests
         Assert.That(halves.All(h => h.OpenEdgeCount > 0));
         Assert.That(TriMesh.Merge(halves).IsWatertight);
         var two = TriMesh.Merge([box, box.Moved(new Vec3(5, 0))]);
-        Assert.That((two.BodyCount, two.IsWatertight, two.TriangleCount), Is.EqualTo((2, true, 24)));
+        Assert.That((two.BodyCount(), two.IsWatertight, two.TriangleCount), Is.EqualTo((2, true, 24)));
     }
 
     [Test]

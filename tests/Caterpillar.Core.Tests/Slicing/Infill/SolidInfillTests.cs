@@ -95,7 +95,7 @@ public class SolidInfillTests
         foreach (var line in lines)
         {
             for (var i = 1; i < line.Points.Length; i++)
-                yield return Region.Around([new Polyline([line.Points[i - 1], line.Points[i]])], Pitch / 2 * (line.Flow?[i - 1] ?? 1), arcTolerance: 0.01);
+                yield return RegionTools.Around([new Polyline([line.Points[i - 1], line.Points[i]])], Pitch / 2 * (line.Flow?[i - 1] ?? 1), arcTolerance: 0.01);
         }
     }
 }

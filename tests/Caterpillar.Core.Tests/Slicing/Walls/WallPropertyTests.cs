@@ -77,7 +77,7 @@ public class WallPropertyTests
                 case 2:
                     var at = center;
                     var line = new Polyline(Enumerable.Range(0, n).Select(_ => at += Place(random, 0.4 * size)));
-                    contours.AddRange(Region.Around([line], 0.1 + 0.6 * random.NextDouble(), JoinStyle.Miter).Contours);
+                    contours.AddRange(RegionTools.Around([line], 0.1 + 0.6 * random.NextDouble(), JoinStyle.Miter).Contours);
                     break;
                 default:
                     double x = Math.Round(center.X, 1), y = Math.Round(center.Y, 1), w = 0.1 * random.Next(1, 40), h = 0.1 * random.Next(1, 40);

@@ -45,7 +45,7 @@ internal static class WallShapes
         {
             // Lines inset by half a width, so that the letter has the height of its strokes.
             var points = stroke.Split(' ').Select(p => p.Split(',')).Select(p => new Vec3(Number(p[0]), Number(p[1]))).ToArray();
-            region = region.Union(Region.Around([new Polyline(points)], width / 2, JoinStyle.Miter));
+            region = region.Union(RegionTools.Around([new Polyline(points)], width / 2, JoinStyle.Miter));
         }
         return region;
     }

@@ -11,7 +11,7 @@ namespace Caterpillar.Geometry;
 /// <param name="Holes">Holes that were filled.</param>
 /// <param name="LooseFacets">Triangles of loose pieces that enclose nothing, left out.</param>
 /// <param name="TurnedBodies">Closed bodies that were inside out.</param>
-public sealed record MendedMesh(
+internal sealed record MendedMesh(
     TriMesh Mesh, int MovedVertices, double FarthestMove, int DoubledFacets, int TurnedFacets, IReadOnlyList<FilledHole> Holes,
     int LooseFacets, int TurnedBodies)
 {

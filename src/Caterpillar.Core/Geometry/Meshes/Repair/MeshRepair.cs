@@ -11,7 +11,7 @@ namespace Caterpillar.Geometry;
 /// inside out are turned. A closed mesh that faces outward is returned as it is. What is still open afterwards is left to <see cref="MeshSections"/>,
 /// which close contours over gaps.
 /// </summary>
-public static class MeshRepair
+internal static class MeshRepair
 {
     /// <summary>The mesh as a solid, and what was done to it.</summary>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>

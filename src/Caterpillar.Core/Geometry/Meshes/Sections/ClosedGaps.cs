@@ -4,4 +4,4 @@ namespace Caterpillar.Geometry;
 /// <param name="Count">Number of gaps, with those of no width where the parts of a contour belong to triangles that are not joined.</param>
 /// <param name="Length">Sum of their widths, mm.</param>
 /// <param name="Widest">mm.</param>
-public readonly record struct ClosedGaps(int Count, double Length, double Widest);
+internal readonly record struct ClosedGaps(int Count, double Length, double Widest);

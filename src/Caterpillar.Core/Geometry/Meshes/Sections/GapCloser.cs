@@ -216,6 +216,6 @@ internal sealed class GapCloser
         if (!closed) return Polyline.Own(array, false);
         var count = array.Length;
         var first = PolylineCleaning.DropSpikes(array, ref count);
-        return count < 3 ? null : PolylineCleaning.ToPolyline(array, count, true, false, first);
+        return count < 3 ? null : PolylineCleaning.ToPolyline(array, count, true, first);
     }
 }

@@ -11,7 +11,7 @@ namespace Caterpillar.Geometry;
 /// cut edges. For facets that lie in the plane this is the limit from below throughout: a plane through a flat top gives its outline, a plane
 /// through a flat bottom gives nothing.
 /// </summary>
-public static class MeshSections
+internal static class MeshSections
 {
     // Cut triangles that are held at a time; more heights are processed in several passes.
     private const long MaxHeld = 1 << 26;
@@ -71,7 +71,7 @@ public static class MeshSections
             {
                 var loops = new List<Polyline>();
                 var open = new List<Polyline>();
-                walker.Cut(heights[i], triangles, starts[i - from], starts[i - from + 1], options.MergeCollinear, loops, open);
+                walker.Cut(heights[i], triangles, starts[i - from], starts[i - from + 1], loops, open);
                 var gaps = GapCloser.Close(open, loops, options.GapMm);
                 sections[i] = new Section(heights[i], loops.ToArray(), open.ToArray(), gaps);
             }

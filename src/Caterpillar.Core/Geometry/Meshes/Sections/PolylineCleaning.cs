@@ -3,7 +3,7 @@ using System;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Removes points that a plane through vertices leaves in contours: repeated ones, spikes that go back on themselves, and on request exactly collinear ones.
+/// Removes points that a plane through vertices leaves in contours: repeated ones, and spikes that go back on themselves.
 /// </summary>
 internal static class PolylineCleaning
 {
@@ -45,38 +45,10 @@ internal static class PolylineCleaning
     }
 
     /// <summary>A polyline of the points, which are copied.</summary>
-    public static Polyline ToPolyline(Vec3[] points, int count, bool closed, bool mergeCollinear, int start = 0)
+    public static Polyline ToPolyline(Vec3[] points, int count, bool closed, int start = 0)
     {
         var copy = new Vec3[count];
-        if (!mergeCollinear || count < 3)
-        {
-            Array.Copy(points, start, copy, 0, count);
-            return Polyline.Own(copy, closed);
-        }
-        var kept = 0;
-        for (var i = 0; i < count; i++)
-        {
-            var inside = closed || (i > 0 && i < count - 1);
-            var before = kept > 0 ? copy[kept - 1] : points[start + count - 1];
-            var after = points[start + (i + 1 == count ? 0 : i + 1)];
-            if (inside && IsBetween(before, points[start + i], after)) continue;
-            copy[kept++] = points[start + i];
-        }
-        // The last one that was kept comes after the first: check it again now that its successor is known.
-        while (closed && kept > 3 && IsBetween(copy[kept - 2], copy[kept - 1], copy[0])) kept--;
-        if (closed && kept < 3)
-        {
-            kept = count;
-            Array.Copy(points, start, copy, 0, count);
-        }
-        Array.Resize(ref copy, kept);
+        Array.Copy(points, start, copy, 0, count);
         return Polyline.Own(copy, closed);
-    }
-
-    // Exactly on the line and in the same direction.
-    private static bool IsBetween(Vec3 a, Vec3 b, Vec3 c)
-    {
-        double ux = b.X - a.X, uy = b.Y - a.Y, vx = c.X - b.X, vy = c.Y - b.Y;
-        return ux * vy == uy * vx && ux * vx + uy * vy > 0;
     }
 }

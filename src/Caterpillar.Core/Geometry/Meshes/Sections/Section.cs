@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace Caterpillar.Geometry;
 
 /// <summary>A plane section of a mesh at one height. Immutable.</summary>
-public sealed class Section
+internal sealed class Section
 {
     internal Section(double z, IReadOnlyList<Polyline> loops, IReadOnlyList<Polyline> openLines, ClosedGaps gaps = default)
     {

@@ -11,9 +11,6 @@ public sealed record SectionOptions
     /// </summary>
     public double GapMm { get; init; } = 0.1;
 
-    /// <summary>Drops points exactly on the straight line between their neighbors.</summary>
-    public bool MergeCollinear { get; init; }
-
     /// <summary>Maximum number of threads; 0 for all cores. Never changes the result.</summary>
     public int Threads { get; init; }
 

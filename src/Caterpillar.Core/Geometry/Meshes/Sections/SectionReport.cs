@@ -53,10 +53,8 @@ public sealed class SectionReport
         return new Result<SectionReport>(new SectionReport(model, rows), cut.Diagnostics.Select(d => d with { Source = d.Source ?? place }).ToArray());
     }
 
-    /// <summary>Measures one section.</summary>
-    public static SectionMeasure Measure(Section section)
+    private static SectionMeasure Measure(Section section)
     {
-        if (section is null) throw new ArgumentNullException(nameof(section));
         var (area, perimeter, outer, holes) = ContourMeasure.NonZero(section.Loops);
         return new SectionMeasure(section.Z, perimeter + section.OpenLines.Sum(l => l.Length), area, outer, holes, section.OpenEnds);
     }

@@ -30,7 +30,7 @@ internal sealed class SectionWalker
     /// <summary>
     /// Adds the contours of the plane to the lists, in the order of their first triangle; open ones from their start.
     /// </summary>
-    public void Cut(double z, int[] layer, int from, int to, bool mergeCollinear, List<Polyline> loops, List<Polyline> open)
+    public void Cut(double z, int[] layer, int from, int to, List<Polyline> loops, List<Polyline> open)
     {
         if (++_round == int.MaxValue)
         {
@@ -47,7 +47,7 @@ internal sealed class SectionWalker
                 Push(CutPoint(entry, z));
                 Walk(layer[i], z);
                 PolylineCleaning.DropRepeats(_points, ref _count);
-                if (_count > 1) open.Add(PolylineCleaning.ToPolyline(_points, _count, false, mergeCollinear));
+                if (_count > 1) open.Add(PolylineCleaning.ToPolyline(_points, _count, false));
             }
         }
         for (var i = from; i < to; i++)
@@ -56,7 +56,7 @@ internal sealed class SectionWalker
             _count = 0;
             Walk(layer[i], z);
             var start = PolylineCleaning.DropSpikes(_points, ref _count);
-            if (_count >= 3) loops.Add(PolylineCleaning.ToPolyline(_points, _count, true, mergeCollinear, start));
+            if (_count >= 3) loops.Add(PolylineCleaning.ToPolyline(_points, _count, true, start));
         }
     }
 

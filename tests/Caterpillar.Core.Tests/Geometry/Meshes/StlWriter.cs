@@ -1,11 +1,12 @@
 using System;
 using System.IO;
 using System.Text;
+using Caterpillar.Geometry;
 
-namespace Caterpillar.Geometry;
+namespace Caterpillar.Tests.Geometry.Meshes;
 
 /// <summary>Writes binary STL. Coordinates become floats, as the format requires; the bytes are the same everywhere.</summary>
-public static class StlWriter
+internal static class StlWriter
 {
     /// <summary>
     /// The file as bytes: an 80-byte header with <paramref name="title"/> (ASCII, at most 79 characters), the count, and 50 bytes for each
@@ -29,9 +30,9 @@ public static class StlWriter
             var at = 84 + 50 * t;
             var (a, b, c) = mesh.Triangle(t);
             PutVector(bytes, at, mesh.Normal(t));
-            PutVector(bytes, at + 12, mesh.RawVertices[a]);
-            PutVector(bytes, at + 24, mesh.RawVertices[b]);
-            PutVector(bytes, at + 36, mesh.RawVertices[c]);
+            PutVector(bytes, at + 12, mesh.Vertices[a]);
+            PutVector(bytes, at + 24, mesh.Vertices[b]);
+            PutVector(bytes, at + 36, mesh.Vertices[c]);
         }
         return bytes;
     }

@@ -8,7 +8,6 @@ internal enum InsideRule : byte
     Positive,
     Intersection,
     Difference,
-    SymmetricDifference,
 }
 
 internal static class InsideRules
@@ -19,7 +18,6 @@ internal static class InsideRules
         InsideRule.EvenOdd => (first & 1) != 0,
         InsideRule.Positive => first > 0,
         InsideRule.Intersection => first > 0 && second > 0,
-        InsideRule.Difference => first > 0 && second <= 0,
-        _ => (first > 0) != (second > 0),
+        _ => first > 0 && second <= 0,
     };
 }

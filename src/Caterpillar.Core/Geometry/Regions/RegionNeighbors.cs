@@ -1,0 +1,137 @@
+using System;
+using System.Collections.Generic;
+
+namespace Caterpillar.Geometry;
+
+/// <summary>Quick answers about two regions, so that the regions of neighboring layers need to be combined only where they differ.</summary>
+internal static class RegionNeighbors
+{
+    /// <summary>
+    /// The contours whose boxes reach into a box. Inside the box the result covers what the region covers; outside of it holes may be filled.
+    /// </summary>
+    public static Region Near(this Region region, in GridBox box)
+    {
+        var place = box;
+        // A hole never stays without its outline, whose box is larger.
+        return Only(region, part => GridBox.Overlap(part, place));
+    }
+
+    /// <summary>The same for several boxes, each with what is around it up to a distance, mm.</summary>
+    public static Region Near(this Region region, IReadOnlyList<GridBox> boxes, double distance)
+    {
+        var places = new GridBox[boxes.Count];
+        for (var i = 0; i < places.Length; i++) places[i] = boxes[i].Grown(distance);
+        return Only(region, part => Array.Exists(places, p => GridBox.Overlap(part, p)));
+    }
+
+    private static Region Only(Region region, Predicate<GridBox> isNear)
+    {
+        var near = Array.ConvertAll(region.Boxes, b => isNear(b));
+        if (Array.TrueForAll(near, n => n)) return region;
+        var paths = new List<GridPoint[]>();
+        for (var i = 0; i < near.Length; i++)
+        {
+            if (near[i]) paths.Add(region.Paths[i]);
+        }
+        return Region.Own([.. paths]);
+    }
+
+    /// <summary>
+    /// The contours that reach into a box, each without the corners that do not matter inside of it. Inside the box the result covers what the region
+    /// covers; outside of it contours may cross, so it is only good for clipping what lies in the box.
+    /// </summary>
+    public static Region Cropped(this Region region, in GridBox box)
+    {
+        var paths = new List<GridPoint[]>();
+        var boxes = region.Boxes;
+        for (var i = 0; i < boxes.Length; i++)
+        {
+            if (!GridBox.Overlap(boxes[i], box)) continue;
+            var path = Cropped(region.Paths[i], box);
+            if (path.Length > 2) paths.Add(path);
+        }
+        return Region.Own([.. paths]);
+    }
+
+    // A run of corners that are all on the same side of the box, such as left of it, is replaced by its first and its last one.
+    private static GridPoint[] Cropped(GridPoint[] path, in GridBox box)
+    {
+        var kept = new GridPoint[path.Length];
+        int count = 0, run = 0, sides = 0;
+        foreach (var p in path)
+        {
+            var side = (p.X < box.MinX ? 1 : p.X > box.MaxX ? 2 : 0) | (p.Y < box.MinY ? 4 : p.Y > box.MaxY ? 8 : 0);
+            var same = (sides & side) != 0;
+            run = same ? run + 1 : 1;
+            sides = same ? sides & side : side;
+            if (run > 2) count--;
+            kept[count++] = p;
+        }
+        if (count < path.Length) Array.Resize(ref kept, count);
+        return kept;
+    }
+
+    /// <summary>True if both have the same contours, vertex by vertex.</summary>
+    public static bool SameAs(this Region region, Region other)
+    {
+        if (ReferenceEquals(region, other)) return true;
+        if (region.Paths.Length != other.Paths.Length) return false;
+        for (var i = 0; i < region.Paths.Length; i++)
+        {
+            GridPoint[] a = region.Paths[i], b = other.Paths[i];
+            if (a.Length != b.Length) return false;
+            for (var k = 0; k < a.Length; k++)
+            {
+                if (a[k] != b[k]) return false;
+            }
+        }
+        return true;
+    }
+
+    /// <summary>
+    /// True if the other region lies inside a region and their boundaries do not meet. Where they do it is false, even if nothing of the other sticks out.
+    /// </summary>
+    public static bool Surrounds(this Region region, Region other)
+    {
+        if (other.IsEmpty) return true;
+        if (region.IsEmpty) return false;
+        GridBox box = region.Box, inner = other.Box;
+        if (inner.MinX <= box.MinX || inner.MinY <= box.MinY || inner.MaxX >= box.MaxX || inner.MaxY >= box.MaxY) return false;
+        if (RegionMeeting.Meet(region.Index, other.Index)) return false;
+        foreach (var path in other.Paths)
+        {
+            if (!region.Index.Contains(path[0].X, path[0].Y)) return false;
+        }
+        // A hole of this region within the other one.
+        for (var i = 0; i < region.Paths.Length; i++)
+        {
+            if (GridBox.Overlap(region.Boxes[i], inner) && other.Index.Contains(region.Paths[i][0].X, region.Paths[i][0].Y)) return false;
+        }
+        return true;
+    }
+
+    /// <summary>Whether a small region neither touches this one nor lies in it or around a piece of it.</summary>
+    public static bool IsApartFrom(this Region region, Region small)
+    {
+        var box = small.Box;
+        var near = region.Near(box);
+        if (near.IsEmpty || small.IsEmpty) return true;
+        if (RegionMeeting.Meet(region.Index, small.Index)) return false;
+        foreach (var path in small.Paths)
+        {
+            if (region.Index.Contains(path[0].X, path[0].Y)) return false;
+        }
+        foreach (var path in near.Paths)
+        {
+            if (small.Index.Contains(path[0].X, path[0].Y)) return false;
+        }
+        return true;
+    }
+
+    /// <summary>Whether the region has no point within a distance, mm, of a place, in mm.</summary>
+    public static bool IsFartherThan(this Region region, double distance, Vec3 place)
+    {
+        double x = place.X * Grid.PerMm, y = place.Y * Grid.PerMm;
+        return !region.Index.Contains(x, y) && !region.Index.Reaches(x, y, distance * Grid.PerMm);
+    }
+}
