@@ -38,7 +38,7 @@ internal static class ChunkReader
                 continue;
             }
             chunks.Clear();
-            GCodeDocument.Cut(buffer, cut, chunks);
+            GCodeChunk.Cut(buffer, cut, chunks);
             foreach (var chunk in chunks) yield return chunk;
             if (last) yield break;
             var next = Buffers.Unfilled<byte>((int)Math.Max(Math.Min(bufferSize, buffer.Length * 4L), Math.Min((count - cut) * 2L, largest)));

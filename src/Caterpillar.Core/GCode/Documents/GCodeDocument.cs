@@ -60,7 +60,7 @@ public sealed class GCodeDocument
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
         if (GCodeSource.IsPacked(bytes, bytes.Length)) return Unpack(new MemoryStream(bytes, false), name, MemoryLimit.Default, default);
         var chunks = new List<GCodeChunk>(bytes.Length / GCodeChunk.Target + 1);
-        Cut(bytes, bytes.Length, chunks);
+        GCodeChunk.Cut(bytes, bytes.Length, chunks);
         return new GCodeDocument(chunks.ToArray(), name);
     }
 
@@ -172,17 +172,6 @@ public sealed class GCodeDocument
     /// <exception cref="InvalidDataException">It would be more.</exception>
     internal static int AddLines(int lines, int more)
         => lines <= int.MaxValue - more ? lines + more : throw new InvalidDataException("There are more than 2147483647 lines.");
-
-    /// <summary>Cuts bytes into chunks after line ends.</summary>
-    internal static void Cut(byte[] bytes, int count, List<GCodeChunk> chunks)
-    {
-        for (var start = 0; start < count;)
-        {
-            var end = count - start <= GCodeChunk.Target ? count : LineEnds.Next(bytes, start + GCodeChunk.Target, count);
-            chunks.Add(new GCodeChunk(bytes, start, end));
-            start = end;
-        }
-    }
 
     /// <summary>The error for packed bytes that cannot be unpacked.</summary>
     internal static Diagnostic Broken(InvalidDataException broken, string name)

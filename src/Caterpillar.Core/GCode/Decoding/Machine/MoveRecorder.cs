@@ -70,11 +70,11 @@ internal sealed partial class MoveRecorder
         _events.Clear();
     }
 
-    /// <summary>Who gets each block as soon as it is full, and what becomes of it.</summary>
-    public void Begin(DecodeOptions options)
+    /// <summary>Where moves go: into blocks of a size, which are kept or only handed to a follower as soon as they are full.</summary>
+    public void Begin(int blockSize, bool keepsBlocks, Action<DecodedBlock>? follow)
     {
-        _follow = options.Follow;
-        _moves = new MoveColumns(options.BlockSize, options.KeepsBlocks);
+        _follow = follow;
+        _moves = new MoveColumns(blockSize, keepsBlocks);
     }
 
     /// <summary>The finished toolpath.</summary>

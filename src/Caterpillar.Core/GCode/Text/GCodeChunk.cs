@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Threading;
 
 namespace Caterpillar.GCode;
@@ -18,6 +19,17 @@ internal sealed class GCodeChunk(byte[] text, int start, int end)
     public int End { get; } = end;
 
     public int Length => End - Start;
+
+    /// <summary>Cuts bytes into chunks after line ends.</summary>
+    public static void Cut(byte[] bytes, int count, List<GCodeChunk> chunks)
+    {
+        for (var start = 0; start < count;)
+        {
+            var end = count - start <= Target ? count : LineEnds.Next(bytes, start + Target, count);
+            chunks.Add(new GCodeChunk(bytes, start, end));
+            start = end;
+        }
+    }
 
     /// <summary>Where the lines begin, and at last the end of the chunk.</summary>
     public int[] LineStarts()

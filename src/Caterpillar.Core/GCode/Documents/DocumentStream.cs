@@ -27,7 +27,7 @@ internal sealed class DocumentStream : Stream
     /// <summary>The document of everything written; nothing may be written afterwards.</summary>
     public GCodeDocument ToDocument(string name)
     {
-        GCodeDocument.Cut(_buffer, _count, _chunks);
+        GCodeChunk.Cut(_buffer, _count, _chunks);
         return new GCodeDocument(_chunks.ToArray(), name);
     }
 
@@ -59,7 +59,7 @@ internal sealed class DocumentStream : Stream
     private void Seal()
     {
         var cut = ChunkReader.LastLineEnd(_buffer, _count);
-        GCodeDocument.Cut(_buffer, cut, _chunks);
+        GCodeChunk.Cut(_buffer, cut, _chunks);
         var rest = _count - cut;
         var next = new byte[(int)Math.Min(Math.Max(Math.Min(_buffer.Length * 4L, LargestBuffer), rest * 2L), ChunkReader.LongestLine * 2L - 64)];
         Buffer.BlockCopy(_buffer, cut, next, 0, rest);
