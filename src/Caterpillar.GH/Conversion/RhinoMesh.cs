@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.GH.Base;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GH.Conversion;

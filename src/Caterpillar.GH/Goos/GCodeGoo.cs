@@ -1,5 +1,6 @@
 using System.IO;
 using Caterpillar.GCode;
+using Caterpillar.GH.Conversion;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;

@@ -1,6 +1,4 @@
-using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
-using Caterpillar.GH.LayerFields;
 using Caterpillar.Slicing;
 using Grasshopper.Kernel.Types;
 

@@ -1,4 +1,5 @@
 using Caterpillar.Basics;
+using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Plugin;
 using Caterpillar.Machines;
 using GH_IO.Serialization;

@@ -1,3 +1,4 @@
+using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel.Types;
 

@@ -1,3 +1,4 @@
+using Caterpillar.GH.Conversion;
 using Caterpillar.Turtles;
 using GH_IO.Serialization;
 using Grasshopper.Kernel.Types;

@@ -1,3 +1,4 @@
+using Caterpillar.GH.Conversion;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;

@@ -38,8 +38,7 @@ public sealed class ReadCurvesComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var file = new FileInfo(run.PathTo(run.Get<string>(0)));
-        if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
+        var file = run.FileAt(run.Get<string>(0));
         var settings = run.Maybe<PrintSettings>(1) ?? new PrintSettings();
         var (unit, step) = (run.Positive(2), run.Positive(3));
         var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length, unit, settings], (progress, cancel) =>

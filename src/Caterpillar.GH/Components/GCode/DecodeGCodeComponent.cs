@@ -72,8 +72,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
     {
         var name = run.Maybe<string>(0);
         if (string.IsNullOrEmpty(name)) throw new InputProblem("File or G-code is missing.") { IsMissing = true };
-        var file = new FileInfo(run.PathTo(name!));
-        if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
+        var file = run.FileAt(name!);
         // A changed file has another time or size and is read again.
         var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length], (_, cancel) => GCodeDocument.ReadFile(file.FullName, cancel));
         return read.Value ?? throw new InputProblem($"{file.FullName}: {read.Diagnostics[0].Message}");

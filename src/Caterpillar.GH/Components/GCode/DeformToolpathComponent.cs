@@ -2,8 +2,6 @@ using System;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
-using Caterpillar.GH.Components.Path;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Shaping;
@@ -42,7 +40,7 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
         var filter = MoveFilterPorts.ReadLayers(run, 1, goo.Value);
         var request = DeformationPorts.Read(run, Formulas);
         if (request.Tolerance == 0) throw new InputProblem("Tolerance must be greater than zero.");
-        var frame = run.MaybeValue<Rg.Plane>(Formulas + DeformationPorts.Count) is { } plane ? RhinoGeometry.ToFrame(plane, run.Units) : Frame.World;
+        var frame = run.FrameOf(Formulas + DeformationPorts.Count);
         var compiled = request.Compile();
         if (compiled.Value is not { } deformation)
         {

@@ -7,7 +7,6 @@ using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
-using Caterpillar.GH.Plugin;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
@@ -51,18 +50,15 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
     {
         var texts = new List<string>();
         var steps = run.Steps(0);
-        if (steps.Steps.Length == 0) throw new InputProblem("Steps are missing.") { IsMissing = true };
-        var printer = run.Get<Printer>(1);
-        var material = run.Maybe<Material>(2) ?? run.Accept(Profiles.Library.Material(printer.DefaultMaterial), texts);
-        var settings = run.Maybe<PrintSettings>(3) ?? run.Accept(Profiles.Library.Settings(printer.DefaultSettings), texts);
-        if (material is null || settings is null)
+        if (steps.Steps.Length == 0) throw run.Missing(0);
+        if (SetupPorts.For(run, run.Get<Printer>(1), run.Maybe<Material>(2), run.Maybe<PrintSettings>(3), texts) is not { } setup)
         {
             run.SetNulls();
             return;
         }
-        object[] obstacles = run.List<IGH_GeometricGoo>(6).Select(g => (object)ModelMesh.Of(run, g, ObstacleTolerance, run.Units).Triangles).ToArray();
+        object[] obstacles = Array.ConvertAll(run.Models(6, ObstacleTolerance), m => (object)m.Triangles);
         // Those who check and write the toolpath know of them from its setup.
-        var setup = new PrintSetup(printer, material, settings) { PrintedOn = Joined(run, obstacles) };
+        setup = setup with { PrintedOn = Joined(run, obstacles) };
         var options = new PlanOptions { Policy = run.Choice<PlanPolicy>(4), Sort = new SortOptions(run.Choice<SortRule>(5)) };
         var result = run.Work("Planning", [steps, setup, options],
             (progress, cancel) => Planner.Plan(steps.Steps, setup, options, progress, cancel));

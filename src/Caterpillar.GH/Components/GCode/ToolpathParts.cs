@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;

@@ -24,7 +24,7 @@ public sealed class DeformComponent() : PathShapingComponent(
     {
         var before = PathsOf(run);
         var request = DeformationPorts.Read(run, 1);
-        var frame = FrameOf(run, 1 + DeformationPorts.Count);
+        var frame = run.FrameOf(1 + DeformationPorts.Count);
         var deformation = request.Compile();
         if (deformation.Value is null)
         {

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Machines;
 using Caterpillar.Shaping;
@@ -43,9 +42,9 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var paths = run.Paths(0);
-        if (paths.Count == 0) throw new InputProblem("Print Paths are missing.") { IsMissing = true };
-        var units = run.Units;
-        var below = run.List<IGH_GeometricGoo>(1).Select(g => ModelMesh.Of(run, g, Tolerance, units)).ToList();
+        if (paths.Count == 0) throw run.Missing(0);
+        _ = run.Units;
+        var below = run.Models(1, Tolerance);
         var gap = GapBead.For(run.Maybe<PrintSettings>(2) ?? new PrintSettings()) with { Width = run.Finite(5), Bed = run.Get<bool>(6) ? 0 : null };
         if (run.MaybeValue<double>(3) is not null) gap = gap with { MinGap = run.Positive(3) };
         if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };

@@ -23,8 +23,8 @@ public sealed class CheckComponent() : CaterpillarComponent(
     {
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to check, planned or decoded.");
         SetupPorts.Printer(ports);
-        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default the one it was planned for.", optional: true);
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings, or the name of their profile; by default those it was planned for.", optional: true);
+        SetupPorts.Material(ports);
+        SetupPorts.Settings(ports);
     }
 
     private protected override void Outputs(OutputPorts ports)

@@ -21,7 +21,7 @@ public sealed class StatisticsComponent() : CaterpillarComponent(
     {
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to measure, planned or decoded.");
         SetupPorts.Printer(ports);
-        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default the one it was planned for.", optional: true);
+        SetupPorts.Material(ports);
     }
 
     private protected override void Outputs(OutputPorts ports)

@@ -1,6 +1,5 @@
 using System;
 using Caterpillar.GH.Base;
-using Caterpillar.GH.LayerFields;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Grasshopper.Kernel;

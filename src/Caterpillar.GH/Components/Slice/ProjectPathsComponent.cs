@@ -42,12 +42,11 @@ public sealed class ProjectPathsComponent() : CaterpillarComponent(
     {
         var goos = run.List<PrintPathGoo>(0);
         var geometry = run.List<IGH_GeometricGoo>(1);
-        if (goos.Count == 0 || geometry.Count == 0)
-            throw new InputProblem(goos.Count == 0 ? "Print Paths are missing." : "Geometry is missing.") { IsMissing = true };
+        if (goos.Count == 0 || geometry.Count == 0) throw run.Missing(goos.Count == 0 ? 0 : 1);
         var offset = run.Finite(2);
         var setup = new PrintSetup(run.Maybe<Printer>(4) ?? new Printer(), new Material(), run.Maybe<PrintSettings>(3) ?? new PrintSettings());
-        var (partial, tolerance, units) = (run.Get<bool>(5), run.Positive(6), run.Units);
-        var onto = geometry.Select(g => ModelMesh.Of(run, g, tolerance, units)).ToArray();
+        var (partial, tolerance) = (run.Get<bool>(5), run.Positive(6));
+        var onto = geometry.Select(g => run.ModelOf(g, tolerance)).ToArray();
         object[] paths = goos.Select(g => (object)g.Value).ToArray();
         var result = run.Work("Projecting", [paths, onto, offset, setup, partial], (progress, cancel) =>
         {

@@ -27,8 +27,7 @@ public sealed class ReadModelComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var file = new FileInfo(run.PathTo(run.Get<string>(0)));
-        if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
+        var file = run.FileAt(run.Get<string>(0));
         var units = run.Units;
         var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length],
             (progress, cancel) => MeshReader.Read(file.FullName, progress, cancel));

@@ -37,12 +37,8 @@ public abstract class SlicerComponent(string name, string nickname, string descr
         ports.Diagnostics();
     }
 
-    private protected static IReadOnlyList<ModelMesh> Models(Run run, int input, double tolerance)
-    {
-        var geometry = run.List<IGH_GeometricGoo>(input);
-        if (geometry.Count == 0) throw new InputProblem("Geometry is missing.") { IsMissing = true };
-        return geometry.Select(g => ModelMesh.Of(run, g, tolerance, run.Units)).ToArray();
-    }
+    private protected static ModelMesh[] Solids(Run run, int input, double tolerance)
+        => run.Models(input, tolerance) is { Length: > 0 } models ? models : throw run.Missing(input);
 
     private protected static NamedMesh[] Named(IReadOnlyList<ModelMesh> models)
         => models.Select((m, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", m.Triangles)).ToArray();

@@ -1,6 +1,6 @@
 using System;
 
-namespace Caterpillar.GH.Base;
+namespace Caterpillar.GH;
 
 /// <summary>An input of one item that can't be used: the item gives null, the others are solved.</summary>
 internal sealed class InputProblem : Exception

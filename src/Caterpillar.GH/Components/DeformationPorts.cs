@@ -6,7 +6,7 @@ using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.Shaping;
 
-namespace Caterpillar.GH.Components.Path;
+namespace Caterpillar.GH.Components;
 
 /// <summary>The ports of a deformation: system, five formulas, tolerance.</summary>
 internal static class DeformationPorts
