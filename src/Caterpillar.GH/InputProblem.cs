@@ -3,22 +3,8 @@ using System;
 namespace Caterpillar.GH;
 
 /// <summary>An input of one item that can't be used: the item gives null, the others are solved.</summary>
-internal sealed class InputProblem : Exception
+internal sealed class InputProblem(string message) : Exception(message)
 {
-    public InputProblem()
-    {
-    }
-
-    public InputProblem(string message)
-        : base(message)
-    {
-    }
-
-    public InputProblem(string message, Exception inner)
-        : base(message, inner)
-    {
-    }
-
     /// <summary>True if the input is missing rather than wrong.</summary>
     public bool IsMissing { get; init; }
 }

@@ -163,6 +163,13 @@ public abstract class CaterpillarComponent : GH_Component
     {
         Prepare(run);
         run.CheckSources();
-        Solve(run);
+        try
+        {
+            Solve(run);
+        }
+        catch (NoResult)
+        {
+            run.SetNulls();
+        }
     }
 }

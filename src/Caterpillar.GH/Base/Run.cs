@@ -17,6 +17,7 @@ namespace Caterpillar.GH.Base;
 internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access, SolveCache cache, Background background) : ItemInputs(component, access)
 {
     private readonly List<Action<IGH_DataAccess>> _given = [];
+    private readonly List<string> _diagnostics = [];
 
     /// <summary>What the item gives, in order.</summary>
     public IReadOnlyList<Action<IGH_DataAccess>> Given => _given;
@@ -81,26 +82,34 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     /// <summary>A short message below the component.</summary>
     public void Summarize(string text) => Component.Message = text;
 
-    /// <summary>The value of a result after its diagnostics were shown and collected; null if it has none.</summary>
-    public T? Accept<T>(Result<T> result, List<string>? texts = null)
+    /// <summary>The value of a result whose diagnostics are reported. Without one the item ends here and gives null.</summary>
+    public T Need<T>(Result<T> result)
+        where T : class
+        => Accept(result) ?? throw new NoResult();
+
+    /// <summary>The value of a result whose diagnostics are reported; null if it has none.</summary>
+    public T? Accept<T>(Result<T> result)
         where T : class
     {
-        var lines = Report(result.Diagnostics);
-        texts?.AddRange(lines);
+        Report(result.Diagnostics);
         return result.Value;
     }
 
-    /// <summary>Messages for diagnostics, and their texts for the output of that name.</summary>
-    public IReadOnlyList<string> Report(IEnumerable<Diagnostic> diagnostics)
+    /// <summary>Messages for diagnostics, whose texts are also what the output for diagnostics gives.</summary>
+    public void Report(IEnumerable<Diagnostic> diagnostics)
     {
-        var texts = new List<string>();
         foreach (var diagnostic in diagnostics)
         {
             var text = diagnostic.ToString();
-            texts.Add(text);
+            _diagnostics.Add(text);
             Report(Level(diagnostic.Severity), text);
         }
-        return texts;
+    }
+
+    /// <summary>Sets the first outputs, one after the other.</summary>
+    public void SetAll(params object?[] values)
+    {
+        for (var i = 0; i < values.Length; i++) Set(i, values[i]);
     }
 
     public void Set(int output, object? value) => _given.Add(a => a.SetData(output, value));
@@ -135,6 +144,7 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     /// <summary>Hands out what was set.</summary>
     public void Give()
     {
+        SetDiagnostics();
         foreach (var give in _given) give(Access);
     }
 
@@ -142,14 +152,22 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     public void GiveNulls()
     {
         SetNulls();
-        Give();
+        if (_diagnostics.Count > 0) SetDiagnostics();
+        foreach (var give in _given) give(Access);
     }
 
     /// <summary>Hands out nothing of what was set.</summary>
     public void GiveOnlyNulls()
     {
         _given.Clear();
+        _diagnostics.Clear();
         GiveNulls();
+    }
+
+    private void SetDiagnostics()
+    {
+        var output = Component.Params.Output.FindIndex(p => p.Name == OutputPorts.DiagnosticsName);
+        if (output >= 0) SetList(output, _diagnostics);
     }
 
     private static GH_RuntimeMessageLevel Level(Severity severity) => severity switch

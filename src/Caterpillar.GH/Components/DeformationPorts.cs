@@ -1,8 +1,6 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.Shaping;
 

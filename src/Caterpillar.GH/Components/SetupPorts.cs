@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
@@ -31,12 +30,12 @@ internal static class SetupPorts
         { PrintedOn = planned?.PrintedOn };
     }
 
-    /// <summary>A printer with a material and settings, by default those that it names; null where there is no such profile.</summary>
-    public static PrintSetup? For(Run run, Printer printer, Material? material, PrintSettings? settings, List<string> texts)
+    /// <summary>A printer with a material and settings, by default those that it names. Without such a profile the item has no result.</summary>
+    public static PrintSetup For(Run run, Printer printer, Material? material, PrintSettings? settings)
     {
-        material ??= run.Accept(Profiles.Library.Material(printer.DefaultMaterial), texts);
-        settings ??= run.Accept(Profiles.Library.Settings(printer.DefaultSettings), texts);
-        return material is null || settings is null ? null : new PrintSetup(printer, material, settings);
+        material ??= run.Accept(Profiles.Library.Material(printer.DefaultMaterial));
+        settings ??= run.Accept(Profiles.Library.Settings(printer.DefaultSettings));
+        return material is null || settings is null ? throw new NoResult() : new PrintSetup(printer, material, settings);
     }
 
     private static Printer? OfFile(ToolpathGoo goo)

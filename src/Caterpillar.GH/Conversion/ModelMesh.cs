@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GH.Conversion;
@@ -13,6 +15,9 @@ internal sealed record ModelMesh(Rg.Mesh Mesh, TriMesh Triangles)
         var mesh = RhinoMesh.ToMesh(geometry, tolerance, units);
         return new ModelMesh(mesh, RhinoMesh.ToTriangles(mesh, units));
     }
+
+    /// <summary>The triangles of several models as one mesh; null for none.</summary>
+    public static TriMesh? Joined(IReadOnlyCollection<ModelMesh> models) => models.Count == 0 ? null : TriMesh.Merge(models.Select(m => m.Triangles));
 
     /// <summary>Parts of a key that change with the geometry. Rhino's checksum of a mesh is taken from single-precision points, which is too coarse.</summary>
     public static object?[] Content(object geometry) => geometry switch

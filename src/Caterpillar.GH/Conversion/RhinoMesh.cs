@@ -81,21 +81,6 @@ internal static class RhinoMesh
         return mesh;
     }
 
-    /// <summary>Several surfaces as one; null for none.</summary>
-    public static TriMesh? Joined(IReadOnlyList<TriMesh> parts)
-    {
-        if (parts.Count <= 1) return parts.Count == 0 ? null : parts[0];
-        var vertices = new List<Vec3>();
-        var triangles = new List<int>();
-        foreach (var part in parts)
-        {
-            var first = vertices.Count;
-            vertices.AddRange(part.Vertices);
-            foreach (var index in part.Indices) triangles.Add(first + index);
-        }
-        return TriMesh.Create(vertices, triangles);
-    }
-
     private static Rg.Mesh FromBox(Rg.Box box)
     {
         box.MakeValid();

@@ -7,10 +7,7 @@ using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
 using Grasshopper.Kernel.Types;
-using Rhino;
-using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Goos;
 

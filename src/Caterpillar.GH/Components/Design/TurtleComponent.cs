@@ -56,13 +56,7 @@ public sealed class TurtleComponent() : CaterpillarComponent(
     {
         var program = run.Get<TurtleProgram>(0);
         var units = run.Units;
-        var texts = new List<string>();
-        if (SetupOf(program, run, texts) is not { } setup)
-        {
-            run.SetNulls();
-            run.SetList(4, texts);
-            return;
-        }
+        var setup = SetupOf(program, run);
         var options = new TurtleOptions
         {
             Start = run.FrameOf(1),
@@ -77,8 +71,7 @@ public sealed class TurtleComponent() : CaterpillarComponent(
             var done = program.Run(options, null, progress, cancel);
             return new Done(done.Value?.ToSteps() ?? [], done.Value is null ? [] : options.KeepPoses ? done.Value.Poses : [done.Value.Pose], done.Diagnostics);
         });
-        texts.AddRange(run.Report(result.Diagnostics));
-        run.SetList(4, texts);
+        run.Report(result.Diagnostics);
         run.Set(5, new PrinterGoo(setup.Printer));
         run.Set(6, new MaterialGoo(setup.Material));
         run.Set(7, new SettingsGoo(setup.Settings));
@@ -88,17 +81,16 @@ public sealed class TurtleComponent() : CaterpillarComponent(
         run.SetList(3, result.Poses.Select(p => TurtleShape.Outline(p, 2, units)));
     }
 
-    // The ports first, then what the script names, then what the printer names; null where a profile is unknown.
-    private static PrintSetup? SetupOf(TurtleProgram program, Run run, List<string> texts)
+    // The ports first, then what the script names, then what the printer names.
+    private static PrintSetup SetupOf(TurtleProgram program, Run run)
     {
         var library = Profiles.Library;
         var named = program.Profiles;
         var given = run.Maybe<Material>(6);
-        var printer = run.Maybe<Printer>(5) ?? run.Accept(library.Printer(named.ElementAtOrDefault(0) ?? "generic"), texts);
-        if (printer is null) return null;
-        var material = given ?? run.Accept(library.Material(named.ElementAtOrDefault(1) ?? printer.DefaultMaterial), texts);
-        var settings = run.Maybe<PrintSettings>(7) ?? run.Accept(library.Settings(named.ElementAtOrDefault(2) ?? printer.DefaultSettings), texts);
-        if (material is null || settings is null) return null;
+        var printer = run.Maybe<Printer>(5) ?? run.Need(library.Printer(named.ElementAtOrDefault(0) ?? "generic"));
+        var material = given ?? run.Accept(library.Material(named.ElementAtOrDefault(1) ?? printer.DefaultMaterial));
+        var settings = run.Maybe<PrintSettings>(7) ?? run.Accept(library.Settings(named.ElementAtOrDefault(2) ?? printer.DefaultSettings));
+        if (material is null || settings is null) throw new NoResult();
         // Definitions without a material state the diameter of the filament alone.
         var diameter = run.Positive(3);
         if (given is null && named.Count == 0) material = material with { FilamentDiameter = diameter };

@@ -1,6 +1,4 @@
 using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Dialects;
@@ -8,7 +6,6 @@ using Caterpillar.GCode;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
-using Caterpillar.Machines;
 using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.GCode;
@@ -48,7 +45,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         var source = wired ?? Read(run);
         var result = run.Work("Decoding", [source, options], (progress, cancel) => GCodeDecoder.Decode(source, options, progress, cancel));
         var none = result.Value?.NotGCode;
-        run.SetList(4, run.Report(none is null ? result.Diagnostics : [none]));
+        run.Report(none is null ? result.Diagnostics : [none]);
         run.Set(1, new GCodeGoo(source));
         if (none is not null || result.Value is not { } decoding)
         {

@@ -1,5 +1,4 @@
 using System;
-using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
@@ -41,20 +40,13 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
         var request = DeformationPorts.Read(run, Formulas);
         if (request.Tolerance == 0) throw new InputProblem("Tolerance must be greater than zero.");
         var frame = run.FrameOf(Formulas + DeformationPorts.Count);
-        var compiled = request.Compile();
-        if (compiled.Value is not { } deformation)
-        {
-            run.SetList(1, run.Report(compiled.Diagnostics));
-            run.Set(0, null);
-            return;
-        }
+        var deformation = run.Need(request.Compile());
         if (frame != Frame.World)
         {
             deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation).Then(Deformation.Cartesian(p => frame.ToWorld(p)));
         }
         var result = run.Work("Deform", [goo.Value, frame, .. MoveFilterPorts.Key(filter), .. request.Key],
             (_, _) => goo.Value.Deform(filter, deformation, request.Tolerance));
-        run.SetList(1, run.Report(result.Diagnostics));
-        run.Set(0, result.Value is { } bent ? goo.With(bent) : null);
+        run.Set(0, goo.With(run.Need(result)));
     }
 }

@@ -1,6 +1,4 @@
 using System;
-using System.Collections.Generic;
-using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.GCode;
@@ -42,14 +40,9 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var texts = new List<string>();
         var goo = run.Get<ToolpathGoo>(0);
         var reason = run.Maybe<string>(4);
-        if (Setup(run, goo.Setup, texts) is not { } setup)
-        {
-            run.SetNulls();
-            return;
-        }
+        var setup = Setup(run, goo.Setup);
         if (string.IsNullOrWhiteSpace(reason)) reason = null;
         var rewriteAll = run.Get<bool>(5) || goo.DecodedGCode is null;
         var (start, end) = (run.Maybe<string>(6), run.Maybe<string>(7));
@@ -62,17 +55,16 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         var result = run.Work("Writing", [goo.Value, setup, reason, rewriteAll, start, end], (progress, cancel) => rewriteAll
             ? SafeWriter.ToDocument(goo.Value, setup, reason, progress, cancel)
             : SafeWriter.ToDocument(goo.DecodedGCode!, goo.Value, setup, reason, code, progress, cancel));
-        var document = run.Accept(result, texts);
+        var document = run.Accept(result);
         run.Set(0, document is null ? null : new GCodeGoo(document));
-        run.SetList(1, texts);
         run.Summarize(document is null ? "refused" : $"{NumberFormatter.Format(document.LineCount)} lines");
     }
 
-    private static PrintSetup? Setup(Run run, PrintSetup? planned, List<string> texts)
+    private static PrintSetup Setup(Run run, PrintSetup? planned)
     {
         var printer = run.Maybe<Printer>(1) ?? planned?.Printer
             ?? throw new InputProblem("Printer is missing: the toolpath was not planned for one.") { IsMissing = true };
-        var setup = SetupPorts.For(run, printer, run.Maybe<Material>(2) ?? planned?.Material, run.Maybe<PrintSettings>(3) ?? planned?.Settings, texts);
-        return setup is null ? null : setup with { PrintedOn = planned?.PrintedOn };
+        return SetupPorts.For(run, printer, run.Maybe<Material>(2) ?? planned?.Material, run.Maybe<PrintSettings>(3) ?? planned?.Settings)
+            with { PrintedOn = planned?.PrintedOn };
     }
 }

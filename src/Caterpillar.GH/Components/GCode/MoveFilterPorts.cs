@@ -1,4 +1,3 @@
-using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.GH.Conversion;
-using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel.Data;
 using Grasshopper.Kernel.Types;

@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.Shaping;

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
@@ -7,7 +6,6 @@ using Caterpillar.GH.Params;
 using Caterpillar.Machines;
 using Caterpillar.Shaping;
 using Grasshopper.Kernel;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.Path;
 
@@ -50,8 +48,8 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };
         if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be above Maximum Gap.");
         var result = run.Work("Measuring gaps", [paths, .. below, gap],
-            (progress, cancel) => (gap with { Surface = RhinoMesh.Joined(below.Select(m => m.Triangles).ToArray()) }).Apply(paths.Paths, progress, cancel));
-        run.SetList(1, run.Report(result.Diagnostics));
-        if (result.Value is { } shaped) run.SetList(0, run.Cached([paths, shaped], () => shaped.Select((path, i) => paths.Goos[i].With(path)).ToArray()));
+            (progress, cancel) => (gap with { Surface = ModelMesh.Joined(below) }).Apply(paths.Paths, progress, cancel));
+        var shaped = run.Need(result);
+        run.SetList(0, run.Cached([paths, shaped], () => shaped.Select((path, i) => paths.Goos[i].With(path)).ToArray()));
     }
 }

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.Geometry;

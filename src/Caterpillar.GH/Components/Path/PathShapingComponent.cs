@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
@@ -37,7 +36,7 @@ public abstract class PathShapingComponent(string name, string nickname, string 
     /// <summary>The new paths with the groups of the old ones.</summary>
     private protected static void SetPaths(Run run, PathList before, Shaped shaped)
     {
-        run.SetList(1, run.Report(shaped.Diagnostics));
+        run.Report(shaped.Diagnostics);
         run.SetList(0, run.Cached([before, shaped], () => shaped.Paths.Select((path, i) => path is null ? null : before.Goos[i].With(path)).ToArray()));
     }
 

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
@@ -55,11 +54,8 @@ public sealed class ConstructPrinterComponent() : ProfileComponent(
         if (head.Count > 0) printer = printer with { HeadBoxes = new ValueList<Bounds>(head.Select(h => BoundsOf(h, units))) };
         if (run.Maybe<string>(5) is { } start) printer = printer with { StartTemplate = new ValueList<string>(TextLines.Of(start)) };
         if (run.Maybe<string>(6) is { } end) printer = printer with { EndTemplate = new ValueList<string>(TextLines.Of(end)) };
-        var texts = new List<string>();
-        var made = run.Accept((new PrintSetup() with { Printer = printer }).With(run.List<string>(4)), texts)?.Printer;
-        run.Set(0, made is null ? null : new PrinterGoo(made));
-        run.Set(1, made is null ? null : RhinoGeometry.ToBed(made, units));
-        run.SetList(2, texts);
+        var made = run.Need((new PrintSetup() with { Printer = printer }).With(run.List<string>(4))).Printer;
+        run.SetAll(new PrinterGoo(made), RhinoGeometry.ToBed(made, units));
     }
 
     private static Printer WithBed(Printer printer, Bounds bed)

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
@@ -44,9 +43,7 @@ public sealed class ImportHeaderComponent() : CaterpillarComponent(
         var after = string.IsNullOrEmpty(footer) ? "" : File.ReadAllText(run.FileAt(footer!).FullName);
         var imported = HeaderImport.Read(before, after, string.IsNullOrWhiteSpace(name) ? "imported" : name, run.Maybe<Printer>(2), header,
             footer ?? "footer");
-        run.SetList(3, run.Report(imported.Diagnostics));
-        run.Set(0, imported.Value is null ? null : new PrinterGoo(imported.Value.Printer));
-        run.Set(1, imported.Value is null ? null : new MaterialGoo(imported.Value.Material));
-        run.Set(2, imported.Value?.Start is { } start ? RhinoGeometry.ToPoint(start, run.Units) : null);
+        var made = run.Need(imported);
+        run.SetAll(new PrinterGoo(made.Printer), new MaterialGoo(made.Material), made.Start is { } start ? RhinoGeometry.ToPoint(start, run.Units) : null);
     }
 }

@@ -43,7 +43,7 @@ public sealed class CheckComponent() : CaterpillarComponent(
         var passed = findings.All(f => f.Severity != Severity.Error);
         run.Set(0, passed ? goo.Planned(setup) : null);
         run.Set(1, passed);
-        run.SetList(2, run.Report(findings));
+        run.Report(findings);
         run.SetList(3, findings.Where(f => f.Source?.Move is not null).Select(f => RhinoGeometry.ToPoint(goo.Value[f.Source!.Move!.Value].End, run.Units)));
         run.Summarize(passed ? "OK" : $"{NumberFormatter.Format(findings.Where(f => f.Severity == Severity.Error).Sum(f => f.Count))} errors");
     }

@@ -8,7 +8,6 @@ using Caterpillar.GH.Params;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;
 using Grasshopper.Kernel;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.Slice;
 
@@ -47,7 +46,7 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
         {
             var field = recipe.For(solids, setup);
             if (field.Value is null || field.HasErrors) return new Result<SliceResult>(null, field.Diagnostics);
-            var floor = RhinoMesh.Joined(onto.Select(m => m.Triangles).ToArray());
+            var floor = ModelMesh.Joined(onto);
             var options = new CurvedOptions { Onto = floor is null ? null : PlanSurface.OnBed(floor), Partial = partial };
             var sliced = CurvedSlicer.Slice(solids, field.Value, setup, options, 0, progress, cancel);
             return new Result<SliceResult>(sliced.Value, field.Diagnostics.Concat(sliced.Diagnostics).ToArray());

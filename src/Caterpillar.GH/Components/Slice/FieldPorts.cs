@@ -59,7 +59,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     {
         var meshes = Meshes();
         if (meshes.Length == 0) throw new InputProblem("Normal needs a surface.") { IsMissing = true };
-        return new FieldRecipe("Normal", [.. meshes], LayerField.Offset(RhinoMesh.Joined(meshes.Select(m => m.Triangles).ToArray())!));
+        return new FieldRecipe("Normal", [.. meshes], LayerField.Offset(ModelMesh.Joined(meshes)!));
     }
 
     private FieldRecipe? Between(IReadOnlyList<Plan>? plans)

@@ -50,11 +50,10 @@ public sealed class ProjectPathsComponent() : CaterpillarComponent(
         object[] paths = goos.Select(g => (object)g.Value).ToArray();
         var result = run.Work("Projecting", [paths, onto, offset, setup, partial], (progress, cancel) =>
         {
-            var surface = PlanSurface.Of(RhinoMesh.Joined(onto.Select(m => m.Triangles).ToArray())!).Moved(new Vec3(0, 0, Math.Max(0, offset)));
+            var surface = PlanSurface.Of(ModelMesh.Joined(onto)!).Moved(new Vec3(0, 0, Math.Max(0, offset)));
             var steps = goos.Select(g => (Step)g.ToStep()).ToArray();
             return SurfaceProjection.Project(steps, surface, setup, Math.Max(0, -offset), partial, progress, cancel);
         });
-        run.SetList(1, run.Report(result.Diagnostics));
-        if (result.Value is { } projected) run.SetList(0, projected.OfType<PathStep>().Select(s => new PrintPathGoo(s)));
+        run.SetList(0, run.Need(result).OfType<PathStep>().Select(s => new PrintPathGoo(s)));
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.IO;
 using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
@@ -31,8 +30,7 @@ public sealed class ReadModelComponent() : CaterpillarComponent(
         var units = run.Units;
         var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length],
             (progress, cancel) => MeshReader.Read(file.FullName, progress, cancel));
-        run.SetList(2, run.Report(read.Diagnostics));
-        if (read.Value is not { } models) return;
+        var models = run.Need(read);
         run.SetList(0, run.Cached([read, units.ToMillimeters], () => models.Select(m => RhinoMesh.FromTriangles(m.Mesh, units)).ToArray()));
         run.SetList(1, models.Select(m => m.Name));
     }
