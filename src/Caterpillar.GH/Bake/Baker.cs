@@ -1,13 +1,12 @@
 using System;
 using System.Collections.Generic;
-using System.Drawing;
 using Caterpillar.Basics;
 using Caterpillar.Display;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;
+using Layer = Caterpillar.Toolpaths.Layer;
 using Rhino;
 using Rhino.DocObjects;
-using Layer = Caterpillar.Toolpaths.Layer;
 
 namespace Caterpillar.GH.Bake;
 
@@ -66,7 +65,7 @@ internal sealed class Baker(RhinoDoc document, ObjectAttributes attributes, List
     {
         if (geometry is null) return;
         var role = facts.Role == Role.Unspecified ? "Strand" : facts.Role.ToString();
-        var color = ToColor(Palette.Of(facts.Role));
+        var color = RhinoGeometry.ToColor(Palette.Of(facts.Role));
         var item = attributes.Duplicate();
         item.LayerIndex = BakeLayers.Find(document, facts.Layer?.Object is { Length: > 0 } name ? name : "Print", role, color);
         if (Name.Length > 0) item.Name = Name;
@@ -84,8 +83,6 @@ internal sealed class Baker(RhinoDoc document, ObjectAttributes attributes, List
         var id = geometry is Rg.Mesh mesh ? document.Objects.AddMesh(mesh, item) : document.Objects.AddCurve((Rg.Curve)geometry, item);
         if (id != Guid.Empty) ids.Add(id);
     }
-
-    private static Color ToColor(Files.Rgb color) => Color.FromArgb(color.R, color.G, color.B);
 
     /// <summary>What is known of a baked object.</summary>
     private sealed record Facts(Role Role, Layer? Layer, string Name)

@@ -26,16 +26,17 @@ internal sealed class Background
     private const int HurriedMilliseconds = 50;
     private const int PulseMilliseconds = 100;
     private readonly CaterpillarComponent _component;
+    private readonly Solver _solver;
     private readonly Dictionary<SolveKey, Job> _jobs = [];
     private readonly HashSet<SolveKey> _asked = [];
     private readonly Stopwatch _waited = new();
-    private Task _queue = Task.CompletedTask;
     private Timer? _timer;
     private int _posted;
 
-    public Background(CaterpillarComponent component)
+    public Background(CaterpillarComponent component, Solver solver)
     {
         _component = component;
+        _solver = solver;
         MayLeave = IsOnCanvas;
     }
 
@@ -49,11 +50,7 @@ internal sealed class Background
     public int Patience { get; private set; }
 
     /// <summary>What has to end before the next work begins; a test holds it back with that.</summary>
-    public Task Queue
-    {
-        get => _queue;
-        set => _queue = value;
-    }
+    public Task Queue { get; set; } = Task.CompletedTask;
 
     /// <summary>What is done, and how much of it.</summary>
     public string Words
@@ -86,8 +83,8 @@ internal sealed class Background
         _asked.Add(key);
         if (!_jobs.TryGetValue(key, out var job))
         {
-            _jobs.Add(key, job = new Job(label, work, _queue));
-            _queue = job.Task;
+            _jobs.Add(key, job = new Job(label, work, Queue));
+            Queue = job.Task;
         }
         _waited.Start();
         var done = LongWork.Wait(job, Patience == int.MaxValue ? Patience : Math.Max(0, Patience - (int)_waited.ElapsedMilliseconds));
@@ -131,7 +128,7 @@ internal sealed class Background
         if (_component.Locked || GH_Document.IsEscapeKeyDown())
         {
             Cancel();
-            _component.ShowCanceled();
+            _solver.ShowCanceled();
         }
         else if (_jobs.Values.All(j => j.IsDone))
         {
@@ -140,7 +137,7 @@ internal sealed class Background
         }
         else
         {
-            _component.ShowProgress();
+            _solver.ShowProgress();
         }
     }
 
@@ -159,6 +156,6 @@ internal sealed class Background
         _timer?.Dispose();
         _timer = null;
         _posted = 0;
-        if (_jobs.Count == 0) _queue = Task.CompletedTask;
+        if (_jobs.Count == 0) Queue = Task.CompletedTask;
     }
 }

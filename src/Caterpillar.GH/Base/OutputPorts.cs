@@ -6,6 +6,8 @@ namespace Caterpillar.GH.Base;
 /// <summary>Declares the outputs of a component.</summary>
 internal sealed class OutputPorts(GH_Component.GH_OutputParamManager manager)
 {
+    public const string DiagnosticsName = "Diagnostics";
+
     private const GH_ParamAccess Item = GH_ParamAccess.item;
 
     public void Number(string name, string nick, string description, GH_ParamAccess access = Item) => Add(new Param_Number(), name, nick, description, access);
@@ -19,8 +21,8 @@ internal sealed class OutputPorts(GH_Component.GH_OutputParamManager manager)
 
     public void Curve(string name, string nick, string description, GH_ParamAccess access = Item) => Add(new Param_Curve(), name, nick, description, access);
 
-    /// <summary>The diagnostics of the solve.</summary>
-    public void Diagnostics() => Text("Diagnostics", "D", "Remarks, warnings and errors, one line per kind.", GH_ParamAccess.list);
+    /// <summary>The diagnostics of the solve, which are given by themselves.</summary>
+    public void Diagnostics() => Text(DiagnosticsName, "D", "Remarks, warnings and errors, one line per kind.", GH_ParamAccess.list);
 
     /// <summary>A parameter of the plug-in.</summary>
     public void Add(IGH_Param param, string name, string nick, string description, GH_ParamAccess access = Item)

@@ -1,30 +1,23 @@
 using System;
 using System.Collections.Generic;
-using Caterpillar.Basics;
+using System.Linq;
 using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>A model for the library with Rhino's mesh of it, which shows its open edges.</summary>
 internal sealed record ModelMesh(Rg.Mesh Mesh, TriMesh Triangles)
 {
-    /// <summary>
-    /// The mesh of anything that can be sliced, kept from the last solve while the geometry has the same content. The tolerance, in mm, is the maximum
-    /// deviation of facets from a curved surface.
-    /// </summary>
+    /// <summary>The mesh of anything that can be sliced. The tolerance, in mm, is the maximum deviation of facets from a curved surface.</summary>
     /// <exception cref="InputProblem">It has no surface, or Rhino can't mesh it.</exception>
-    public static ModelMesh Of(Run run, IGH_GeometricGoo goo, double tolerance, DocumentUnits units)
+    public static ModelMesh Of(object geometry, double tolerance, DocumentUnits units)
     {
-        var geometry = Wrapped.Bare(goo.ScriptVariable()) ?? throw new InputProblem("Geometry is null.");
-        return run.Cached([.. Content(geometry), tolerance, units.ToMillimeters], () =>
-        {
-            var mesh = RhinoMesh.ToMesh(geometry, tolerance, units);
-            return new ModelMesh(mesh, RhinoMesh.ToTriangles(mesh, units));
-        });
+        var mesh = RhinoMesh.ToMesh(geometry, tolerance, units);
+        return new ModelMesh(mesh, RhinoMesh.ToTriangles(mesh, units));
     }
+
+    /// <summary>The triangles of several models as one mesh; null for none.</summary>
+    public static TriMesh? Joined(IReadOnlyCollection<ModelMesh> models) => models.Count == 0 ? null : TriMesh.Merge(models.Select(m => m.Triangles));
 
     /// <summary>Parts of a key that change with the geometry. Rhino's checksum of a mesh is taken from single-precision points, which is too coarse.</summary>
     public static object?[] Content(object geometry) => geometry switch

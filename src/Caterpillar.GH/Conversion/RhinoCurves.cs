@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Conversion;
@@ -13,7 +12,7 @@ internal static class RhinoCurves
     private const double LeastSegment = 1e-9;
 
     /// <summary>The curve in anything that is one: curves, lines, polylines, arcs and circles, bare or on a wire; null for anything else.</summary>
-    public static Rg.Curve? In(object? source) => Goos.Wrapped.Bare(source) switch
+    public static Rg.Curve? In(object? source) => Wrapped.Bare(source) switch
     {
         Rg.Curve curve => curve,
         Rg.Line line => new Rg.LineCurve(line),

@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using System.Drawing;
+using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -22,6 +24,11 @@ internal static class RhinoGeometry
 
     public static Rg.BoundingBox ToBox(Bounds bounds, DocumentUnits units)
         => bounds.IsEmpty ? Rg.BoundingBox.Empty : new Rg.BoundingBox(ToPoint(bounds.Min, units), ToPoint(bounds.Max, units));
+
+    /// <summary>A box that is valid.</summary>
+    public static Bounds ToBounds(Rg.BoundingBox box, DocumentUnits units) => new(ToVec(box.Min, units), ToVec(box.Max, units));
+
+    public static Color ToColor(Rgb color) => Color.FromArgb(color.R, color.G, color.B);
 
     public static Rg.Plane ToPlane(Frame frame, DocumentUnits units)
         => new(ToPoint(frame.Origin, units), new Rg.Vector3d(frame.X.X, frame.X.Y, frame.X.Z), new Rg.Vector3d(frame.Y.X, frame.Y.Y, frame.Y.Z));

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.GH.Base;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GH.Conversion;
@@ -80,21 +79,6 @@ internal static class RhinoMesh
             faces[i] = new Rg.MeshFace(triangles.Indices[3 * i], triangles.Indices[3 * i + 1], triangles.Indices[3 * i + 2]);
         mesh.Faces.AddFaces(faces);
         return mesh;
-    }
-
-    /// <summary>Several surfaces as one; null for none.</summary>
-    public static TriMesh? Joined(IReadOnlyList<TriMesh> parts)
-    {
-        if (parts.Count <= 1) return parts.Count == 0 ? null : parts[0];
-        var vertices = new List<Vec3>();
-        var triangles = new List<int>();
-        foreach (var part in parts)
-        {
-            var first = vertices.Count;
-            vertices.AddRange(part.Vertices);
-            foreach (var index in part.Indices) triangles.Add(first + index);
-        }
-        return TriMesh.Create(vertices, triangles);
     }
 
     private static Rg.Mesh FromBox(Rg.Box box)

@@ -1,5 +1,6 @@
 using System;
 using Caterpillar.Basics;
+using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using GH_IO.Serialization;

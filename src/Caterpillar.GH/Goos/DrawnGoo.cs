@@ -1,16 +1,21 @@
+using System;
 using System.Collections.Generic;
 using Caterpillar.Geometry;
+using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Preview;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Types;
+using Rhino;
+using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Goos;
 
 /// <summary>
 /// Goo that is drawn as one thin wire in the given color; not drawn if it is very large. Its lines in document units are computed once for each unit.
-/// Parameters of the plug-in draw all of theirs in one call instead.
+/// Parameters of the plug-in draw all of theirs in one call instead. Baked as several objects, it has the id of the first.
 /// </summary>
-public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IWires
+public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_BakeAwareData, IBakes, IWires
     where T : class
 {
     private WireSet? _wires;
@@ -35,6 +40,27 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IWires
 
     public override object? ScriptVariable() => Value;
 
+    public override bool CastFrom(object source)
+    {
+        switch (Wrapped.Bare(source))
+        {
+            case DrawnGoo<T> goo: Value = goo.Value; break;
+            case T value: Value = value; break;
+            case var other: return CastFromOther(other);
+        }
+        return Value is not null;
+    }
+
+    // By reference as in GH_Goo; GH_GeometricGoo shows the same method with an out parameter, which is the same to the runtime.
+    public override bool CastTo<Q>(ref Q target)
+    {
+        if (Value is null) return false;
+        object? made = typeof(Q).IsAssignableFrom(typeof(T)) ? Value : Native(typeof(Q), DocumentUnits.Current);
+        if (made is not Q result) return false;
+        target = result;
+        return true;
+    }
+
     public override Rg.BoundingBox GetBoundingBox(Rg.Transform xform)
     {
         var box = Boundingbox;
@@ -56,10 +82,31 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IWires
     {
     }
 
+    public bool BakeGeometry(RhinoDoc doc, ObjectAttributes att, out Guid obj_guid)
+    {
+        var ids = new List<Guid>();
+        if (doc is not null && Value is not null) Bake(new Baker(doc, att ?? new ObjectAttributes(), ids));
+        obj_guid = ids.Count > 0 ? ids[0] : Guid.Empty;
+        return ids.Count > 0;
+    }
+
+    void IBakes.BakeTo(Baker baker)
+    {
+        if (Value is not null) Bake(baker);
+    }
+
     void IWires.AddTo(List<Rg.Line> lines, DocumentUnits units)
     {
         if (Value is not null) AddWires(lines, units);
     }
+
+    /// <summary>Takes what is neither such a value nor goo with one.</summary>
+    private protected virtual bool CastFromOther(object? source) => false;
+
+    /// <summary>The value as geometry of Rhino or Grasshopper; null where there is none of that type.</summary>
+    private protected abstract object? Native(Type wanted, DocumentUnits units);
+
+    private protected abstract void Bake(Baker baker);
 
     private protected abstract void AddWires(List<Rg.Line> lines, DocumentUnits units);
 

@@ -1,18 +1,15 @@
 using System.IO;
 using Caterpillar.GCode;
+using Caterpillar.GH.Conversion;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A G-code file on a wire, as one value: a Panel shows a summary, the component G-code Text its lines.</summary>
-public sealed class GCodeGoo : ValueGoo<GCodeDocument>
+public sealed class GCodeGoo(GCodeDocument? document) : ValueGoo<GCodeDocument>(document)
 {
     public GCodeGoo()
-    {
-    }
-
-    public GCodeGoo(GCodeDocument? document)
-        : base(document)
+        : this(null)
     {
     }
 

@@ -1,23 +1,17 @@
-using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
-using Caterpillar.GH.LayerFields;
 using Caterpillar.Slicing;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A field of layers on a wire. A mesh, surface or Brep is one whose layers are its copies; text is the formula of one.</summary>
-public sealed class LayerFieldGoo : ValueGoo<FieldRecipe>
+public sealed class LayerFieldGoo(FieldRecipe? recipe) : ValueGoo<FieldRecipe>(recipe)
 {
     // Deviation of the facets of a curved surface, mm.
     private const double Tolerance = 0.05;
 
     public LayerFieldGoo()
-    {
-    }
-
-    public LayerFieldGoo(FieldRecipe? recipe)
-        : base(recipe)
+        : this(null)
     {
     }
 

@@ -3,20 +3,16 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Drawings;
-using Caterpillar.GH.Bake;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
 using Caterpillar.Geometry;
+using Caterpillar.GH.Bake;
+using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
 using Grasshopper.Kernel.Types;
-using Rhino;
-using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A print path on a wire: moves, turns and scales like a curve, and is one for native components.</summary>
-public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData, IBakes
+public sealed class PrintPathGoo : DrawnGoo<PrintPath>
 {
     private PathStep? _step;
 
@@ -61,57 +57,6 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData, IBake
         return With(straight.WithGeometry(points, beads, straight.IsClosed));
     }
 
-    /// <summary>A curve, line, polyline, arc or circle is printed with the strand and the division that Construct Print Path has by default.</summary>
-    public override bool CastFrom(object source)
-    {
-        switch (Wrapped.Bare(source))
-        {
-            case PrintPathGoo goo: Value = goo.Value; break;
-            case PrintPath path: Value = path; break;
-            case var other: return RhinoCurves.In(other) is { } curve && Along(curve);
-        }
-        return Value is not null;
-    }
-
-    // By reference as in GH_Goo; GH_GeometricGoo shows the same method with an out parameter, which is the same to the runtime.
-    public override bool CastTo<Q>(ref Q target)
-    {
-        if (Value is null) return false;
-        object? made = typeof(Q).IsAssignableFrom(typeof(PrintPath)) ? Value : NativeCasts.Of(Value, typeof(Q), DocumentUnits.Current);
-        if (made is not Q result) return false;
-        target = result;
-        return true;
-    }
-
-    public bool BakeGeometry(RhinoDoc doc, ObjectAttributes att, out Guid obj_guid)
-    {
-        var ids = new List<Guid>();
-        if (doc is not null) BakeTo(new Baker(doc, att ?? new ObjectAttributes(), ids));
-        obj_guid = ids.Count > 0 ? ids[0] : Guid.Empty;
-        return ids.Count > 0;
-    }
-
-    void IBakes.BakeTo(Baker baker) => BakeTo(baker);
-
-    private bool Along(Rg.Curve curve)
-    {
-        try
-        {
-            Value = CurvePaths.ToPaths([new UserCurve(RhinoCurves.ToCurve(curve, DocumentUnits.Current))], new CurveOptions { Shape = BeadShape.Stadium })
-                .Value?.FirstOrDefault()!;
-            return Value is not null;
-        }
-        catch (InputProblem)
-        {
-            return false;
-        }
-    }
-
-    private void BakeTo(Baker baker)
-    {
-        if (Value is not null) baker.Add(Value);
-    }
-
     public override string ToString()
     {
         if (Value is null) return "No Print Path";
@@ -123,6 +68,26 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>, IGH_BakeAwareData, IBake
     private protected override Bounds Bounds => Value.Bounds;
 
     private protected override int SegmentCount => Value.SegmentCount;
+
+    /// <summary>A curve, line, polyline, arc or circle is printed with the strand and the division that Construct Print Path has by default.</summary>
+    private protected override bool CastFromOther(object? source)
+    {
+        if (RhinoCurves.In(source) is not { } curve) return false;
+        try
+        {
+            var drawn = new UserCurve(RhinoCurves.ToCurve(curve, DocumentUnits.Current));
+            Value = CurvePaths.ToPaths([drawn], new CurveOptions { Shape = BeadShape.Stadium }).Value?.FirstOrDefault()!;
+            return Value is not null;
+        }
+        catch (InputProblem)
+        {
+            return false;
+        }
+    }
+
+    private protected override object? Native(Type wanted, DocumentUnits units) => NativeCasts.Of(Value, wanted, units);
+
+    private protected override void Bake(Baker baker) => baker.Add(Value);
 
     private protected override void AddWires(List<Rg.Line> lines, DocumentUnits units) => RhinoGeometry.AddLines(lines, Value, units);
 

@@ -1,4 +1,5 @@
 using Caterpillar.Basics;
+using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Plugin;
 using Caterpillar.Machines;
 using GH_IO.Serialization;
@@ -7,14 +8,10 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A printer on a wire. At a port for printers, text is the name of a profile.</summary>
-public sealed class PrinterGoo : ProfileGoo<Printer>
+public sealed class PrinterGoo(Printer? printer) : ProfileGoo<Printer>(printer)
 {
     public PrinterGoo()
-    {
-    }
-
-    public PrinterGoo(Printer? printer)
-        : base(printer)
+        : this(null)
     {
     }
 
@@ -38,14 +35,10 @@ public sealed class PrinterGoo : ProfileGoo<Printer>
 }
 
 /// <summary>A material on a wire. At a port for materials, text is the name of a profile.</summary>
-public sealed class MaterialGoo : ProfileGoo<Material>
+public sealed class MaterialGoo(Material? material) : ProfileGoo<Material>(material)
 {
     public MaterialGoo()
-    {
-    }
-
-    public MaterialGoo(Material? material)
-        : base(material)
+        : this(null)
     {
     }
 
@@ -68,14 +61,10 @@ public sealed class MaterialGoo : ProfileGoo<Material>
 }
 
 /// <summary>Print settings on a wire. At a port for settings, text is the name of a profile.</summary>
-public sealed class SettingsGoo : ProfileGoo<PrintSettings>
+public sealed class SettingsGoo(PrintSettings? settings) : ProfileGoo<PrintSettings>(settings)
 {
     public SettingsGoo()
-    {
-    }
-
-    public SettingsGoo(PrintSettings? settings)
-        : base(settings)
+        : this(null)
     {
     }
 
@@ -99,18 +88,9 @@ public sealed class SettingsGoo : ProfileGoo<PrintSettings>
 }
 
 /// <summary>What printers, materials and settings have in common: a name, and a form in JSON in which a definition keeps them.</summary>
-public abstract class ProfileGoo<T> : ValueGoo<T>
+public abstract class ProfileGoo<T>(T? value) : ValueGoo<T>(value)
     where T : class
 {
-    protected ProfileGoo()
-    {
-    }
-
-    protected ProfileGoo(T? value)
-        : base(value)
-    {
-    }
-
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;

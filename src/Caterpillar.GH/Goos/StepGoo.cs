@@ -1,17 +1,14 @@
+using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
 /// <summary>One entry of a design on a wire: a print path, a travel or an event. Print paths are steps too.</summary>
-public sealed class StepGoo : ValueGoo<Step>
+public sealed class StepGoo(Step? step) : ValueGoo<Step>(step)
 {
     public StepGoo()
-    {
-    }
-
-    public StepGoo(Step? step)
-        : base(step)
+        : this(null)
     {
     }
 

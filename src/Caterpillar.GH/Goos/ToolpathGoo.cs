@@ -7,15 +7,15 @@ using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
 using Grasshopper.Kernel.Types;
-using Rhino;
-using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>A toolpath on a wire. Native Move, Orient and Scale work on it; its preview is one thin wire along what is printed.</summary>
-public sealed class ToolpathGoo : DrawnGoo<Toolpath>, IGH_BakeAwareData, IBakes
+/// <summary>
+/// A toolpath on a wire. Native Move, Orient and Scale work on it; its preview is one thin wire along what is printed. As a curve it is the course of the
+/// head through all moves; as a mesh what is printed.
+/// </summary>
+public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 {
     private ToolpathTotals? _totals;
     private Func<Toolpath>? _make;
@@ -96,50 +96,12 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>, IGH_BakeAwareData, IBakes
     /// <summary>An edit of it.</summary>
     public ToolpathGoo With(Toolpath edited) => new(this, edited);
 
-    /// <summary>Bakes every strand; the id is that of the first.</summary>
-    public bool BakeGeometry(RhinoDoc doc, ObjectAttributes att, out Guid obj_guid)
-    {
-        var ids = new List<Guid>();
-        if (doc is not null) BakeTo(new Baker(doc, att ?? new ObjectAttributes(), ids));
-        obj_guid = ids.Count > 0 ? ids[0] : Guid.Empty;
-        return ids.Count > 0;
-    }
-
-    void IBakes.BakeTo(Baker baker) => BakeTo(baker);
-
-    private void BakeTo(Baker baker)
-    {
-        if (Value is not null) baker.Add(Value, beads: false);
-    }
-
     /// <summary>Deforms the layers; start and end code stay.</summary>
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)
     {
         if (Value is null) return null;
         var units = DocumentUnits.Current;
         return With(Value.Deform(new MoveFilter().InLayersOf(Value), p => RhinoGeometry.ToVec(xmorph.MorphPoint(RhinoGeometry.ToPoint(p, units)), units)));
-    }
-
-    public override bool CastFrom(object source)
-    {
-        switch (Wrapped.Bare(source))
-        {
-            case ToolpathGoo goo: Value = goo.Value; break;
-            case Toolpath toolpath: Value = toolpath; break;
-            default: return false;
-        }
-        return Value is not null;
-    }
-
-    /// <summary>As a curve it is the course of the head through all moves; as a mesh what is printed.</summary>
-    // By reference as in GH_Goo; GH_GeometricGoo shows the same method with an out parameter, which is the same to the runtime.
-    public override bool CastTo<Q>(ref Q target)
-    {
-        if (Value is null) return false;
-        object? made = typeof(Q).IsAssignableFrom(typeof(Toolpath)) ? Value : NativeCasts.Of(Value, typeof(Q), DocumentUnits.Current);
-        if (made is not Q result) return false;
-        target = result;
-        return true;
     }
 
     public override string ToString() => Value is null
@@ -150,6 +112,10 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>, IGH_BakeAwareData, IBakes
     private protected override Bounds Bounds => Totals.PrintBounds;
 
     private protected override int SegmentCount => Value.Count;
+
+    private protected override object? Native(Type wanted, DocumentUnits units) => NativeCasts.Of(Value, wanted, units);
+
+    private protected override void Bake(Baker baker) => baker.Add(Value, beads: false);
 
     private protected override void AddWires(List<Rg.Line> lines, DocumentUnits units) => RhinoGeometry.AddLines(lines, Value, units);
 

@@ -1,3 +1,4 @@
+using Caterpillar.GH.Conversion;
 using Caterpillar.Turtles;
 using GH_IO.Serialization;
 using Grasshopper.Kernel.Types;
@@ -5,16 +6,12 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A turtle program on a wire. Text becomes one if it compiles.</summary>
-public sealed class TurtleProgramGoo : ValueGoo<TurtleProgram>
+public sealed class TurtleProgramGoo(TurtleProgram? program) : ValueGoo<TurtleProgram>(program)
 {
     private string? _text;
 
     public TurtleProgramGoo()
-    {
-    }
-
-    public TurtleProgramGoo(TurtleProgram? program)
-        : base(program)
+        : this(null)
     {
     }
 
@@ -52,14 +49,10 @@ public sealed class TurtleProgramGoo : ValueGoo<TurtleProgram>
 }
 
 /// <summary>A command of a turtle program on a wire.</summary>
-public sealed class TurtleCommandGoo : ValueGoo<TurtleCommand>
+public sealed class TurtleCommandGoo(TurtleCommand? command) : ValueGoo<TurtleCommand>(command)
 {
     public TurtleCommandGoo()
-    {
-    }
-
-    public TurtleCommandGoo(TurtleCommand? command)
-        : base(command)
+        : this(null)
     {
     }
 

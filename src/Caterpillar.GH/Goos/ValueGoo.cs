@@ -1,3 +1,4 @@
+using Caterpillar.GH.Conversion;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
@@ -6,14 +7,7 @@ namespace Caterpillar.GH.Goos;
 public abstract class ValueGoo<T> : GH_Goo<T>
     where T : class
 {
-    protected ValueGoo()
-    {
-    }
-
-    protected ValueGoo(T? value)
-    {
-        Value = value!;
-    }
+    protected ValueGoo(T? value) => Value = value!;
 
     public override bool IsValid => Value is not null;
 

@@ -3,7 +3,8 @@ using System.Collections.Generic;
 using System.Drawing;
 using System.Globalization;
 using System.Linq;
-using Caterpillar.GH.Goos;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Plugin;
 using GH_IO.Serialization;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
@@ -29,7 +30,7 @@ public sealed class ChoiceParam : Param_Integer
     /// <summary>Names and numbers of the choices, in the order of the menu.</summary>
     internal IReadOnlyList<KeyValuePair<string, int>> Choices => _choices;
 
-    protected override Bitmap? Icon => Plugin.Icons.Load(nameof(ChoiceParam));
+    protected override Bitmap? Icon => Icons.Load(nameof(ChoiceParam));
 
     /// <summary>A choice among the values of an enum; <c>OuterWall</c> is shown as "Outer Wall".</summary>
     public static ChoiceParam Of<T>()

@@ -1,5 +1,4 @@
 using System;
-using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 
 namespace Caterpillar.GH.Params;

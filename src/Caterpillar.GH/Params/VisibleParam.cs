@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
+using Caterpillar.GH.Preview;
 using GH_IO.Serialization;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Types;
@@ -25,7 +25,7 @@ public abstract class VisibleParam<T>(string name, string nickname, string descr
 
     public bool IsPreviewCapable => true;
 
-    public bool IsBakeCapable => typeof(IBakes).IsAssignableFrom(typeof(T)) && VolatileDataCount > 0;
+    public bool IsBakeCapable => VolatileDataCount > 0;
 
     public Rg.BoundingBox ClippingBox => Hidden ? Rg.BoundingBox.Empty : Wires.Box;
 

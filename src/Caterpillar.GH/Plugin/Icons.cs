@@ -7,6 +7,7 @@ namespace Caterpillar.GH.Plugin;
 /// <summary>The icons embedded in the plug-in: 24 × 24 PNG, named after their class.</summary>
 internal static class Icons
 {
+    private const string Suffix = "Component";
     private const string Fallback = "Component";
 
     /// <summary>The icon of a class, the general one if it has none of its own, or null if this platform cannot make bitmaps.</summary>
@@ -32,10 +33,9 @@ internal static class Icons
     /// <summary>
     /// Name of the icon of a component or parameter: its class name without the suffix; a parameter shares the icon of what it holds.
     /// </summary>
-    internal static string NameOf(Type type) => Without(Without(type.Name, "_OBSOLETE"), "Component");
-
-    private static string Without(string name, string suffix)
-        => name.EndsWith(suffix, StringComparison.Ordinal) ? name.Substring(0, name.Length - suffix.Length) : name;
+    internal static string NameOf(Type type) => type.Name.EndsWith(Suffix, StringComparison.Ordinal)
+        ? type.Name.Substring(0, type.Name.Length - Suffix.Length)
+        : type.Name;
 
     /// <summary>The PNG of a class, or null if it has none of its own.</summary>
     internal static Stream? Open(string name) => typeof(Icons).Assembly.GetManifestResourceStream($"icons/{name}.png");

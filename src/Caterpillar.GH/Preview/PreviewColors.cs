@@ -4,6 +4,7 @@ using System.Drawing;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Display;
+using Caterpillar.GH.Conversion;
 using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 
@@ -63,7 +64,7 @@ internal sealed class PreviewColors
         var bands = new byte[values.Length];
         for (var i = 0; i < bands.Length; i++)
             bands[i] = greatest > least && values[i] > least ? (byte)Math.Min((values[i] - least) / (greatest - least) * count, count - 1) : (byte)0;
-        var colors = Enumerable.Range(0, count).Select(k => ToColor(Palette.At(count == 1 ? 0.5 : (double)k / (count - 1)))).ToArray();
+        var colors = Enumerable.Range(0, count).Select(k => RhinoGeometry.ToColor(Palette.At(count == 1 ? 0.5 : (double)k / (count - 1)))).ToArray();
         var texts = Enumerable.Range(0, count).Select(k => Text(by, least + (greatest - least) * k / count, least + (greatest - least) * (k + 1) / count));
         return new PreviewColors(bands, colors, texts.ToArray());
     }
@@ -84,7 +85,7 @@ internal sealed class PreviewColors
             }
             bands[i] = (byte)band;
         }
-        return new PreviewColors(bands, roles.Select(r => ToColor(Palette.Of(r))).ToArray(), roles.Select(r => r.ToString()).ToArray());
+        return new PreviewColors(bands, roles.Select(r => RhinoGeometry.ToColor(Palette.Of(r))).ToArray(), roles.Select(r => r.ToString()).ToArray());
     }
 
     private static double Value(Toolpath toolpath, int i, PreviewColor by, Timeline? timeline)
@@ -112,6 +113,4 @@ internal sealed class PreviewColors
             _ => $"{N(from, 0)} to {N(to, 0)} s",
         };
     }
-
-    private static Color ToColor(Files.Rgb color) => Color.FromArgb(color.R, color.G, color.B);
 }

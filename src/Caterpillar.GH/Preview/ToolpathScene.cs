@@ -2,8 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Drawing;
 using Caterpillar.Display;
-using Caterpillar.GH.Bake;
-using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
@@ -20,7 +18,7 @@ internal sealed class ToolpathScene : IDrawn
     public const int MostBeads = 250_000;
 
     private const int MovesPerMesh = 50_000;
-    private static readonly Color TravelColor = Color.FromArgb(Palette.Travel.R, Palette.Travel.G, Palette.Travel.B);
+    private static readonly Color TravelColor = RhinoGeometry.ToColor(Palette.Travel);
     private static readonly Color SeamColor = Color.FromArgb(220, 40, 120);
     private static readonly Color VolumeColor = Color.FromArgb(150, 155, 160);
     private readonly List<(Rg.Line[] Lines, Color Color)> _bands = [];

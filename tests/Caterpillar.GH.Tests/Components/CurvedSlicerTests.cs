@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Caterpillar.GH.Components.Slice;
-using Caterpillar.GH.LayerFields;
+using Caterpillar.GH.Goos;
 using Caterpillar.GH.Tests.Host;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;

@@ -12,13 +12,7 @@ internal static class PluginTypes
     public static IEnumerable<Type> Objects { get; } = typeof(PluginInfo).Assembly.GetTypes()
         .Where(t => !t.IsAbstract && typeof(IGH_DocumentObject).IsAssignableFrom(t)).OrderBy(t => t.FullName, StringComparer.Ordinal).ToArray();
 
-    /// <summary>The components of today.</summary>
-    public static IEnumerable<Type> Components { get; } =
-        Objects.Where(t => typeof(GH_Component).IsAssignableFrom(t) && !Make<GH_Component>(t).Obsolete).ToArray();
-
-    /// <summary>What only old definitions still have.</summary>
-    public static IEnumerable<Type> Obsolete { get; } =
-        Objects.Where(t => typeof(GH_Component).IsAssignableFrom(t) && Make<GH_Component>(t).Obsolete).ToArray();
+    public static IEnumerable<Type> Components { get; } = Objects.Where(t => typeof(GH_Component).IsAssignableFrom(t)).ToArray();
 
     public static IEnumerable<Type> Params { get; } = Objects.Where(t => typeof(IGH_Param).IsAssignableFrom(t)).ToArray();
 

@@ -7,6 +7,7 @@ using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Components.Slice;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
+using Caterpillar.GH.Preview;
 using Caterpillar.GH.Tests.Host;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;

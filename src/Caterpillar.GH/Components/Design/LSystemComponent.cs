@@ -43,24 +43,12 @@ public sealed class LSystemComponent() : CaterpillarComponent(
         if (generations < 0) throw new InputProblem("Generations must be 0 or more.");
         var (step, angle) = (run.Finite(5), run.Finite(3));
         var seed = run.Get<int>(4);
-        var system = LSystem.Parse(axiom, rules);
-        if (system.Value is null)
-        {
-            run.SetList(2, run.Report(system.Diagnostics));
-            run.SetNulls();
-            return;
-        }
-        var word = run.Work("L-System", [axiom, string.Join("\n", rules), generations, seed],
-            (progress, cancel) => system.Value.Grow(generations, seed, LSystem.DefaultMaxSymbols, progress, cancel));
-        run.SetList(2, run.Report(word.Diagnostics));
-        if (word.Value is null)
-        {
-            run.SetNulls();
-            return;
-        }
-        run.Set(0, new TurtleProgramGoo(run.Cached([word.Value, step, angle],
-            () => TurtleProgram.FromWord(word.Value, LSystemInterpretation.Standard(step, angle)))));
-        var text = word.Value.ToString();
+        var system = run.Need(LSystem.Parse(axiom, rules));
+        var word = run.Need(run.Work("L-System", [axiom, string.Join("\n", rules), generations, seed],
+            (progress, cancel) => system.Grow(generations, seed, LSystem.DefaultMaxSymbols, progress, cancel)));
+        run.Set(0, new TurtleProgramGoo(run.Cached([word, step, angle],
+            () => TurtleProgram.FromWord(word, LSystemInterpretation.Standard(step, angle)))));
+        var text = word.ToString();
         run.Set(1, text.Length > ShownLetters ? text.Substring(0, ShownLetters) + "…" : text);
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.IO;
 using System.Linq;
 using Caterpillar.Drawings;
 using Caterpillar.Geometry;
@@ -38,8 +37,7 @@ public sealed class ReadCurvesComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var file = new FileInfo(run.PathTo(run.Get<string>(0)));
-        if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
+        var file = run.FileAt(run.Get<string>(0));
         var settings = run.Maybe<PrintSettings>(1) ?? new PrintSettings();
         var (unit, step) = (run.Positive(2), run.Positive(3));
         var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length, unit, settings], (progress, cancel) =>
@@ -47,18 +45,11 @@ public sealed class ReadCurvesComponent() : CaterpillarComponent(
             {
                 UnitLength = unit, WidthReference = new Printer().NozzleDiameter, HeightReference = settings.LayerHeight, SpeedReference = settings.PrintSpeed,
             }, progress, cancel));
-        var texts = run.Report(read.Diagnostics).ToList();
-        if (read.Value is not { } curves)
-        {
-            run.SetList(2, texts);
-            return;
-        }
+        var curves = run.Need(read);
         var options = CurveOptions.From(settings) with { Subdivision = SubdivisionOptions.ByDistance(step) };
-        var steps = run.Work("Dividing", [read, step, settings], (progress, cancel) => CurvePaths.ToSteps(curves, options, progress, cancel));
-        texts.AddRange(run.Report(steps.Diagnostics));
-        run.SetList(2, texts);
-        if (steps.Value is null) return;
-        run.SetList(0, steps.Value.OfType<PathStep>().Select(s => new PrintPathGoo(s)));
-        run.SetList(1, steps.Value.Select(s => new StepGoo(s)));
+        var steps = run.Need(run.Work("Dividing", [read, step, settings],
+            (progress, cancel) => CurvePaths.ToSteps(curves, options, progress, cancel)));
+        run.SetList(0, steps.OfType<PathStep>().Select(s => new PrintPathGoo(s)));
+        run.SetList(1, steps.Select(s => new StepGoo(s)));
     }
 }

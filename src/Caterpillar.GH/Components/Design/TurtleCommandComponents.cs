@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Turtles;
@@ -72,7 +71,7 @@ public sealed class TurtleMoveComponent()
             case TurtleMoveKind.Circle: return TurtleCommand.Of(TurtleAction.Circle, d, n);
             case TurtleMoveKind.Polygon: return TurtleCommand.Of(TurtleAction.Polygon, n, d);
         }
-        var point = RhinoGeometry.ToVec(run.MaybeValue<Rg.Point3d>(3) ?? throw new InputProblem("Point is missing."), run.Units);
+        var point = run.MaybePoint(3) ?? throw new InputProblem("Point is missing.");
         return TurtleCommand.Of(run.Choice<TurtleMoveKind>(0) == TurtleMoveKind.GoTo ? TurtleAction.Position : TurtleAction.Jump, point.X, point.Y, point.Z);
     }
 }

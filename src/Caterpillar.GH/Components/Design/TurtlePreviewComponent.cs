@@ -5,6 +5,7 @@ using System.Linq;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Params;
+using Caterpillar.GH.Preview;
 using Caterpillar.Toolpaths;
 using Caterpillar.Turtles;
 using Grasshopper.Kernel;
@@ -44,8 +45,7 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var steps = run.List<Step>(0);
-        if (steps.Count == 0) throw new InputProblem("Steps are missing.") { IsMissing = true };
+        var steps = run.Some<Step>(0);
         var part = run.Finite(1);
         if (part is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
         var size = run.Positive(2);

@@ -38,13 +38,7 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
         var programs = new List<TurtleProgram>();
         if (lines.Count > 0)
         {
-            var compiled = TurtleScript.Compile(string.Join("\n", lines), null, new ScriptFiles(run.PathTo(".")));
-            run.SetList(1, run.Report(compiled.Diagnostics));
-            if (compiled.Value is not { } script)
-            {
-                run.SetNulls();
-                return;
-            }
+            var script = run.Need(TurtleScript.Compile(string.Join("\n", lines), null, new ScriptFiles(run.PathTo("."))));
             programs.Add(TurtleProgram.FromScript(script, Variables(run.List<string>(2), script, run), run.Get<int>(3)));
         }
         if (commands.Count > 0) programs.Add(TurtleProgram.FromCommands(commands));
@@ -57,11 +51,8 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
         foreach (var text in texts)
         {
             var cut = text.IndexOf("=", StringComparison.Ordinal);
-            if (cut < 1 || !NumberReader.TryParse(text.Substring(cut + 1).Trim(),
-                out var value))
-            {
+            if (cut < 1 || !NumberReader.TryParse(text.Substring(cut + 1).Trim(), out var value))
                 throw new InputProblem($"Variables: '{text}' is not name=value.");
-            }
             var name = text.Substring(0, cut).Trim();
             if (!script.Parameters.Contains(name)) run.Report(GH_RuntimeMessageLevel.Warning, $"The script has no parameter '{name}' (param {name} = …).");
             else variables[name] = value;

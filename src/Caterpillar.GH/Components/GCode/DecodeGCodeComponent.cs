@@ -1,6 +1,4 @@
 using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Dialects;
@@ -8,7 +6,6 @@ using Caterpillar.GCode;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
-using Caterpillar.Machines;
 using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.GCode;
@@ -48,7 +45,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         var source = wired ?? Read(run);
         var result = run.Work("Decoding", [source, options], (progress, cancel) => GCodeDecoder.Decode(source, options, progress, cancel));
         var none = result.Value?.NotGCode;
-        run.SetList(4, run.Report(none is null ? result.Diagnostics : [none]));
+        run.Report(none is null ? result.Diagnostics : [none]);
         run.Set(1, new GCodeGoo(source));
         if (none is not null || result.Value is not { } decoding)
         {
@@ -72,8 +69,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
     {
         var name = run.Maybe<string>(0);
         if (string.IsNullOrEmpty(name)) throw new InputProblem("File or G-code is missing.") { IsMissing = true };
-        var file = new FileInfo(run.PathTo(name!));
-        if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
+        var file = run.FileAt(name!);
         // A changed file has another time or size and is read again.
         var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length], (_, cancel) => GCodeDocument.ReadFile(file.FullName, cancel));
         return read.Value ?? throw new InputProblem($"{file.FullName}: {read.Diagnostics[0].Message}");

@@ -1,9 +1,6 @@
 using System;
-using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
-using Caterpillar.GH.Components.Path;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Shaping;
@@ -42,21 +39,14 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
         var filter = MoveFilterPorts.ReadLayers(run, 1, goo.Value);
         var request = DeformationPorts.Read(run, Formulas);
         if (request.Tolerance == 0) throw new InputProblem("Tolerance must be greater than zero.");
-        var frame = run.MaybeValue<Rg.Plane>(Formulas + DeformationPorts.Count) is { } plane ? RhinoGeometry.ToFrame(plane, run.Units) : Frame.World;
-        var compiled = request.Compile();
-        if (compiled.Value is not { } deformation)
-        {
-            run.SetList(1, run.Report(compiled.Diagnostics));
-            run.Set(0, null);
-            return;
-        }
+        var frame = run.FrameOf(Formulas + DeformationPorts.Count);
+        var deformation = run.Need(request.Compile());
         if (frame != Frame.World)
         {
             deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation).Then(Deformation.Cartesian(p => frame.ToWorld(p)));
         }
         var result = run.Work("Deform", [goo.Value, frame, .. MoveFilterPorts.Key(filter), .. request.Key],
             (_, _) => goo.Value.Deform(filter, deformation, request.Tolerance));
-        run.SetList(1, run.Report(result.Diagnostics));
-        run.Set(0, result.Value is { } bent ? goo.With(bent) : null);
+        run.Set(0, goo.With(run.Need(result)));
     }
 }

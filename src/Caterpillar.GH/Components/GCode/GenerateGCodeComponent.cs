@@ -1,13 +1,10 @@
 using System;
-using System.Collections.Generic;
-using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.GCode;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
-using Caterpillar.GH.Plugin;
 using Caterpillar.Machines;
 using Grasshopper.Kernel;
 
@@ -24,8 +21,8 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to write.");
         ports.Add(new PrinterParam(), "Printer", "P", "Target printer, or the name of its profile; by default the one it was planned for.",
             optional: true);
-        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default the one it was planned for.", optional: true);
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings, or the name of their profile; by default those it was planned for.", optional: true);
+        SetupPorts.Material(ports);
+        SetupPorts.Settings(ports);
         ports.Text("Override Reason", "R",
             "Reason to ignore the findings of the checks; it is kept in the file as a comment. Empty obeys the checks.", "");
         ports.Boolean("Rewrite All", "A",
@@ -43,14 +40,9 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var texts = new List<string>();
         var goo = run.Get<ToolpathGoo>(0);
         var reason = run.Maybe<string>(4);
-        if (Setup(run, goo.Setup, texts) is not { } setup)
-        {
-            run.SetNulls();
-            return;
-        }
+        var setup = Setup(run, goo.Setup);
         if (string.IsNullOrWhiteSpace(reason)) reason = null;
         var rewriteAll = run.Get<bool>(5) || goo.DecodedGCode is null;
         var (start, end) = (run.Maybe<string>(6), run.Maybe<string>(7));
@@ -59,25 +51,20 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
             run.Report(GH_RuntimeMessageLevel.Warning,
                 "Start Code and End Code apply to decoded files whose lines are kept; this one is rewritten, with the code of its printer.");
         }
-        var code = new EditOptions { Start = Lines(start), End = Lines(end) };
+        var code = new EditOptions { Start = start is null ? null : TextLines.Of(start), End = end is null ? null : TextLines.Of(end) };
         var result = run.Work("Writing", [goo.Value, setup, reason, rewriteAll, start, end], (progress, cancel) => rewriteAll
             ? SafeWriter.ToDocument(goo.Value, setup, reason, progress, cancel)
             : SafeWriter.ToDocument(goo.DecodedGCode!, goo.Value, setup, reason, code, progress, cancel));
-        var document = run.Accept(result, texts);
+        var document = run.Accept(result);
         run.Set(0, document is null ? null : new GCodeGoo(document));
-        run.SetList(1, texts);
         run.Summarize(document is null ? "refused" : $"{NumberFormatter.Format(document.LineCount)} lines");
     }
 
-    private static string[]? Lines(string? text) => text?.TrimEnd('\r', '\n').Split('\n').Select(line => line.TrimEnd('\r')).ToArray();
-
-    private static PrintSetup? Setup(Run run, PrintSetup? planned, List<string> texts)
+    private static PrintSetup Setup(Run run, PrintSetup? planned)
     {
         var printer = run.Maybe<Printer>(1) ?? planned?.Printer
             ?? throw new InputProblem("Printer is missing: the toolpath was not planned for one.") { IsMissing = true };
-        var material = run.Maybe<Material>(2) ?? planned?.Material ?? run.Accept(Profiles.Library.Material(printer.DefaultMaterial), texts);
-        var settings = run.Maybe<PrintSettings>(3) ?? planned?.Settings ?? run.Accept(Profiles.Library.Settings(printer.DefaultSettings), texts);
-        return material is null || settings is null ? null
-            : new PrintSetup(printer, material, settings) { PrintedOn = planned?.PrintedOn };
+        return SetupPorts.For(run, printer, run.Maybe<Material>(2) ?? planned?.Material, run.Maybe<PrintSettings>(3) ?? planned?.Settings)
+            with { PrintedOn = planned?.PrintedOn };
     }
 }

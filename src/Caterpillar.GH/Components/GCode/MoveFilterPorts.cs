@@ -1,4 +1,3 @@
-using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;
@@ -37,8 +36,7 @@ internal static class MoveFilterPorts
         if (run.Maybe<IGH_GeometricGoo>(first + 4) is not { } geometry) return filter;
         var box = geometry.Boundingbox;
         if (!box.IsValid) throw new InputProblem("Box has no extent.");
-        var units = run.Units;
-        return filter with { Box = new Bounds(RhinoGeometry.ToVec(box.Min, units), RhinoGeometry.ToVec(box.Max, units)) };
+        return filter with { Box = RhinoGeometry.ToBounds(box, run.Units) };
     }
 
     /// <summary>The parts of a filter, for comparison.</summary>

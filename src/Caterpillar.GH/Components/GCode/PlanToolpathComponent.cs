@@ -1,18 +1,13 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
-using Caterpillar.GH.Plugin;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
-using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.GCode;
 
@@ -49,30 +44,20 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var texts = new List<string>();
         var steps = run.Steps(0);
-        if (steps.Steps.Length == 0) throw new InputProblem("Steps are missing.") { IsMissing = true };
-        var printer = run.Get<Printer>(1);
-        var material = run.Maybe<Material>(2) ?? run.Accept(Profiles.Library.Material(printer.DefaultMaterial), texts);
-        var settings = run.Maybe<PrintSettings>(3) ?? run.Accept(Profiles.Library.Settings(printer.DefaultSettings), texts);
-        if (material is null || settings is null)
-        {
-            run.SetNulls();
-            return;
-        }
-        object[] obstacles = run.List<IGH_GeometricGoo>(6).Select(g => (object)ModelMesh.Of(run, g, ObstacleTolerance, run.Units).Triangles).ToArray();
+        if (steps.Steps.Length == 0) throw run.Missing(0);
+        var setup = SetupPorts.For(run, run.Get<Printer>(1), run.Maybe<Material>(2), run.Maybe<PrintSettings>(3));
+        object[] obstacles = Array.ConvertAll(run.Models(6, ObstacleTolerance), m => (object)m.Triangles);
         // Those who check and write the toolpath know of them from its setup.
-        var setup = new PrintSetup(printer, material, settings) { PrintedOn = Joined(run, obstacles) };
+        setup = setup with { PrintedOn = Joined(run, obstacles) };
         var options = new PlanOptions { Policy = run.Choice<PlanPolicy>(4), Sort = new SortOptions(run.Choice<SortRule>(5)) };
-        var result = run.Work("Planning", [steps, setup, options],
-            (progress, cancel) => Planner.Plan(steps.Steps, setup, options, progress, cancel));
-        var toolpath = run.Accept(result, texts);
-        run.Set(0, toolpath is null ? null : new ToolpathGoo(toolpath, setup));
-        run.SetList(1, texts);
-        if (toolpath is not null) run.Summarize($"{NumberFormatter.Format(toolpath.Count)} moves");
+        var toolpath = run.Need(run.Work("Planning", [steps, setup, options],
+            (progress, cancel) => Planner.Plan(steps.Steps, setup, options, progress, cancel)));
+        run.Set(0, new ToolpathGoo(toolpath, setup));
+        run.Summarize($"{NumberFormatter.Format(toolpath.Count)} moves");
     }
 
     // The same mesh for the same obstacles: what follows is not computed again.
     private static TriMesh? Joined(Run run, object[] obstacles) => obstacles.Length == 0 ? null
-        : run.Work("Joining", obstacles, (_, _) => RhinoMesh.Joined(Array.ConvertAll(obstacles, o => (TriMesh)o))!);
+        : run.Work("Joining", obstacles, (_, _) => TriMesh.Merge(obstacles.Cast<TriMesh>()));
 }

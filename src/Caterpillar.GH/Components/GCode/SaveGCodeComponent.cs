@@ -2,8 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using Caterpillar.Basics;
-using Caterpillar.Checks;
-using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Params;

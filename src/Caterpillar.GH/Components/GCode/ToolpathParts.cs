@@ -1,8 +1,6 @@
 using System;
 using System.Collections.Generic;
-using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
-using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel.Data;
 using Grasshopper.Kernel.Types;

@@ -48,7 +48,6 @@ public sealed class ConstructPrintPathComponent() : CaterpillarComponent(
             if (bead is { } b) user = user with { Area = b.Area, Height = b.Height, Speed = b.Speed };
             return CurvePaths.ToPaths([user], options);
         });
-        run.SetList(1, run.Report(made.Diagnostics));
-        run.Set(0, made.Value is null ? null : new PrintPathGoo(made.Value.Single()));
+        run.Set(0, new PrintPathGoo(run.Need(made).Single()));
     }
 }

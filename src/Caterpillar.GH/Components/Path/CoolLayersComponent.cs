@@ -1,7 +1,6 @@
 using System;
-using System.Linq;
-using Caterpillar.GH.Base;
 using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
 using Caterpillar.Shaping;
 
 namespace Caterpillar.GH.Components.Path;

@@ -2,7 +2,6 @@ using System;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.GH.Base;
-using Caterpillar.Shaping;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Components.Path;
@@ -24,13 +23,8 @@ public sealed class DeformComponent() : PathShapingComponent(
     {
         var before = PathsOf(run);
         var request = DeformationPorts.Read(run, 1);
-        var frame = FrameOf(run, 1 + DeformationPorts.Count);
-        var deformation = request.Compile();
-        if (deformation.Value is null)
-        {
-            run.SetList(1, run.Report(deformation.Diagnostics));
-            return;
-        }
+        var frame = run.FrameOf(1 + DeformationPorts.Count);
+        var deformation = run.Need(request.Compile());
         var shaped = run.Work("Deform", [frame, .. request.Key, before], (progress, cancel) =>
         {
             var problems = new DiagnosticList();
@@ -41,7 +35,7 @@ public sealed class DeformComponent() : PathShapingComponent(
             var paths = new PrintPath?[local.Length];
             for (var i = 0; i < local.Length; i++)
             {
-                var bent = deformation.Value.Apply([local[i]], request.Tolerance, null, cancel);
+                var bent = deformation.Apply([local[i]], request.Tolerance, null, cancel);
                 foreach (var problem in bent.Diagnostics) problems.Add(problem with { Source = new SourceLocation(Step: i) });
                 if (bent.Value is { Count: > 0 } value) paths[i] = ToWorld(value[0], frame);
                 progress.Report((i + 1.0) / local.Length);

@@ -1,14 +1,11 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Machines;
 using Caterpillar.Shaping;
 using Grasshopper.Kernel;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.Path;
 
@@ -43,16 +40,16 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var paths = run.Paths(0);
-        if (paths.Count == 0) throw new InputProblem("Print Paths are missing.") { IsMissing = true };
-        var units = run.Units;
-        var below = run.List<IGH_GeometricGoo>(1).Select(g => ModelMesh.Of(run, g, Tolerance, units)).ToList();
+        if (paths.Count == 0) throw run.Missing(0);
+        _ = run.Units;
+        var below = run.Models(1, Tolerance);
         var gap = GapBead.For(run.Maybe<PrintSettings>(2) ?? new PrintSettings()) with { Width = run.Finite(5), Bed = run.Get<bool>(6) ? 0 : null };
         if (run.MaybeValue<double>(3) is not null) gap = gap with { MinGap = run.Positive(3) };
         if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };
         if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be above Maximum Gap.");
         var result = run.Work("Measuring gaps", [paths, .. below, gap],
-            (progress, cancel) => (gap with { Surface = RhinoMesh.Joined(below.Select(m => m.Triangles).ToArray()) }).Apply(paths.Paths, progress, cancel));
-        run.SetList(1, run.Report(result.Diagnostics));
-        if (result.Value is { } shaped) run.SetList(0, run.Cached([paths, shaped], () => shaped.Select((path, i) => paths.Goos[i].With(path)).ToArray()));
+            (progress, cancel) => (gap with { Surface = ModelMesh.Joined(below) }).Apply(paths.Paths, progress, cancel));
+        var shaped = run.Need(result);
+        run.SetList(0, run.Cached([paths, shaped], () => shaped.Select((path, i) => paths.Goos[i].With(path)).ToArray()));
     }
 }

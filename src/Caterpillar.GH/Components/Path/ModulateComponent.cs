@@ -1,11 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Files;
-using Caterpillar.GH.Base;
 using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
 using Caterpillar.Shaping;
 using Caterpillar.Toolpaths;
 
@@ -60,7 +59,7 @@ public sealed class ModulateComponent() : PathShapingComponent(
         var (mode, low, high) = (run.Choice<ModulationMode>(3), run.Finite(4), run.Finite(5));
         var mask = run.Maybe<string>(6);
         var resolution = run.Finite(7) is >= 0 and var length ? length : throw new InputProblem("Resolution must be 0 or more.");
-        var frame = FrameOf(run, 8);
+        var frame = run.FrameOf(8);
         var (lay, smooth, speed) = (run.Choice<ImageProjection>(9), run.Get<bool>(11), run.Finite(12));
         var repeat = run.Get<int>(10) is >= 1 and var times ? times : throw new InputProblem("Repeat must be 1 or more.");
         object? written = file is null ? null : File.GetLastWriteTimeUtc(file);

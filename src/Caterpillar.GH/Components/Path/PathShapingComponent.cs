@@ -1,12 +1,9 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Params;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
@@ -24,9 +21,6 @@ public abstract class PathShapingComponent(string name, string nickname, string 
         => ports.Add(new Param_Plane(), "Plane", "Pl",
             "Frame of the coordinates, in document units; its Z is the axis of angles. World XY by default.", optional: true);
 
-    private protected static Frame FrameOf(Run run, int input)
-        => run.MaybeValue<Rg.Plane>(input) is { } plane ? RhinoGeometry.ToFrame(plane, run.Units) : Frame.World;
-
     private protected sealed override void Outputs(OutputPorts ports)
     {
         ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths in their order; null where the result is invalid.", GH_ParamAccess.list);
@@ -36,13 +30,13 @@ public abstract class PathShapingComponent(string name, string nickname, string 
     private protected static PathList PathsOf(Run run)
     {
         var paths = run.Paths(0);
-        return paths.Count > 0 ? paths : throw new InputProblem("Print Paths are missing.") { IsMissing = true };
+        return paths.Count > 0 ? paths : throw run.Missing(0);
     }
 
     /// <summary>The new paths with the groups of the old ones.</summary>
     private protected static void SetPaths(Run run, PathList before, Shaped shaped)
     {
-        run.SetList(1, run.Report(shaped.Diagnostics));
+        run.Report(shaped.Diagnostics);
         run.SetList(0, run.Cached([before, shaped], () => shaped.Paths.Select((path, i) => path is null ? null : before.Goos[i].With(path)).ToArray()));
     }
 

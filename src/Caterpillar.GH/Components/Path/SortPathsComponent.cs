@@ -1,10 +1,8 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Planning;
@@ -44,8 +42,8 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var paths = run.Paths(0);
-        if (paths.Count == 0) throw new InputProblem("Print Paths are missing.") { IsMissing = true };
-        var start = run.MaybeValue<Rg.Point3d>(4) is { } point ? RhinoGeometry.ToVec(point, run.Units) : (Caterpillar.Geometry.Vec3?)null;
+        if (paths.Count == 0) throw run.Missing(0);
+        var start = run.MaybePoint(4);
         if (start is { IsFinite: false }) throw new InputProblem("Start must be a point with finite coordinates.");
         var options = new SortOptions(run.Choice<SortRule>(1), run.Get<bool>(2), run.Get<bool>(3), start);
         var sorted = run.Work("Sorting", [paths, options], (progress, cancel) => Sorted.Of(paths.Paths, options, progress, cancel));

@@ -34,8 +34,6 @@ public sealed class ConstructBeadComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var bead = Bead.FromWidth(run.Finite(0), run.Finite(1), run.Finite(2), run.Finite(3), run.Choice<BeadShape>(4));
-        run.Set(0, new BeadGoo(bead));
-        run.Set(1, bead.Area);
-        run.Set(2, new ExtrusionModel(ExtrusionUnit.Mm, run.Positive(5)).E(1, bead.Area));
+        run.SetAll(new BeadGoo(bead), bead.Area, new ExtrusionModel(ExtrusionUnit.Mm, run.Positive(5)).E(1, bead.Area));
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
@@ -35,21 +34,15 @@ public sealed class ConstructPrintSettingsComponent() : ProfileComponent(
 
     private protected override void Solve(Run run)
     {
-        var texts = new List<string>();
-        var settings = run.Maybe<PrintSettings>(0) ?? run.Accept(Profiles.Library.Settings("standard"), texts);
-        if (settings is not null)
+        var settings = run.Maybe<PrintSettings>(0) ?? run.Need(Profiles.Library.Settings("standard"));
+        settings = settings with
         {
-            settings = settings with
-            {
-                LayerHeight = run.MaybeValue<double>(1) ?? settings.LayerHeight,
-                LineWidth = run.MaybeValue<double>(2) ?? settings.LineWidth,
-                PrintSpeed = run.MaybeValue<double>(3) ?? settings.PrintSpeed,
-                TravelSpeed = run.MaybeValue<double>(4) ?? settings.TravelSpeed,
-                SubdivisionDistance = run.MaybeValue<double>(5) ?? settings.SubdivisionDistance,
-            };
-            settings = run.Accept((new PrintSetup() with { Settings = settings }).With(run.List<string>(6)), texts)?.Settings;
-        }
-        run.Set(0, settings is null ? null : new SettingsGoo(settings));
-        run.SetList(1, texts);
+            LayerHeight = run.MaybeValue<double>(1) ?? settings.LayerHeight,
+            LineWidth = run.MaybeValue<double>(2) ?? settings.LineWidth,
+            PrintSpeed = run.MaybeValue<double>(3) ?? settings.PrintSpeed,
+            TravelSpeed = run.MaybeValue<double>(4) ?? settings.TravelSpeed,
+            SubdivisionDistance = run.MaybeValue<double>(5) ?? settings.SubdivisionDistance,
+        };
+        run.Set(0, new SettingsGoo(run.Need((new PrintSetup() with { Settings = settings }).With(run.List<string>(6))).Settings));
     }
 }

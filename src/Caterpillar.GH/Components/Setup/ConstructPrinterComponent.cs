@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
@@ -53,13 +52,10 @@ public sealed class ConstructPrinterComponent() : ProfileComponent(
         if (run.MaybeValue<double>(2) is not null) printer = printer with { NozzleDiameter = run.Positive(2) };
         var head = run.List<IGH_GeometricGoo>(3);
         if (head.Count > 0) printer = printer with { HeadBoxes = new ValueList<Bounds>(head.Select(h => BoundsOf(h, units))) };
-        if (run.Maybe<string>(5) is { } start) printer = printer with { StartTemplate = Lines(start) };
-        if (run.Maybe<string>(6) is { } end) printer = printer with { EndTemplate = Lines(end) };
-        var texts = new List<string>();
-        var made = run.Accept((new PrintSetup() with { Printer = printer }).With(run.List<string>(4)), texts)?.Printer;
-        run.Set(0, made is null ? null : new PrinterGoo(made));
-        run.Set(1, made is null ? null : RhinoGeometry.ToBed(made, units));
-        run.SetList(2, texts);
+        if (run.Maybe<string>(5) is { } start) printer = printer with { StartTemplate = new ValueList<string>(TextLines.Of(start)) };
+        if (run.Maybe<string>(6) is { } end) printer = printer with { EndTemplate = new ValueList<string>(TextLines.Of(end)) };
+        var made = run.Need((new PrintSetup() with { Printer = printer }).With(run.List<string>(4))).Printer;
+        run.SetAll(new PrinterGoo(made), RhinoGeometry.ToBed(made, units));
     }
 
     private static Printer WithBed(Printer printer, Bounds bed)
@@ -75,8 +71,6 @@ public sealed class ConstructPrinterComponent() : ProfileComponent(
     {
         var box = goo.Boundingbox;
         if (!box.IsValid) throw new InputProblem("Bed or Head Parts have no extent.");
-        return new Bounds(RhinoGeometry.ToVec(box.Min, units), RhinoGeometry.ToVec(box.Max, units));
+        return RhinoGeometry.ToBounds(box, units);
     }
-
-    private static ValueList<string> Lines(string text) => new(text.TrimEnd('\r', '\n').Split('\n').Select(line => line.TrimEnd('\r')));
 }

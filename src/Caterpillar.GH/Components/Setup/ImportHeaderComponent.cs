@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
@@ -40,17 +39,11 @@ public sealed class ImportHeaderComponent() : CaterpillarComponent(
         var header = run.Get<string>(0);
         var footer = run.Maybe<string>(1);
         var name = System.IO.Path.GetFileNameWithoutExtension(header);
-        var imported = HeaderImport.Read(Text(run, header), string.IsNullOrEmpty(footer) ? "" : Text(run, footer!),
-            string.IsNullOrWhiteSpace(name) ? "imported" : name, run.Maybe<Printer>(2), header, footer ?? "footer");
-        run.SetList(3, run.Report(imported.Diagnostics));
-        run.Set(0, imported.Value is null ? null : new PrinterGoo(imported.Value.Printer));
-        run.Set(1, imported.Value is null ? null : new MaterialGoo(imported.Value.Material));
-        run.Set(2, imported.Value?.Start is { } start ? RhinoGeometry.ToPoint(start, run.Units) : null);
-    }
-
-    private static string Text(Run run, string file)
-    {
-        var path = run.PathTo(file);
-        return File.Exists(path) ? File.ReadAllText(path) : throw new InputProblem($"There is no file {path}.");
+        var before = File.ReadAllText(run.FileAt(header).FullName);
+        var after = string.IsNullOrEmpty(footer) ? "" : File.ReadAllText(run.FileAt(footer!).FullName);
+        var imported = HeaderImport.Read(before, after, string.IsNullOrWhiteSpace(name) ? "imported" : name, run.Maybe<Printer>(2), header,
+            footer ?? "footer");
+        var made = run.Need(imported);
+        run.SetAll(new PrinterGoo(made.Printer), new MaterialGoo(made.Material), made.Start is { } start ? RhinoGeometry.ToPoint(start, run.Units) : null);
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
@@ -31,11 +30,8 @@ public sealed class MaterialComponent() : ProfileComponent("Material", "Material
 
     private protected override void Solve(Run run)
     {
-        var texts = new List<string>();
         var file = run.Maybe<string>(1);
-        var material = run.Accept(Profiles.Library.Material(string.IsNullOrEmpty(file) ? run.Get<string>(0) : run.PathTo(file!)), texts);
-        if (material is not null) material = run.Accept((new PrintSetup() with { Material = material }).With(run.List<string>(2)), texts)?.Material;
-        run.Set(0, material is null ? null : new MaterialGoo(material));
-        run.SetList(1, texts);
+        var material = run.Need(Profiles.Library.Material(string.IsNullOrEmpty(file) ? run.Get<string>(0) : run.PathTo(file!)));
+        run.Set(0, new MaterialGoo(run.Need((new PrintSetup() with { Material = material }).With(run.List<string>(2))).Material));
     }
 }

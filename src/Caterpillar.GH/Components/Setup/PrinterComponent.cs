@@ -28,9 +28,7 @@ public sealed class PrinterComponent() : ProfileComponent("Printer", "Printer", 
     private protected override void Solve(Run run)
     {
         var file = run.Maybe<string>(1);
-        var result = Profiles.Library.Printer(string.IsNullOrEmpty(file) ? run.Get<string>(0) : run.PathTo(file!));
-        run.SetList(2, run.Report(result.Diagnostics));
-        run.Set(0, result.Value is null ? null : new PrinterGoo(result.Value));
-        run.Set(1, result.Value is { } printer ? RhinoGeometry.ToBed(printer, run.Units) : null);
+        var printer = run.Need(Profiles.Library.Printer(string.IsNullOrEmpty(file) ? run.Get<string>(0) : run.PathTo(file!)));
+        run.SetAll(new PrinterGoo(printer), RhinoGeometry.ToBed(printer, run.Units));
     }
 }

@@ -23,8 +23,8 @@ public sealed class CheckComponent() : CaterpillarComponent(
     {
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to check, planned or decoded.");
         SetupPorts.Printer(ports);
-        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default the one it was planned for.", optional: true);
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings, or the name of their profile; by default those it was planned for.", optional: true);
+        SetupPorts.Material(ports);
+        SetupPorts.Settings(ports);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -43,7 +43,7 @@ public sealed class CheckComponent() : CaterpillarComponent(
         var passed = findings.All(f => f.Severity != Severity.Error);
         run.Set(0, passed ? goo.Planned(setup) : null);
         run.Set(1, passed);
-        run.SetList(2, run.Report(findings));
+        run.Report(findings);
         run.SetList(3, findings.Where(f => f.Source?.Move is not null).Select(f => RhinoGeometry.ToPoint(goo.Value[f.Source!.Move!.Value].End, run.Units)));
         run.Summarize(passed ? "OK" : $"{NumberFormatter.Format(findings.Where(f => f.Severity == Severity.Error).Sum(f => f.Count))} errors");
     }

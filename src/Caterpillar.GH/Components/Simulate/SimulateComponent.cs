@@ -2,7 +2,6 @@ using System;
 using System.Drawing;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;

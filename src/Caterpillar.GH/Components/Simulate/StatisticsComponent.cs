@@ -21,7 +21,7 @@ public sealed class StatisticsComponent() : CaterpillarComponent(
     {
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to measure, planned or decoded.");
         SetupPorts.Printer(ports);
-        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default the one it was planned for.", optional: true);
+        SetupPorts.Material(ports);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -45,15 +45,7 @@ public sealed class StatisticsComponent() : CaterpillarComponent(
         var setup = SetupPorts.Of(run, goo, run.Maybe<Printer>(1), run.Maybe<Material>(2));
         var s = run.Work("Timing", [goo.Value, setup],
             (progress, cancel) => PrintStatistics.Of(Timeline.Of(goo.Value, setup, progress, cancel), cancel));
-        run.Set(0, s.Duration);
-        run.Set(1, s.Filament);
-        run.Set(2, s.Volume);
-        run.Set(3, s.Mass);
-        run.Set(4, s.Cost);
-        run.Set(5, s.PrintLength);
-        run.Set(6, s.TravelLength);
-        run.Set(7, s.Retractions);
-        run.Set(8, s.GreatestFlow);
+        run.SetAll(s.Duration, s.Filament, s.Volume, s.Mass, s.Cost, s.PrintLength, s.TravelLength, s.Retractions, s.GreatestFlow);
         run.SetList(9, s.Layers.Select(l => l.Time));
         run.SetList(10, Lines(s, setup).ToArray());
         run.Summarize($"{N(s.Duration / 60, 1)} min");

@@ -35,7 +35,6 @@ public sealed class ArrangeModelsComponent() : ModelMovingComponent(
         object[] meshes = Array.ConvertAll(models, m => (object)m.Mesh);
         var result = run.Work("Arranging", [meshes, printer, pieces, options],
             (_, cancel) => ModelArranger.Arrange(models.Copies(pieces), printer, options, cancel));
-        run.SetList(2, run.Report(result.Diagnostics));
-        if (result.Value is { } placed) SetMoved(run, geometry, models, placed);
+        SetMoved(run, geometry, models, run.Need(result));
     }
 }

@@ -3,12 +3,11 @@ using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
-using Caterpillar.GH.LayerFields;
+using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;
 using Grasshopper.Kernel;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.Slice;
 
@@ -39,15 +38,15 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
         var tolerance = run.Positive(6);
         var recipe = run.Get<FieldRecipe>(1);
         var setup = new PrintSetup(run.Maybe<Printer>(3) ?? new Printer(), new Material(), run.Maybe<PrintSettings>(2) ?? new PrintSettings());
-        var models = Models(run, 0, tolerance);
+        var models = Solids(run, 0, tolerance);
         var solids = Named(models);
-        var onto = run.List<IGH_GeometricGoo>(4).Select(g => ModelMesh.Of(run, g, tolerance, run.Units)).ToArray();
+        var onto = run.Models(4, tolerance);
         var partial = run.Get<bool>(5);
-        var result = run.Work("Slicing", [recipe, setup, partial, models.ToArray(), onto], (progress, cancel) =>
+        var result = run.Work("Slicing", [recipe, setup, partial, models, onto], (progress, cancel) =>
         {
             var field = recipe.For(solids, setup);
             if (field.Value is null || field.HasErrors) return new Result<SliceResult>(null, field.Diagnostics);
-            var floor = RhinoMesh.Joined(onto.Select(m => m.Triangles).ToArray());
+            var floor = ModelMesh.Joined(onto);
             var options = new CurvedOptions { Onto = floor is null ? null : PlanSurface.OnBed(floor), Partial = partial };
             var sliced = CurvedSlicer.Slice(solids, field.Value, setup, options, 0, progress, cancel);
             return new Result<SliceResult>(sliced.Value, field.Diagnostics.Concat(sliced.Diagnostics).ToArray());

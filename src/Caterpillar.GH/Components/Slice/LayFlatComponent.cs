@@ -21,7 +21,6 @@ public sealed class LayFlatComponent() : ModelMovingComponent(
         var geometry = GeometryOf(run);
         var models = Models(run, geometry, run.Positive(1));
         object[] meshes = Array.ConvertAll(models, m => (object)m.Mesh);
-        run.SetList(2, Array.Empty<string>());
         SetMoved(run, geometry, models, run.Work("Laying flat", meshes, (_, _) => models.LaidFlat()));
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using Caterpillar.GH.Base;
-using Caterpillar.GH.LayerFields;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Grasshopper.Kernel;
@@ -57,7 +56,7 @@ public sealed class LayerFieldComponent() : CaterpillarComponent(
     {
         var problems = new System.Collections.Generic.List<Basics.Diagnostic>();
         var field = new FieldPorts(run, problems).Read();
-        run.SetList(1, run.Report(problems));
+        run.Report(problems);
         run.Set(0, field is null ? null : new LayerFieldGoo(field));
         if (field is not null) run.Summarize(run.Choice<FieldKind>(0).ToString());
     }

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
@@ -25,14 +24,10 @@ public abstract class ModelMovingComponent(string name, string nickname, string 
         ports.Diagnostics();
     }
 
-    private protected static IReadOnlyList<IGH_GeometricGoo> GeometryOf(Run run)
-    {
-        var geometry = run.List<IGH_GeometricGoo>(0);
-        return geometry.Count > 0 ? geometry : throw new InputProblem("Geometry is missing.") { IsMissing = true };
-    }
+    private protected static IReadOnlyList<IGH_GeometricGoo> GeometryOf(Run run) => run.Some<IGH_GeometricGoo>(0);
 
     private protected static NamedMesh[] Models(Run run, IReadOnlyList<IGH_GeometricGoo> geometry, double tolerance)
-        => geometry.Select((g, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", ModelMesh.Of(run, g, tolerance, run.Units).Triangles)).ToArray();
+        => geometry.Select((g, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", run.ModelOf(g, tolerance).Triangles)).ToArray();
 
     /// <summary>Moves the geometry as its meshes were moved; copies follow in rounds.</summary>
     private protected static void SetMoved(Run run, IReadOnlyList<IGH_GeometricGoo> geometry, IReadOnlyList<NamedMesh> before, IReadOnlyList<NamedMesh> after)

@@ -41,14 +41,14 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
     {
         var tolerance = run.Positive(2);
         var settings = run.Maybe<PrintSettings>(1) ?? new PrintSettings();
-        var models = Models(run, 0, tolerance);
+        var models = Solids(run, 0, tolerance);
         var solids = Named(models);
         if (InfillCurves(run, 5, tolerance) is { } curves) settings = settings with { InfillPattern = InfillPattern.Curves, InfillCurves = curves };
         var modifiers = Modifiers(run, tolerance, settings);
         var parts = Parts(run, solids, settings);
         SliceModel[] all = [.. parts, .. modifiers];
         object[] helpers = modifiers.SelectMany(m => new object[] { m.Mesh.Mesh, m.Settings }).ToArray();
-        var result = run.Work("Slicing", [settings, models.ToArray(), parts.Select(p => p.Settings).ToArray(), helpers],
+        var result = run.Work("Slicing", [settings, models, parts.Select(p => p.Settings).ToArray(), helpers],
             (progress, cancel) => PlanarSlicer.SliceEach(all, settings, 0, progress, cancel));
         SetResult(run, models, solids, result);
     }
@@ -88,12 +88,12 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
             run.Report(GH_RuntimeMessageLevel.Warning, "Modifier Settings apply to Modifiers, of which there are none.");
         }
         if (geometry.Count == 0) return [];
-        if (settings.Count == 0) throw new InputProblem("Modifier Settings are missing.") { IsMissing = true };
+        if (settings.Count == 0) throw run.Missing(4);
         return geometry.Select((g, i) =>
         {
             var own = settings[Math.Min(i, settings.Count - 1)].Value;
             if (own.ModelUse == ModelUse.Part) own = own with { ModelUse = ModelUse.Modifier };
-            var mesh = new NamedMesh($"Modifier {NumberFormatter.Format(i)}", ModelMesh.Of(run, g, tolerance, run.Units).Triangles);
+            var mesh = new NamedMesh($"Modifier {NumberFormatter.Format(i)}", run.ModelOf(g, tolerance).Triangles);
             return new SliceModel(mesh, WithCurves(own, common));
         }).ToArray();
     }

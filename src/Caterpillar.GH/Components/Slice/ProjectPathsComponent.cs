@@ -42,20 +42,18 @@ public sealed class ProjectPathsComponent() : CaterpillarComponent(
     {
         var goos = run.List<PrintPathGoo>(0);
         var geometry = run.List<IGH_GeometricGoo>(1);
-        if (goos.Count == 0 || geometry.Count == 0)
-            throw new InputProblem(goos.Count == 0 ? "Print Paths are missing." : "Geometry is missing.") { IsMissing = true };
+        if (goos.Count == 0 || geometry.Count == 0) throw run.Missing(goos.Count == 0 ? 0 : 1);
         var offset = run.Finite(2);
         var setup = new PrintSetup(run.Maybe<Printer>(4) ?? new Printer(), new Material(), run.Maybe<PrintSettings>(3) ?? new PrintSettings());
-        var (partial, tolerance, units) = (run.Get<bool>(5), run.Positive(6), run.Units);
-        var onto = geometry.Select(g => ModelMesh.Of(run, g, tolerance, units)).ToArray();
+        var (partial, tolerance) = (run.Get<bool>(5), run.Positive(6));
+        var onto = geometry.Select(g => run.ModelOf(g, tolerance)).ToArray();
         object[] paths = goos.Select(g => (object)g.Value).ToArray();
         var result = run.Work("Projecting", [paths, onto, offset, setup, partial], (progress, cancel) =>
         {
-            var surface = PlanSurface.Of(RhinoMesh.Joined(onto.Select(m => m.Triangles).ToArray())!).Moved(new Vec3(0, 0, Math.Max(0, offset)));
+            var surface = PlanSurface.Of(ModelMesh.Joined(onto)!).Moved(new Vec3(0, 0, Math.Max(0, offset)));
             var steps = goos.Select(g => (Step)g.ToStep()).ToArray();
             return SurfaceProjection.Project(steps, surface, setup, Math.Max(0, -offset), partial, progress, cancel);
         });
-        run.SetList(1, run.Report(result.Diagnostics));
-        if (result.Value is { } projected) run.SetList(0, projected.OfType<PathStep>().Select(s => new PrintPathGoo(s)));
+        run.SetList(0, run.Need(result).OfType<PathStep>().Select(s => new PrintPathGoo(s)));
     }
 }

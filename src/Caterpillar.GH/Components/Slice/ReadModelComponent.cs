@@ -1,5 +1,4 @@
 using System;
-using System.IO;
 using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
@@ -27,13 +26,11 @@ public sealed class ReadModelComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var file = new FileInfo(run.PathTo(run.Get<string>(0)));
-        if (!file.Exists) throw new InputProblem($"There is no file {file.FullName}.");
+        var file = run.FileAt(run.Get<string>(0));
         var units = run.Units;
         var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length],
             (progress, cancel) => MeshReader.Read(file.FullName, progress, cancel));
-        run.SetList(2, run.Report(read.Diagnostics));
-        if (read.Value is not { } models) return;
+        var models = run.Need(read);
         run.SetList(0, run.Cached([read, units.ToMillimeters], () => models.Select(m => RhinoMesh.FromTriangles(m.Mesh, units)).ToArray()));
         run.SetList(1, models.Select(m => m.Name));
     }

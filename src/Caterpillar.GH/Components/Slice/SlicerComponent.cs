@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
@@ -37,12 +36,8 @@ public abstract class SlicerComponent(string name, string nickname, string descr
         ports.Diagnostics();
     }
 
-    private protected static IReadOnlyList<ModelMesh> Models(Run run, int input, double tolerance)
-    {
-        var geometry = run.List<IGH_GeometricGoo>(input);
-        if (geometry.Count == 0) throw new InputProblem("Geometry is missing.") { IsMissing = true };
-        return geometry.Select(g => ModelMesh.Of(run, g, tolerance, run.Units)).ToArray();
-    }
+    private protected static ModelMesh[] Solids(Run run, int input, double tolerance)
+        => run.Models(input, tolerance) is { Length: > 0 } models ? models : throw run.Missing(input);
 
     private protected static NamedMesh[] Named(IReadOnlyList<ModelMesh> models)
         => models.Select((m, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", m.Triangles)).ToArray();
@@ -52,8 +47,8 @@ public abstract class SlicerComponent(string name, string nickname, string descr
     {
         var units = run.Units;
         run.SetList(4, models.Where(m => m.Triangles.OpenEdgeCount > 0).SelectMany(m => m.Mesh.GetNakedEdges() ?? []).Select(p => p.ToPolylineCurve()));
-        run.SetList(5, run.Report(solids.Where(m => m.Mesh.OpenEdgeCount > 0).Select(Open).Concat(result.Diagnostics)));
-        if (result.Value is not { } slices) return;
+        run.Report(solids.Where(m => m.Mesh.OpenEdgeCount > 0).Select(Open));
+        var slices = run.Need(result);
         var root = run.PathOf(0);
         var trees = run.Cached([slices, root.ToString(), units.ToMillimeters], () => new LayerTrees(slices, root, units));
         run.SetTree(0, trees.All);

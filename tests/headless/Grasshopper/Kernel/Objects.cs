@@ -81,8 +81,6 @@ namespace Grasshopper.Kernel
 
         public virtual GH_Exposure Exposure => GH_Exposure.primary;
 
-        public virtual bool Obsolete => false;
-
         public Bitmap Icon_24x24 => _icon ?? (_icon = Icon);
 
         public IGH_Attributes Attributes { get; set; }

@@ -140,8 +140,6 @@ namespace Grasshopper.Kernel.Special
             if (!ObjectIDs.Contains(id)) ObjectIDs.Add(id);
         }
 
-        public void RemoveObject(Guid id) => ObjectIDs.Remove(id);
-
         public override bool Write(GH_IWriter writer)
         {
             base.Write(writer);

@@ -1,4 +1,4 @@
-namespace Caterpillar.GH.LayerFields;
+namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>How the layers of a curved print are given.</summary>
 public enum FieldKind

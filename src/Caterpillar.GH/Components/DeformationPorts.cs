@@ -1,12 +1,10 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.Shaping;
 
-namespace Caterpillar.GH.Components.Path;
+namespace Caterpillar.GH.Components;
 
 /// <summary>The ports of a deformation: system, five formulas, tolerance.</summary>
 internal static class DeformationPorts

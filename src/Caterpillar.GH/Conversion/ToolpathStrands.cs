@@ -1,8 +1,7 @@
 using System.Collections.Generic;
-using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;
 
-namespace Caterpillar.GH.Bake;
+namespace Caterpillar.GH.Conversion;
 
 /// <summary>A run of printing moves without a gap, in one layer and with one role: moves from First to before End.</summary>
 internal readonly record struct ToolpathStrand(int First, int End);

@@ -1,4 +1,4 @@
-namespace Caterpillar.GH.Base;
+namespace Caterpillar.GH;
 
 /// <summary>The panels of the tab, in the order of the workflow.</summary>
 internal static class Panel

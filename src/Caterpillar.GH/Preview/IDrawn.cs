@@ -1,6 +1,6 @@
 using Grasshopper.Kernel;
 
-namespace Caterpillar.GH.Base;
+namespace Caterpillar.GH.Preview;
 
 /// <summary>Something that a component draws itself for an item.</summary>
 internal interface IDrawn

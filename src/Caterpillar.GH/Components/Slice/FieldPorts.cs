@@ -11,7 +11,7 @@ using Caterpillar.GH.Goos;
 using Caterpillar.Slicing;
 using Grasshopper.Kernel.Types;
 
-namespace Caterpillar.GH.LayerFields;
+namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Makes the recipe of a field from the ports of Layer Field.</summary>
 internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
@@ -24,7 +24,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     {
         var kind = run.Choice<FieldKind>(0);
         var texts = run.List<GH_String>(2).Select(t => t.Value.Trim()).ToArray();
-        Vec3? origin = run.MaybeValue<Rg.Point3d>(9) is { } point ? RhinoGeometry.ToVec(point, run.Units) : null;
+        var origin = run.MaybePoint(9);
         switch (kind)
         {
             case FieldKind.Vertical: return Vertical(Only(Plans(texts, origin)));
@@ -59,7 +59,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     {
         var meshes = Meshes();
         if (meshes.Length == 0) throw new InputProblem("Normal needs a surface.") { IsMissing = true };
-        return new FieldRecipe("Normal", [.. meshes], LayerField.Offset(RhinoMesh.Joined(meshes.Select(m => m.Triangles).ToArray())!));
+        return new FieldRecipe("Normal", [.. meshes], LayerField.Offset(ModelMesh.Joined(meshes)!));
     }
 
     private FieldRecipe? Between(IReadOnlyList<Plan>? plans)
@@ -98,7 +98,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
         {
             if (Wrapped.Bare(g.ScriptVariable()) is not Rg.Curve curve)
             {
-                var mesh = ModelMesh.Of(run, g, tolerance, run.Units);
+                var mesh = run.ModelOf(g, tolerance);
                 return (BoundaryShape.Of(mesh.Triangles), (object)mesh);
             }
             var exact = RhinoCurves.ToCurve(curve, run.Units);
@@ -152,26 +152,21 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
         }
         if (run.Maybe<string>(3) is { Length: > 0 } name)
         {
-            if (HeightMap(run.PathTo(name)) is not { } map) return null;
+            if (HeightMap(run.FileAt(name)) is not { } map) return null;
             plans.Add(map);
         }
         return plans;
     }
 
-    private ModelMesh[] Meshes()
-    {
-        var tolerance = run.Positive(10);
-        return run.List<IGH_GeometricGoo>(1).Select(g => ModelMesh.Of(run, g, tolerance, run.Units)).ToArray();
-    }
+    private ModelMesh[] Meshes() => run.Models(1, run.Positive(10));
 
-    private Plan? HeightMap(string file)
+    private Plan? HeightMap(FileInfo file)
     {
-        if (!File.Exists(file)) throw new InputProblem($"There is no file {file}.");
         var (low, high) = (run.Finite(4), run.Finite(5));
         if (!(high >= low)) throw new InputProblem("High must not be below Low.");
-        var written = File.GetLastWriteTimeUtc(file);
-        if (Accept(run.Cached([file, written], () => ImageReader.Read(file))) is not { } image) return null;
-        return new Plan((file, written, low, high), models =>
+        var (path, written) = (file.FullName, file.LastWriteTimeUtc);
+        if (Accept(run.Cached([path, written], () => ImageReader.Read(path))) is not { } image) return null;
+        return new Plan((path, written, low, high), models =>
         {
             var box = ModelPlacement.BoxOf(models);
             return PlanSurface.HeightMap(image, new Bounds(box.Min.WithZ(low), box.Max.WithZ(high)));

@@ -5,7 +5,7 @@ using Caterpillar.Geometry;
 using Caterpillar.GH.Conversion;
 using Rhino.Display;
 
-namespace Caterpillar.GH.Goos;
+namespace Caterpillar.GH.Preview;
 
 /// <summary>Something that is drawn as lines.</summary>
 internal interface IWires

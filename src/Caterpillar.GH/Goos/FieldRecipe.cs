@@ -6,7 +6,7 @@ using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;
 
-namespace Caterpillar.GH.LayerFields;
+namespace Caterpillar.GH.Goos;
 
 /// <summary>A field of layers that is made when the models are known. Recipes from the same parts are equal, so that nothing is sliced twice.</summary>
 public sealed class FieldRecipe : IEquatable<FieldRecipe>

@@ -1,6 +1,6 @@
 using Grasshopper.Kernel.Types;
 
-namespace Caterpillar.GH.Goos;
+namespace Caterpillar.GH.Conversion;
 
 /// <summary>What script components hand out arrives wrapped: goo takes what is inside.</summary>
 internal static class Wrapped

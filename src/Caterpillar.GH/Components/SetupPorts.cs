@@ -1,0 +1,47 @@
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.GH.Plugin;
+using Caterpillar.Machines;
+using Caterpillar.Simulation;
+
+namespace Caterpillar.GH.Components;
+
+/// <summary>The printer, material and settings of a toolpath: from ports, else from its plan, else from the file it was decoded from.</summary>
+internal static class SetupPorts
+{
+    public static void Printer(InputPorts ports) => ports.Add(new PrinterParam(), "Printer", "P",
+        "Printer, or the name of its profile; by default the one it was planned for, the limits in its file, or the generic one.", optional: true);
+
+    public static void Material(InputPorts ports) => ports.Add(new MaterialParam(), "Material", "M",
+        "Material, or the name of its profile; by default the one it was planned for.", optional: true);
+
+    public static void Settings(InputPorts ports) => ports.Add(new SettingsParam(), "Settings", "S",
+        "Print settings, or the name of their profile; by default those it was planned for.", optional: true);
+
+    /// <summary>The setup for a printer, or, without one, for that of the toolpath.</summary>
+    public static PrintSetup Of(Run run, ToolpathGoo goo, Printer? printer, Material? material = null, PrintSettings? settings = null)
+    {
+        var planned = goo.Setup;
+        var target = printer ?? planned?.Printer ?? OfFile(goo) ?? new Printer();
+        return new PrintSetup(target,
+            material ?? planned?.Material ?? run.Accept(Profiles.Library.Material(target.DefaultMaterial)) ?? new Material(),
+            settings ?? planned?.Settings ?? run.Accept(Profiles.Library.Settings(target.DefaultSettings)) ?? new PrintSettings())
+        { PrintedOn = planned?.PrintedOn };
+    }
+
+    /// <summary>A printer with a material and settings, by default those that it names. Without such a profile the item has no result.</summary>
+    public static PrintSetup For(Run run, Printer printer, Material? material, PrintSettings? settings)
+    {
+        material ??= run.Accept(Profiles.Library.Material(printer.DefaultMaterial));
+        settings ??= run.Accept(Profiles.Library.Settings(printer.DefaultSettings));
+        return material is null || settings is null ? throw new NoResult() : new PrintSetup(printer, material, settings);
+    }
+
+    private static Printer? OfFile(ToolpathGoo goo)
+    {
+        if (goo.DecodedGCode is not { } file) return null;
+        var own = new Printer { Dialect = file.Dialect };
+        return SlicerLimits.Of(file.Settings, own) ?? own;
+    }
+}
