@@ -257,7 +257,7 @@ public class RegionOffsetTests
         return p.DistanceTo(Vec3.Lerp(a, b, Math.Min(Math.Max(t, 0), 1)));
     }
 
-    private static bool Fast => Type.GetType("Mono.Runtime") is null;
+    private static bool Fast => !Rounds.OnMono;
 
     [Test]
     public void A_closed_line_that_repeats_its_first_point_has_the_same_strip_around_it()
