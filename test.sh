@@ -1,16 +1,25 @@
 #!/usr/bin/env bash
-# Builds everything and runs all tests: on .NET and, where `mono` is found, on Mono too.
+# Builds everything and runs the tests: on .NET and, where `mono` is found, on Mono too. About four minutes on two cores.
 #   ./test.sh             run
+#   ./test.sh --full      every test on both runtimes, and all random rounds; analyzers for every framework
 #   ./test.sh --install   install Mono first (Debian, Ubuntu: apt-get, as root or with sudo)
 # Closes with "N passed, N failed" on a line of its own, both runtimes counted.
+#
+# What runs where by default:
+#   .NET, the library, the terminal program, the plug-in      every test; random rounds of a size that finds faults
+#   Mono, the library      what can differ there: numbers, text, files, archives, JSON, formulas, G-code, golden files of whole programs; not the rooms of plain
+#                          arithmetic over our own types, for which whole programs stand, nor what reads our sources. Category Runtime: in spite of its room
+#   Mono, and the real RhinoCommon and GH_IO, the plug-in      category Host: what depends on the assemblies of the host or on the runtime
 set -u
 cd "$(dirname "$0")"
 
 install=no
+full=no
 for argument in "$@"; do
   case "$argument" in
     --install) install=yes ;;
-    *) echo "usage: ./test.sh [--install]" >&2; exit 2 ;;
+    --full) full=yes ;;
+    *) echo "usage: ./test.sh [--full] [--install]" >&2; exit 2 ;;
   esac
 done
 
@@ -20,52 +29,94 @@ if [ "$install" = yes ] && ! command -v mono >/dev/null; then
     || { echo "Mono could not be installed." >&2; exit 1; }
 fi
 
-log=$(mktemp -d)
-trap 'rm -rf "$log"' EXIT
-failed_steps=0
+mono=yes
+command -v mono >/dev/null || { mono=no; echo "Mono not found: Mono tests skipped, ./test.sh --install installs it"; }
+real=../shared/reference/real
+[ -f "$real/RhinoCommon.dll" ] && [ -f "$real/librhcommon_c.so" ] || real=
 
 echo "Building Caterpillar.sln"
-dotnet build Caterpillar.sln --nologo -v quiet || exit 1
-
-frameworks="net10.0"
-if command -v mono >/dev/null; then
-  frameworks="net10.0 net48"
+analyzers=
+[ "$full" = yes ] && analyzers=-p:RunAnalyzers=true
+dotnet build Caterpillar.sln -c Release $analyzers --nologo -v quiet || exit 1
+if [ -n "$real" ]; then
+  # The sources are the same; analyzers have read them.
+  dotnet build tests/Caterpillar.GH.Tests -c Release -p:RhinoSdk=real -p:RunAnalyzers=false --nologo -v quiet || exit 1
 else
-  echo "Mono not found: Mono tests skipped, ./test.sh --install installs it"
+  echo "Skipped: the plug-in's tests on the real RhinoCommon and GH_IO, which are not at ../shared/reference/real"
 fi
 
-for project in tests/*.Tests/*.Tests.csproj; do
-  name=$(basename "$project" .csproj)
-  # These run inside Rhino only.
-  [ "$name" = Caterpillar.Rhino.Tests ] && continue
-  for framework in $frameworks; do
-    grep -q "$framework" "$project" || continue
-    echo "Testing $name on $framework"
-    out="$log/$name.$framework"
-    dotnet test "$project" -f "$framework" --no-build --nologo -v quiet --logger "console;verbosity=minimal" >"$out" 2>&1 || failed_steps=$((failed_steps + 1))
-    grep -vE '^(Test run for|VSTest version|Starting test execution|A total of)' "$out" | sed '/^ *$/d'
-  done
+arithmetic=
+for room in Architecture Checks Curved Geometry Planning Shaping Simulation Slicing Toolpaths Turtles; do
+  arithmetic="$arithmetic&FullyQualifiedName!~Caterpillar.Tests.$room."
+done
+runtime="(${arithmetic#&})|FullyQualifiedName~Caterpillar.Tests.Geometry.Meshes.|FullyQualifiedName~Caterpillar.Tests.Turtles.ExampleTests|TestCategory=Runtime"
+host="TestCategory=Host"
+if [ "$full" = yes ]; then
+  export CATERPILLAR_FULL=1
+  runtime=
+  host=
+fi
+
+# Lanes: what is tested, its assembly, and which of its tests; the longest first.
+headless=artifacts/headless/bin
+lanes=("Caterpillar.Core.Tests on net10.0|$headless/Caterpillar.Core.Tests/release_net10.0/Caterpillar.Core.Tests.dll|")
+[ "$mono" = yes ] && lanes+=("Caterpillar.Core.Tests on net48|$headless/Caterpillar.Core.Tests/release_net48/Caterpillar.Core.Tests.dll|$runtime")
+lanes+=("Caterpillar.GH.Tests on net10.0|$headless/Caterpillar.GH.Tests/release_net10.0/Caterpillar.GH.Tests.dll|")
+lanes+=("Caterpillar.Cli.Tests on net10.0|$headless/Caterpillar.Cli.Tests/release/Caterpillar.Cli.Tests.dll|")
+[ "$mono" = yes ] && lanes+=("Caterpillar.GH.Tests on net48|$headless/Caterpillar.GH.Tests/release_net48/Caterpillar.GH.Tests.dll|$host")
+for framework in net10.0 net48; do
+  [ -n "$real" ] && { [ "$framework" != net48 ] || [ "$mono" = yes ]; } || continue
+  lanes+=("Caterpillar.GH.Tests on $framework with the real RhinoCommon and GH_IO|artifacts/real/bin/Caterpillar.GH.Tests/release_$framework/Caterpillar.GH.Tests.dll|$host")
 done
 
-# The plug-in's tests again on McNeel's own RhinoCommon and GH_IO, where they lie next to the project.
-real=../shared/reference/real
-if [ -f "$real/RhinoCommon.dll" ] && [ -f "$real/librhcommon_c.so" ]; then
-  for framework in $frameworks; do
-    echo "Testing Caterpillar.GH.Tests on $framework with the real RhinoCommon and GH_IO"
-    out="$log/real.$framework"
-    dotnet build tests/Caterpillar.GH.Tests -f "$framework" -p:RhinoSdk=real --nologo -v quiet || { failed_steps=$((failed_steps + 1)); continue; }
-    dotnet test tests/Caterpillar.GH.Tests -f "$framework" -p:RhinoSdk=real --no-build --nologo -v quiet --logger "console;verbosity=minimal" >"$out" 2>&1 || failed_steps=$((failed_steps + 1))
-    grep -vE '^(Test run for|VSTest version|Starting test execution|A total of)' "$out" | sed '/^ *$/d'
+# Jobs of their own, so that they take an interrupt as a program in a terminal does.
+set -m
+log=$(mktemp -d)
+lane_jobs=()
+trap 'for job in "${lane_jobs[@]}"; do kill -- "-$job" 2>/dev/null; done; rm -rf "$log"; exit 130' INT TERM
+
+# A folder for temporary files each, where the names that tests choose do not meet.
+run() {
+  local started=$SECONDS rest=${2#*|}
+  local dll=${rest%%|*} filter=${rest#*|}
+  mkdir "$log/$1.tmp"
+  TMPDIR="$log/$1.tmp" MONO_GC_PARAMS=nursery-size=64m \
+    dotnet test "$dll" ${filter:+--filter "$filter"} --nologo -v quiet --logger "console;verbosity=minimal" >"$log/$1.log" 2>&1 </dev/null
+  echo "$? $((SECONDS - started))" >"$log/$1.done"
+}
+
+# As many lanes at once as there are cores; one where golden files are renewed. What they say comes in the order of the lanes.
+slots=$(nproc 2>/dev/null || sysctl -n hw.ncpu 2>/dev/null || echo 2)
+[ "${CATERPILLAR_RENEW:-}" = 1 ] && slots=1
+failed_lanes=0
+next=0
+for ((shown = 0; shown < ${#lanes[@]}; )); do
+  while [ "$next" -lt "${#lanes[@]}" ] && [ "$(jobs -pr | wc -l)" -lt "$slots" ]; do
+    run "$next" "${lanes[next]}" &
+    lane_jobs+=($!)
+    next=$((next + 1))
   done
-else
-  echo "Skipped: the plug-in's tests on the real RhinoCommon and GH_IO, which are not at $real"
-fi
+  if [ -f "$log/$shown.done" ]; then
+    read -r code seconds <"$log/$shown.done"
+    [ "$code" = 0 ] || failed_lanes=$((failed_lanes + 1))
+    echo "Tested ${lanes[shown]%%|*} in $seconds s"
+    grep -vE '^(Test run for|VSTest version|Starting test execution|A total of)' "$log/$shown.log" | sed '/^ *$/d'
+    shown=$((shown + 1))
+  else
+    sleep 0.2
+  fi
+done
+set +m
 
 # "Passed!  - Failed:     0, Passed:    65, Skipped:     0, Total:    65, ..."
-total() { sed -nE "s/.*- Failed: .*$1: +([0-9]+),.*/\1/p" "$log"/* | awk '{ n += $1 } END { print n + 0 }'; }
-failed=$(sed -nE 's/.*- Failed: +([0-9]+), Passed.*/\1/p' "$log"/* | awk '{ n += $1 } END { print n + 0 }')
-# A test process that died has no summary line; it counts as a failure.
-if [ "$failed" = 0 ] && [ "$failed_steps" -gt 0 ]; then failed=$failed_steps; fi
-echo "$(total Skipped) skipped"
-echo "$(total Passed) passed, $failed failed"
+total() { sed -nE "s/.*- Failed: .*$1: +([0-9]+),.*/\1/p" "$log"/*.log | awk '{ n += $1 } END { print n + 0 }'; }
+failed=$(sed -nE 's/.*- Failed: +([0-9]+), Passed.*/\1/p' "$log"/*.log | awk '{ n += $1 } END { print n + 0 }')
+# A test process that died, or found nothing to run, has no summary line; it counts as a failure.
+silent=$(grep -LE -- '- Failed: +[0-9]+, Passed: +[1-9]' "$log"/*.log | wc -l)
+if [ "$failed" = 0 ]; then failed=$((failed_lanes > silent ? failed_lanes : silent)); fi
+skipped=$(total Skipped)
+passed=$(total Passed)
+if [ "$failed" = 0 ]; then rm -rf "$log"; else echo "What the lanes wrote is in $log"; fi
+echo "$skipped skipped"
+echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -23,7 +23,7 @@ public class QueuedStreamTests
             at += count;
         }
         queue.Finish();
-        Assert.That(target.ToArray(), Is.EqualTo(bytes));
+        Assert.That(target.ToArray(), SameBytes.As(bytes));
     }
 
     [Test]

@@ -56,7 +56,7 @@ public sealed class PrintPipelineTests
 
         Assert.That(streamed.Value!.Report, Is.EqualTo(plan.Value.Report));
         Assert.That(streamed.Diagnostics, Is.EqualTo(plan.Diagnostics));
-        Assert.That(stream.ToArray(), Is.EqualTo(expected.ToArray()));
+        Assert.That(stream.ToArray(), SameBytes.As(expected.ToArray()));
         Assert.That(written.Diagnostics, Is.EqualTo(whole.Diagnostics));
         Assert.That(written.Diagnostics.Select(d => d.Code), Does.Contain(CheckCodes.Unsupported));
     }

@@ -55,7 +55,7 @@ public sealed class SwitchedOffTests
         var written = SafeWriter.WriteDraft(print, Off(Codes()), unread);
         Assert.That(checkedFile.Value, Is.Not.Null);
         Assert.That(written.Value, Is.EqualTo(checkedFile.Value));
-        Assert.That(unread.ToArray(), Is.EqualTo(plain.ToArray()));
+        Assert.That(unread.ToArray(), SameBytes.As(plain.ToArray()));
         Assert.That(SafeWriter.Write(Bad.Value, Off(Codes()), unread).Diagnostics, Is.Empty, "nothing is refused");
     }
 

@@ -19,7 +19,7 @@ public class ContainerFuzzTests
     [Test]
     public void Damaged_containers_decode_or_are_errors()
         => Run(FuzzTests.Number("CATERPILLAR_FUZZ_SEED") ?? 20261121, FuzzTests.Number("CATERPILLAR_FUZZ") / 10
-            ?? (Type.GetType("Mono.Runtime") is null ? 8_000 : 1_500));
+            ?? Rounds.Of(quick: 8_000, full: 8_000, onMono: 1_500));
 
     private static void Run(int seed, int runs)
     {

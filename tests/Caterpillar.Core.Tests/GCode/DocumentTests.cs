@@ -47,7 +47,7 @@ public class DocumentTests
         foreach (var document in new[] { GCodeDocument.FromBytes(bytes), GCodeDocument.Read(new MemoryStream(bytes)).Value!,
             GCodeDocument.FromBytes(Gzip.Packed(bytes)) })
         {
-            Assert.That(document.ToBytes(), Is.EqualTo(bytes));
+            Assert.That(document.ToBytes(), SameBytes.As(bytes));
             Assert.That(document.LineCount, Is.EqualTo(lines + 1));
             for (var number = 2; number <= lines; number += 997) Assert.That(document.Line(number).Text.TrimEnd('x').TrimStart(' ', '#'),
                 Is.EqualTo(NumberFormatter.Format(number - 1)));

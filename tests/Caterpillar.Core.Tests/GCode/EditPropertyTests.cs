@@ -15,7 +15,7 @@ public class EditPropertyTests
 {
     private static readonly DialectRules[] Dialects = DialectTable.All.Where(d => d.ExtruderLetters.Length > 0).ToArray();
 
-    private static int Runs => Type.GetType("Mono.Runtime") is null ? 400 : 100;
+    private static int Runs => Rounds.Of(quick: 400, full: 400, onMono: 100);
 
     [Test]
     public void Random_programs_come_back()

@@ -26,11 +26,11 @@ public class EditTests
         var bytes = GCodeFiles.Bytes(file);
         var document = GCodeDocument.FromBytes(bytes, file);
         var decoding = Decode(document);
-        Assert.That(document.ToBytes(), Is.EqualTo(bytes));
+        Assert.That(document.ToBytes(), SameBytes.As(bytes));
         var again = GCodeEditor.ToDocument(decoding, decoding.Toolpath).Value!;
-        Assert.That(again.ToBytes(), Is.EqualTo(bytes));
+        Assert.That(again.ToBytes(), SameBytes.As(bytes));
         var copied = decoding.Toolpath.ScaleSpeed(new MoveFilter(), 1);
-        Assert.That(GCodeEditor.ToDocument(decoding, copied).Value!.ToBytes(), Is.EqualTo(bytes), "equal moves are no change, whatever block they are in");
+        Assert.That(GCodeEditor.ToDocument(decoding, copied).Value!.ToBytes(), SameBytes.As(bytes), "equal moves are no change, whatever block they are in");
     }
 
     [Test]

@@ -24,7 +24,7 @@ internal static class GCodeFiles
 
     /// <summary>All files; under Mono, which is slow, those that are not packed.</summary>
     public static IEnumerable<string> Affordable()
-        => Type.GetType("Mono.Runtime") is null ? All() : All().Where(f => !f.EndsWith(".gz", StringComparison.Ordinal));
+        => !Rounds.OnMono ? All() : All().Where(f => !f.EndsWith(".gz", StringComparison.Ordinal));
 
     public static byte[] Bytes(string file) => TestData.ReadBytes(TestData.Shared("gcode/" + file));
 

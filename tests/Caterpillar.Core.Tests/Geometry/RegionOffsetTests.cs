@@ -210,5 +210,5 @@ public class RegionOffsetTests
         return p.DistanceTo(Vec3.Lerp(a, b, Math.Min(Math.Max(t, 0), 1)));
     }
 
-    private static bool Fast => Type.GetType("Mono.Runtime") is null;
+    private static bool Fast => !Rounds.OnMono;
 }

@@ -230,5 +230,5 @@ public class RegionTests
         }
     }
 
-    private static bool Fast => Type.GetType("Mono.Runtime") is null;
+    private static bool Fast => !Rounds.OnMono;
 }

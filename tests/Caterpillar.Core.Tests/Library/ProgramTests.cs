@@ -156,9 +156,10 @@ public sealed class ProgramTests : IDisposable
     [Test]
     public void Picture()
     {
-        var file = _folder.File("sliced.png");
-        DrawPicture.Run(Sliced, file);
-        var image = ImageReader.Read(File.ReadAllBytes(file), "sliced.png").OrThrow();
+        TurtleStar.Run(Output);
+        var file = _folder.File("star.png");
+        DrawPicture.Run(Output, file);
+        var image = ImageReader.Read(File.ReadAllBytes(file), "star.png").OrThrow();
         Assert.That((image.Width, image.Height), Is.EqualTo((960, 720)));
     }
 

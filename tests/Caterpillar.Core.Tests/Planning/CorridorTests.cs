@@ -122,7 +122,7 @@ public class CorridorTests
                     var d = (b - a).WithZ(0);
                     var t = Math.Min(1, Math.Max(0, Vec3.Dot((p - a).WithZ(0), d) / d.LengthSquared));
                     var q = Vec3.Lerp(a, b, t);
-                    if ((p - q).LengthXY <= radius) Assert.That(p.Z, Is.GreaterThanOrEqualTo(q.Z - 1e-5), $"{move}");
+                    if ((p - q).LengthXY <= radius && !(p.Z >= q.Z - 1e-5)) Assert.Fail($"{move} is at {p} below {q}");
                 }
             }
         }

@@ -22,7 +22,7 @@ public class KlipperTimesTests
     public static IEnumerable<string> Synthetic() => Names("synthetic");
 
     // Mono is slow: a few prints there.
-    public static IEnumerable<string> Prints() => Type.GetType("Mono.Runtime") is null ? Names("gcode") : Names("gcode").Take(6);
+    public static IEnumerable<string> Prints() => !Rounds.OnMono ? Names("gcode") : Names("gcode").Take(6);
 
     [Test, Combinatorial]
     public void Small_programs_take_as_long_as_in_Klipper([ValueSource(nameof(Synthetic))] string file, [ValueSource(nameof(Sets))] string set)

@@ -267,9 +267,8 @@ public class DepositPlaceTests
                     var distance = Math.Sqrt(FlatSegment.SquareDistance(middle, a, b));
                     var isDrawn = deposit.CellAt(middle.X, middle.Y).Top == 1;
                     // Every cell that the strand touches, and none that is more than half a diagonal away.
-                    if (distance < half) Assert.That(isDrawn, $"{round}: {middle} is under the strand from {a} to {b}, {half} wide");
-                    if (distance > half + 0.25 * 0.7073) Assert.That(isDrawn, Is.False, $"{round}: {middle} is beside the strand from {a} to {b}, {half} wide");
-                    if (distance < half + 0.125) Assert.That(isDrawn, $"{round}: {middle} touches the strand from {a} to {b}, {half} wide");
+                    if (!isDrawn && distance < half + 0.125) Assert.Fail($"{round}: {middle} touches the strand from {a} to {b}, {half} wide");
+                    if (isDrawn && distance > half + 0.25 * 0.7073) Assert.Fail($"{round}: {middle} is beside the strand from {a} to {b}, {half} wide");
                 }
             }
         }

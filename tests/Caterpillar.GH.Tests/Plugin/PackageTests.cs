@@ -17,7 +17,9 @@ public sealed class PackageTests
 
     private static string Build(string framework)
     {
-        var folder = Path.GetFullPath(Path.Combine(TestContext.CurrentContext.TestDirectory, "..", "..", "Caterpillar.GH", "debug_" + framework));
+        // debug_net10.0, release_net10.0
+        var tests = new DirectoryInfo(TestContext.CurrentContext.TestDirectory);
+        var folder = Path.Combine(tests.Parent!.Parent!.FullName, "Caterpillar.GH", tests.Name.Split('_')[0] + "_" + framework);
         if (!File.Exists(Path.Combine(folder, "Caterpillar.GH.dll"))) Assert.Ignore($"The plug-in is not built for {framework} here.");
         return folder;
     }
