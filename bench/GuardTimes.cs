@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using Caterpillar.Checks;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
@@ -18,7 +19,15 @@ internal sealed class GuardTimes
 {
     private const int Moves = 1_000_000;
     private readonly Toolpath _plan = Samples.Print(Moves);
-    private readonly PrintSetup _setup = new();
+    // Nothing but the comparison with the plan.
+    private readonly PrintSetup _setup = new()
+    {
+        Printer = new Printer
+        {
+            CheckSeverities = new(CheckCodes.All.Where(r => !PlanComparison.Codes.Contains(r.Code)).Select(r => new CheckSeverity(r.Code, null))),
+        },
+    };
+
     private readonly GCodeFormat _format;
     private readonly WrittenLines _lines = new(Moves);
     private readonly byte[] _text;
@@ -85,20 +94,18 @@ internal sealed class GuardTimes
         var blocks = 0;
         var options = new DecodeOptions
         {
-            Dialect = _setup.Printer.Dialect, FilamentDiameter = _setup.Material.FilamentDiameter, Threads = 1, BlockSize = ToolpathBlock.FollowedSize,
-            ChunkSize = ReadBack.ChunkSize, Follow = block => Take(comparison, block, ref blocks),
+            Dialect = _setup.Printer.Dialect, FilamentDiameter = _setup.Material.FilamentDiameter, Threads = 1,
+            Take = block => Take(comparison, block, ref blocks),
         };
         comparison.End(GCodeDecoder.DecodeStream(new MemoryStream(_text), options).OrThrow().Toolpath, blocks);
     }
 
     private void WriteAndRead()
     {
-        var lines = new WrittenLines(Moves);
-        var comparison = Compare(lines);
-        var blocks = 0;
-        var file = ReadBack.Read(_setup, new GCodeWriter(_plan, _format) { Written = lines }, null, block => Take(comparison, block, ref blocks), null,
-            default);
-        comparison.End(file.Toolpath, blocks);
+        using var back = new ReadBack(_plan, _setup, _format, null, int.MaxValue, default);
+        back.Write(_plan);
+        back.End(_format);
+        back.Finish(null);
     }
 
     private PlanComparison Compare(WrittenLines lines) => new(_plan, _format, lines, new Findings(_setup.Printer, _plan));

@@ -134,10 +134,10 @@ internal sealed class CollisionCheck
     }
 
     private void Report(string code, Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, int strand)
-        => _findings.Add(code, move.Index, () =>
+        => _findings.AddNaming(code, move.Index, () =>
         {
             var at = FirstMeeting(deposit, a, b, tolerance);
-            return $"The nozzle goes through {What(deposit, strand)}, at {at}.";
+            return () => $"The nozzle goes through {What(deposit, strand)}, at {at}.";
         });
 
     private void Digs(in CheckedMove move, Vec3 a, Vec3 b, double tolerance)
@@ -147,8 +147,8 @@ internal sealed class CollisionCheck
     private void ReportBox(string code, Deposit deposit, in CheckedMove move, Vec3 a, int tag)
     {
         var end = move.End;
-        _findings.Add(code, move.Index,
-            () => $"{(code == CheckCodes.HeadHits ? "A box of the head" : "The gantry")} goes through {What(deposit, tag)}, "
+        _findings.AddNaming(code, move.Index,
+            () => () => $"{(code == CheckCodes.HeadHits ? "A box of the head" : "The gantry")} goes through {What(deposit, tag)}, "
             + $"while the nozzle goes from {a} to {end}.");
     }
 

@@ -15,14 +15,8 @@ internal sealed class DepositCheck : IMoveCheck
     private readonly CollisionCheck? _collisions;
 
     public DepositCheck(PrintSetup setup, Findings findings)
-        : this(setup, findings, PrintedSoFar.ObjectOf(setup))
     {
-    }
-
-    /// <summary>The same where the object that is printed on is already at hand.</summary>
-    public DepositCheck(PrintSetup setup, Findings findings, ObjectTop? on)
-    {
-        _printed = new PrintedSoFar(setup, on);
+        _printed = new PrintedSoFar(setup, PrintedSoFar.ObjectOf(setup));
         _strands = new StrandCheck(setup, _printed, findings);
         if (findings.LooksFor(CollisionCheck.Codes)) _collisions = new CollisionCheck(setup.Printer, _printed, findings);
     }
@@ -30,9 +24,6 @@ internal sealed class DepositCheck : IMoveCheck
     public IReadOnlyList<string> Codes => AllCodes;
 
     public static IReadOnlyList<string> AllCodes { get; } = [.. StrandCheck.Codes, .. CollisionCheck.Codes];
-
-    /// <summary>True where a printer wants to know of something that it finds.</summary>
-    public static bool IsAsked(Printer printer) => new Findings(printer, _ => null, _ => null).LooksFor(AllCodes);
 
     public void Event(MoveEvent what)
     {

@@ -24,7 +24,7 @@ internal static class EditCheck
         var read = PrintCheck.WithVolumes(file.Toolpath, setup);
         var findings = new Findings(setup.Printer, read);
         Compare(edited, read, findings);
-        var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), () => new Findings(setup.Printer, read), progress, cancel);
+        var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), progress, cancel);
         return [.. findings.ToList(), .. checks];
     }
 

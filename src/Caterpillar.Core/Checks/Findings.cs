@@ -15,9 +15,8 @@ internal sealed class Findings
     // What is worse by less is not told: else a slow rise would have a message for each move.
     private const double Worse = 1.02;
     private readonly Dictionary<string, Severity?> _severities = new(StringComparer.Ordinal);
-    private readonly DiagnosticList _list = new();
-    private readonly Dictionary<string, Func<SourceLocation?>> _places = new(StringComparer.Ordinal);
-    private readonly Dictionary<string, (double Size, Diagnostic? Finding, Func<SourceLocation?>? Place)> _worst = new(StringComparer.Ordinal);
+    private readonly List<Finding> _all = [];
+    private readonly Dictionary<string, Finding> _ofCode = new(StringComparer.Ordinal);
     private readonly Func<int, SourceLocation?> _place;
     private readonly Func<MoveEvent, SourceLocation?> _placeOfEvent;
 
@@ -37,40 +36,25 @@ internal sealed class Findings
     {
     }
 
-    /// <summary>Hears of each finding at a move.</summary>
-    public Action<string, int>? Heard { get; init; }
-
-    /// <summary>True if one of these codes is not off, or somebody hears of all of them.</summary>
-    public bool LooksFor(IReadOnlyList<string> codes)
-    {
-        for (var i = 0; i < codes.Count && Heard is null; i++)
-        {
-            if (_severities[codes[i]] is not null) return true;
-        }
-        return Heard is not null;
-    }
+    /// <summary>True if one of these codes is not off.</summary>
+    public bool LooksFor(IEnumerable<string> codes) => codes.Any(c => _severities[c] is not null);
 
     /// <summary>Adds a finding at a move; the larger its size, the worse it is among those of its code.</summary>
-    public void Add(string code, int move, Func<string> message, double size = 0)
-    {
-        Heard?.Invoke(code, move);
-        Add(code, () => _place(move), message, size);
-    }
+    public void Add(string code, int move, Func<string> message, double size = 0) => Add(code, () => _place(move), message, size);
 
     public void Add(string code, Func<SourceLocation?> place, Func<string> message, double size = 0)
     {
-        if (_severities[code] is not { } severity) return;
-        if (!_list.Contains(code, severity))
-        {
-            _list.Add(severity, code, message());
-            _places.Add(code, place);
-            if (size > 0) _worst[code] = (size, null, null);
-            return;
-        }
-        _list.Add(severity, code, "");
-        if (_worst.TryGetValue(code, out var worst) && size > worst.Size * Worse)
-            _worst[code] = (size, new Diagnostic(severity, code, message()), place);
+        if (_severities[code] is { } severity) Add(code, severity, place, () => Made(message()), size);
     }
+
+    /// <summary>Adds a finding whose message names the place of another move. That part of the message is made in the end, as places are.</summary>
+    public void AddNaming(string code, int move, Func<Func<string>> message)
+    {
+        if (_severities[code] is { } severity) Add(code, severity, () => _place(move), message, 0);
+    }
+
+    /// <summary>Adds a finding of a check of the user at a move.</summary>
+    public void Add(Diagnostic found, int move) => Add(found.Code, found.Severity, () => _place(move), () => Made(found.Message), 0);
 
     /// <summary>The place of a move.</summary>
     public SourceLocation? PlaceOf(int move) => _place(move);
@@ -79,17 +63,23 @@ internal sealed class Findings
     public SourceLocation? PlaceOfEvent(MoveEvent what) => _placeOfEvent(what);
 
     /// <summary>All findings. Their places are asked for now: the lines of a file may be known only in the end.</summary>
-    public IReadOnlyList<Diagnostic> ToList()
+    public IReadOnlyList<Diagnostic> ToList() => _all.ConvertAll(f => f.ToDiagnostic());
+
+    private void Add(string code, Severity severity, Func<SourceLocation?> place, Func<Func<string>> message, double size)
     {
-        var list = _list.ToList().ToArray();
-        for (var i = 0; i < list.Length; i++)
+        if (!_ofCode.TryGetValue(code, out var first))
         {
-            list[i] = list[i] with { Source = _places[list[i].Code]() };
-            if (_worst.TryGetValue(list[i].Code, out var worst) && worst.Finding is not null)
-                list[i] = list[i] with { Worst = worst.Finding with { Source = worst.Place!() } };
+            _ofCode.Add(code, first = new Finding(severity, code, place, message(), size));
+            _all.Add(first);
+            return;
         }
-        return list;
+        first.Count++;
+        if (!(first.WorstSize > 0) || !(size > first.WorstSize * Worse)) return;
+        first.WorstSize = size;
+        first.WorstOfAll = new Finding(severity, code, place, message(), size);
     }
+
+    private static Func<string> Made(string message) => () => message;
 
     private static SourceLocation? PlaceIn(Toolpath toolpath, MoveEvent what)
     {
@@ -109,5 +99,17 @@ internal sealed class Findings
         return toolpath.Source == MoveSource.Lines
             ? new SourceLocation(Line: source > 0 ? source : null, Move: move, Origin: toolpath.PlaceOfLayer(layer))
             : new SourceLocation(Step: source >= 0 ? source : null, Move: move, Origin: toolpath.PlaceOf(move));
+    }
+
+    // The first of a code, how many there are, and the worst of them.
+    private sealed class Finding(Severity severity, string code, Func<SourceLocation?> place, Func<string> message, double size)
+    {
+        public int Count { get; set; } = 1;
+
+        public double WorstSize { get; set; } = size;
+
+        public Finding? WorstOfAll { get; set; }
+
+        public Diagnostic ToDiagnostic() => new(severity, code, message(), place(), Count) { Worst = WorstOfAll?.ToDiagnostic() };
     }
 }

@@ -17,7 +17,7 @@ internal sealed class PlanComparison
 {
     // Of the deviation of chords of an arc from the middle of the arc, mm.
     private const double ArcTolerance = 0.05;
-    private readonly Toolpath _plan;
+    private Toolpath _plan;
     private readonly WrittenLines _lines;
     private readonly Findings _findings;
     private readonly double _allowed;
@@ -61,6 +61,9 @@ internal sealed class PlanComparison
 
     /// <summary>What it finds.</summary>
     public static IReadOnlyList<string> Codes { get; } = [CheckCodes.FilePosition, CheckCodes.FileExtrusion];
+
+    /// <summary>The plan is longer now.</summary>
+    public void GoOn(Toolpath longer) => _plan = longer;
 
     /// <summary>Compares a whole file.</summary>
     public static void Run(Toolpath plan, Toolpath read, GCodeFormat format, WrittenLines lines, Findings findings)
@@ -186,7 +189,7 @@ internal sealed class PlanComparison
     private void Moved(int line, Vec3 wanted)
     {
         var (at, move) = (_head, _move);
-        _findings.Add(CheckCodes.FilePosition, () => WrittenPlaces.OfMove(_plan, move, line),
+        _findings.Add(CheckCodes.FilePosition, () => WrittenPlaces.OfMove(_plan, _lines, move, line),
             () => $"The head is at {at} after this line; the plan has it at {wanted}.");
     }
 
@@ -196,7 +199,7 @@ internal sealed class PlanComparison
         if (!IsNear(_from, start)) return;
         var (move, length, planned) = (_move, _length, arc.Length(start, wanted));
         if (Math.Abs(length - planned) <= ArcTolerance + planned * 0.01) return;
-        _findings.Add(CheckCodes.FilePosition, () => WrittenPlaces.OfMove(_plan, move, line),
+        _findings.Add(CheckCodes.FilePosition, () => WrittenPlaces.OfMove(_plan, _lines, move, line),
             () => $"An arc is {NumberFormatter.Format(length, 2)} mm long by this line; the plan has {NumberFormatter.Format(planned, 2)} mm.");
     }
 
@@ -216,6 +219,6 @@ internal sealed class PlanComparison
 
     // Apart from the above, which would allocate what is captured here for each move.
     private void Report(int move, int line, double e, double planned)
-        => _findings.Add(CheckCodes.FileExtrusion, () => WrittenPlaces.OfMove(_plan, move, line),
+        => _findings.Add(CheckCodes.FileExtrusion, () => WrittenPlaces.OfMove(_plan, _lines, move, line),
             () => $"E changes by {NumberFormatter.Format(e, 5)} in this line; the plan has {NumberFormatter.Format(planned, 5)}.");
 }

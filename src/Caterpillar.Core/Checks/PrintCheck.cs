@@ -21,7 +21,7 @@ public static class PrintCheck
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
-        return Run(toolpath, setup, new CheckScope(setup.Material.NozzleTemperature), () => new Findings(setup.Printer, toolpath), progress, cancel);
+        return Run(toolpath, setup, new CheckScope(setup.Material.NozzleTemperature), progress, cancel);
     }
 
     /// <summary>
@@ -35,7 +35,7 @@ public static class PrintCheck
         if (file is null) throw new ArgumentNullException(nameof(file));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         var toolpath = WithVolumes(file.Toolpath, setup);
-        var findings = Run(toolpath, setup, CheckScope.OfFile(file, setup), () => new Findings(setup.Printer, toolpath), progress, cancel);
+        var findings = Run(toolpath, setup, CheckScope.OfFile(file, setup), progress, cancel);
         if (file.Report.File is not { Length: > 0 } name) return findings;
         return findings.Select(d => d.WithSource(s => (s ?? new SourceLocation()) with { File = name })).ToArray();
     }
@@ -51,36 +51,11 @@ public static class PrintCheck
         return CheckScope.HeatsItself(toolpath) ? setup with { Material = setup.Material with { NozzleTemperature = 0 } } : setup;
     }
 
-    /// <summary>
-    /// Runs all checks; those of what is printed on a thread of their own. <paramref name="limits"/> and <paramref name="strands"/> may have begun before, and
-    /// may know already what there is to find.
-    /// </summary>
     internal static IReadOnlyList<Diagnostic> Run(
-        Toolpath toolpath, PrintSetup setup, CheckScope scope, Func<Findings> findings, IProgress<double>? progress, CancellationToken cancel,
-        LimitFollower? limits = null, Func<Toolpath, IProgress<double>?, IReadOnlyList<Diagnostic>?>? strands = null)
+        Toolpath toolpath, PrintSetup setup, CheckScope scope, IProgress<double>? progress, CancellationToken cancel)
     {
-        var (file, prints) = (findings(), findings());
-        IMoveCheck[] ofFile = [new HeatCheck(setup, scope, file), new FileCheck(toolpath, setup.Printer, scope, file)];
-        ofFile = Array.FindAll(ofFile, c => file.LooksFor(c.Codes));
-        var checking = OwnThread.Run(() =>
-        {
-            if (!prints.LooksFor(DepositCheck.AllCodes)) return [];
-            if (strands?.Invoke(toolpath, progress) is { } known) return known;
-            CheckRun.Run(toolpath, [new DepositCheck(setup, prints)], progress, cancel);
-            return prints.ToList();
-        });
-        IReadOnlyList<Diagnostic> ofLimits;
-        try
-        {
-            ofLimits = limits?.Finish(toolpath) ?? new LimitFollower(toolpath.Tools, setup, findings(), cancel).Finish(toolpath)!;
-            CheckRun.Run(toolpath, ofFile, null, cancel);
-        }
-        finally
-        {
-            OwnThread.Wait(checking);
-        }
-        progress?.Report(1);
-        return [.. ofLimits, .. file.ToList(), .. OwnThread.Join(checking)];
+        using var checks = new MoveChecks(setup, toolpath.Tools, () => new Findings(setup.Printer, toolpath), cancel);
+        return checks.Finish(toolpath, scope, progress);
     }
 
     /// <summary>The toolpath of a file with the filament of the material for the tools whose filament it does not state.</summary>

@@ -7,6 +7,7 @@ using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
+using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
@@ -24,8 +25,8 @@ public sealed class PrintPipeline : IDisposable
     private readonly CancellationTokenSource _stop;
     private readonly PrintSetup _setup;
     private readonly Task<Result<Plan>> _planning;
-    private readonly EarlyTiming? _timing;
-    private EarlyCheck? _early;
+    private MotionPlanner? _timing;
+    private PrintDraft? _draft;
 
     /// <param name="setup">The printer, material and settings.</param>
     /// <param name="options">Options of planning.</param>
@@ -36,7 +37,6 @@ public sealed class PrintPipeline : IDisposable
         _setup = setup;
         _cancel = cancel;
         _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
-        if (setup.Printer.ProgressLines) _timing = new EarlyTiming(setup);
         _planning = OwnThread.Run(() => Plan(setup, options));
     }
 
@@ -72,7 +72,11 @@ public sealed class PrintPipeline : IDisposable
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
         var plan = Finish().Value ?? throw new InvalidOperationException("There is no plan.");
-        return SafeWriter.Write(plan.Toolpath, _setup, stream, reason, isDraft, _early, _timing, progress, _cancel);
+        using var draft = _draft;
+        var begun = (draft, _timing);
+        // Good for one file: the next is timed and checked from the beginning.
+        (_draft, _timing) = (null, null);
+        return SafeWriter.Write(plan.Toolpath, _setup, stream, reason, isDraft, begun, progress, _cancel);
     }
 
     /// <summary>Stops what is not finished, and waits for that.</summary>
@@ -81,7 +85,7 @@ public sealed class PrintPipeline : IDisposable
         _stop.Cancel();
         _batches.CompleteAdding();
         OwnThread.Wait(_planning);
-        _early?.Dispose();
+        _draft?.Dispose();
         _batches.Dispose();
         _stop.Dispose();
     }
@@ -90,7 +94,7 @@ public sealed class PrintPipeline : IDisposable
     {
         try
         {
-            var run = Planner.Begin(setup, (options ?? new PlanOptions()) with { Follow = Follow }, _stop.Token);
+            var run = Planner.Begin(setup, options, Take, _stop.Token);
             foreach (var steps in _batches.GetConsumingEnumerable()) run.Add(steps, null);
             _stop.Token.ThrowIfCancellationRequested();
             return run.Finish();
@@ -101,10 +105,14 @@ public sealed class PrintPipeline : IDisposable
         }
     }
 
-    private void Follow(Toolpath soFar)
+    private void Take(Toolpath soFar)
     {
-        if (soFar.Blocks.Count == 1) _early = EarlyCheck.Begin(_setup, soFar.Tools, _cancel);
-        _early?.Take(soFar);
-        _timing?.Take(soFar, _stop.Token);
+        if (soFar.Blocks.Count == 1)
+        {
+            _draft = PrintDraft.Begin(soFar, _setup, _cancel);
+            if (_setup.Printer.ProgressLines) _timing = new MotionPlanner(soFar, _setup, timesOnly: true);
+        }
+        _draft?.Take(soFar);
+        _timing?.Take(soFar, null, _stop.Token);
     }
 }

@@ -15,15 +15,16 @@ internal static class ProgressLines
     /// The toolpath with a <see cref="ProgressEvent"/> wherever the percent or the minutes left change, and the seconds that it takes; unchanged and null
     /// where the printer wants none.
     /// </summary>
-    public static (Toolpath Toolpath, double? Seconds) Add(Toolpath toolpath, PrintSetup setup, EarlyTiming? early, CancellationToken cancel)
+    /// <param name="toolpath">What is printed.</param>
+    /// <param name="setup">The printer, material and settings.</param>
+    /// <param name="begun">Has timed the beginning; null for nobody.</param>
+    /// <param name="cancel">Cancels.</param>
+    public static (Toolpath Toolpath, double? Seconds) Add(Toolpath toolpath, PrintSetup setup, MotionPlanner? begun, CancellationToken cancel)
     {
         if (!setup.Printer.ProgressLines) return (toolpath, null);
-        if (early?.Finish(toolpath, cancel) is not { } motion)
-        {
-            var planner = new MotionPlanner(toolpath, setup, timesOnly: true);
-            planner.Take(toolpath, null, cancel);
-            motion = planner.End().Motion;
-        }
+        var planner = begun ?? new MotionPlanner(toolpath, setup, timesOnly: true);
+        planner.Take(toolpath, null, cancel);
+        var motion = planner.End().Motion;
         if (!(motion.TotalTime > 0)) return (toolpath, null);
         return (setup.Printer.Dialect.Progress == ProgressCommand.None ? toolpath : toolpath.WithEvents(Events(toolpath, motion)), motion.TotalTime);
     }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.GCode;
@@ -13,101 +14,141 @@ namespace Caterpillar.Checks;
 
 /// <summary>
 /// Writes a toolpath and at the same time reads what is written, as the firmware of the printer does: start and end code, templates and raw lines too. What
-/// was read is compared with the plan and checked.
+/// was read is compared with the plan and checked. The toolpath may still be growing: <see cref="Write"/> as often as there is more, then <see cref="End"/> and
+/// <see cref="Finish"/>.
 /// </summary>
-internal static class ReadBack
+internal sealed class ReadBack : IDisposable
 {
-    /// <summary>Number of bytes that are read at a time: small, so that checks begin soon and what is read stays in the cache.</summary>
-    internal const int ChunkSize = 64 * 1024;
+    private readonly PrintSetup _setup;
+    private readonly GCodeFormat _format;
+    private readonly CancellationToken _cancel;
+    private readonly BytePipe _pipe = new();
+    private readonly PipedStream _text;
+    private readonly GCodeWriter _writer;
+    private readonly Findings _compared;
+    private readonly PlanComparison? _comparison;
+    private readonly MoveChecks _checks;
+    private readonly Task<DecodedGCode> _reading;
+    private Toolpath _plan;
+    private WrittenPlaces? _places;
+    private int _written;
+    private int _read;
 
-    /// <summary>
-    /// Writes to a stream, if there is one, and returns what was found; with the number of lines and bytes. Nothing is read where all checks are off.
-    /// </summary>
-    /// <param name="plan">What is written.</param>
+    /// <param name="plan">What is written, as far as it is known.</param>
     /// <param name="setup">The printer, material and settings.</param>
     /// <param name="format">The format of the file.</param>
     /// <param name="stream">The file; null where it is checked only.</param>
-    /// <param name="early">Has checked the plan while it was made; null for nobody.</param>
-    /// <param name="progress">0 to 1.</param>
+    /// <param name="waiting">Number of blocks that wait to be checked, at most; the writer waits for them, too.</param>
     /// <param name="cancel">Cancels.</param>
-    public static (IReadOnlyList<Diagnostic> Findings, long Lines, long Bytes) Write(
-        Toolpath plan, PrintSetup setup, GCodeFormat format, Stream? stream, EarlyCheck? early, IProgress<double>? progress, CancellationToken cancel)
+    public ReadBack(Toolpath plan, PrintSetup setup, GCodeFormat format, Stream? stream, int waiting, CancellationToken cancel)
     {
-        var lines = new WrittenLines(plan.Count);
-        var writer = new GCodeWriter(plan, format) { Written = lines };
-        if (!new Findings(setup.Printer, plan).LooksFor([.. CheckCodes.All.Select(r => r.Code)]))
-        {
-            if (stream is not null) writer.WriteAll(stream, progress, cancel);
-            return ([], writer.Lines, writer.Bytes);
-        }
-        using var strands = early is null && DepositCheck.IsAsked(setup.Printer) ? new DepositFollower(plan.Tools, setup, int.MaxValue, cancel) : null;
-        strands?.Locate(plan, lines);
-        early?.End();
-        WrittenPlaces? places = null;
-        var compared = NewFindings();
-        RawModes.Run(plan, format, compared, index => places?.OfEvent(index));
-        var comparison = compared.LooksFor(PlanComparison.Codes) ? new PlanComparison(plan, format, lines, compared) : null;
-        var limits = new LimitFollower(plan.Tools, setup, NewFindings(), cancel);
-        var blocks = 0;
-        var file = Read(setup, writer, stream, Follow, progress.Part(0, 0.5), cancel);
-        comparison?.End(file.Toolpath, blocks);
-        var read = file.Toolpath.Tools.Count <= plan.Tools.Count ? file.Toolpath.WithTools(plan.Tools) : file.Toolpath;
-        places = new WrittenPlaces(plan, move => move < 0 || move >= read.Count ? null : read[move].Source, lines, setup.Printer);
-        var checks = PrintCheck.Run(read, setup, CheckScope.OfWritten(file, setup), NewFindings, progress.Part(0.5, 1), cancel, limits,
-            (toolpath, heard) => early is null ? strands?.Finish(toolpath, places, heard) : early.Finish(toolpath, places, heard));
-        return ([.. compared.ToList(), .. checks], writer.Lines, writer.Bytes);
+        (_plan, _setup, _format, _cancel) = (plan, setup, format, cancel);
+        Lines = new WrittenLines(Math.Max(plan.Count, 1));
+        _text = new PipedStream(stream, _pipe);
+        _writer = new GCodeWriter(plan, format) { Written = Lines };
+        _compared = NewFindings();
+        if (_compared.LooksFor(PlanComparison.Codes)) _comparison = new PlanComparison(plan, format, Lines, _compared);
+        _checks = new MoveChecks(setup, plan.Tools, NewFindings, cancel, waiting);
+        _reading = OwnThread.Run(Read);
+    }
 
-        Findings NewFindings() => new(setup.Printer, move => places?.Of(move), what => places?.Of(what));
+    /// <summary>The lines of the plan.</summary>
+    public WrittenLines Lines { get; }
 
-        void Follow(DecodedBlock block)
+    /// <summary>Number of lines and bytes that are written.</summary>
+    public (long Lines, long Bytes) Size => (_writer.Lines, _writer.Bytes);
+
+    /// <summary>True where anything is looked for: else nothing need be read.</summary>
+    public static bool IsAsked(PrintSetup setup)
+        => setup.OwnChecks.Count > 0 || new Findings(setup.Printer, _ => null, _ => null).LooksFor(CheckCodes.All.Select(r => r.Code));
+
+    /// <summary>The start code first, then the blocks of the plan that are not written yet.</summary>
+    public void Write(Toolpath plan, IProgress<double>? progress = null)
+    {
+        GoOn(plan, _format);
+        if (_written == 0) _writer.WriteStart(_text);
+        for (; _written < plan.Blocks.Count; _written++)
         {
-            strands?.Take(block);
-            comparison?.Take(block.Columns, block.Start);
-            limits.Take(block);
-            blocks++;
+            _cancel.ThrowIfCancellationRequested();
+            _writer.WriteBlock(_text, _written);
+            progress?.Report((_written + 1.0) / plan.Blocks.Count);
         }
     }
 
-    /// <summary>Writes, and reads at the same time what is written; <paramref name="follow"/> gets each block that has been read.</summary>
-    internal static DecodedGCode Read(
-        PrintSetup setup, GCodeWriter writer, Stream? stream, Action<DecodedBlock> follow, IProgress<double>? progress, CancellationToken cancel)
+    /// <summary>The end code, which may be known only now.</summary>
+    public void End(GCodeFormat format)
+    {
+        GoOn(_plan, format);
+        _writer.WriteEnd(_text);
+        _pipe.Complete();
+    }
+
+    /// <summary>What was found in the whole file, once it is written.</summary>
+    public IReadOnlyList<Diagnostic> Finish(IProgress<double>? progress)
+    {
+        var file = OwnThread.Join(_reading);
+        var modes = NewFindings();
+        RawModes.Run(_plan, _format, modes, index => _places?.OfEvent(index));
+        _comparison?.End(file.Toolpath, _read);
+        var read = file.Toolpath.Tools.Count <= _plan.Tools.Count ? file.Toolpath.WithTools(_plan.Tools) : file.Toolpath;
+        _places = new WrittenPlaces(_plan, move => move < 0 || move >= read.Count ? null : read[move].Source, Lines, _setup.Printer);
+        var checks = _checks.Finish(read, CheckScope.OfWritten(file, _setup), progress);
+        var compared = new DiagnosticList();
+        compared.AddRange(modes.ToList());
+        compared.AddRange(_compared.ToList());
+        return [.. compared.ToList(), .. checks];
+    }
+
+    /// <summary>Nothing more is read, and nobody waits for that.</summary>
+    public void Stop()
+    {
+        _pipe.Stop();
+        _checks.Stop();
+    }
+
+    /// <summary>Stops where it is not finished, and waits for that.</summary>
+    public void Dispose()
+    {
+        Stop();
+        _pipe.Complete();
+        OwnThread.Wait(_reading);
+        _checks.Dispose();
+        _text.Dispose();
+        _pipe.Dispose();
+    }
+
+    private void GoOn(Toolpath plan, GCodeFormat format)
+    {
+        _plan = plan;
+        _writer.GoOn(plan, format);
+        _comparison?.GoOn(plan);
+    }
+
+    private DecodedGCode Read()
     {
         var options = new DecodeOptions
         {
-            Follow = follow, ChunkSize = ChunkSize,
+            Dialect = _setup.Printer.Dialect, FilamentDiameter = _setup.Material.FilamentDiameter, Take = Take,
             // Another one writes.
             Threads = Math.Max(Environment.ProcessorCount - 1, 1),
         };
-        using var pipe = new BytePipe();
-        var reading = OwnThread.Run(() => Decode(pipe, setup, options, cancel));
         try
         {
-            using var both = new PipedStream(stream, pipe);
-            writer.WriteAll(both, progress, cancel);
+            return GCodeDecoder.DecodeStream(_pipe.Reader, options, "", null, _cancel).OrThrow();
         }
         finally
         {
-            pipe.Complete();
-            // Its own problem counts only where writing had none.
-            OwnThread.Wait(reading);
+            // What comes after a problem is not read, and nobody may wait for that.
+            _pipe.Stop();
         }
-        return OwnThread.Join(reading).OrThrow();
     }
 
-    /// <summary>Reads what comes through a pipe, as the firmware of the printer does; then nothing more is taken from it.</summary>
-    internal static Result<DecodedGCode> Decode(BytePipe pipe, PrintSetup setup, DecodeOptions options, CancellationToken cancel)
+    private void Take(DecodedBlock block)
     {
-        options = options with
-        {
-            Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter, BlockSize = ToolpathBlock.FollowedSize,
-        };
-        try
-        {
-            return GCodeDecoder.DecodeStream(pipe.Reader, options, "", null, cancel);
-        }
-        finally
-        {
-            pipe.Stop();
-        }
+        _comparison?.Take(block.Columns, block.Start);
+        _checks.Take(block);
+        _read++;
     }
+
+    private Findings NewFindings() => new(_setup.Printer, move => _places?.Of(move), what => _places?.Of(what));
 }

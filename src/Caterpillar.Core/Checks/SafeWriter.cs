@@ -1,11 +1,12 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Threading;
-using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
+using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
@@ -59,7 +60,7 @@ public static class SafeWriter
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     public static Result<WrittenGCode> Write(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
-        => Write(toolpath, setup, stream, reason, false, null, null, progress, cancel);
+        => Write(toolpath, setup, stream, reason, false, default, progress, cancel);
 
     /// <summary>
     /// Checks a toolpath while it is written to a stream, as text, in one pass: for temporary files. Where it is refused, what was written must be thrown
@@ -68,10 +69,10 @@ public static class SafeWriter
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     public static Result<WrittenGCode> WriteDraft(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
-        => Write(toolpath, setup, stream, reason, true, null, null, progress, cancel);
+        => Write(toolpath, setup, stream, reason, true, default, progress, cancel);
 
     internal static Result<WrittenGCode> Write(
-        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason, bool isDraft, EarlyCheck? early, EarlyTiming? timing,
+        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason, bool isDraft, (PrintDraft? Draft, MotionPlanner? Timing) begun,
         IProgress<double>? progress, CancellationToken cancel)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
@@ -85,12 +86,15 @@ public static class SafeWriter
         }
         var format = SetupFormat.Of(setup, toolpath);
         if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
-        var (timed, seconds) = ProgressLines.Add(toolpath, setup, timing, cancel);
+        var (timed, seconds) = ProgressLines.Add(toolpath, setup, begun.Timing, cancel);
         var plain = format.Value with { PrintTime = seconds };
         // With a reason what was found stands at the top of the file: it is written again, where something was.
         var isOverridden = WriteGuard.IsReason(reason);
         var direct = isDraft && (!isOverridden || stream.CanSeek);
-        var (findings, lines, bytes) = ReadBack.Write(timed, setup, plain, direct ? stream : null, early, progress.Part(0, direct ? 1 : 0.7), cancel);
+        var part = progress.Part(0, direct ? 1 : 0.7);
+        var (findings, lines, bytes) = begun.Draft is { } draft ? draft.Finish(toolpath, timed, plain, direct ? stream : null, part)
+            : WriteAndCheck(timed, setup, plain, direct ? stream : null, part, cancel);
+        findings ??= WriteAndCheck(timed, setup, plain, null, null, cancel).Findings!;
         var guard = new WriteGuard(findings, reason);
         if (guard.Refuses) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
         if (!direct || guard.Overridden > 0)
@@ -102,6 +106,21 @@ public static class SafeWriter
             (lines, bytes) = (writer.Lines, writer.Bytes);
         }
         return new Result<WrittenGCode>(new WrittenGCode(bytes, lines, guard.Overridden, seconds), guard.Remarks(format.Diagnostics));
+    }
+
+    private static (IReadOnlyList<Diagnostic>? Findings, long Lines, long Bytes) WriteAndCheck(
+        Toolpath toolpath, PrintSetup setup, GCodeFormat format, Stream? stream, IProgress<double>? progress, CancellationToken cancel)
+    {
+        if (!ReadBack.IsAsked(setup))
+        {
+            var writer = new GCodeWriter(toolpath, format);
+            if (stream is not null) writer.WriteAll(stream, progress, cancel);
+            return ([], writer.Lines, writer.Bytes);
+        }
+        using var back = new ReadBack(toolpath, setup, format, stream, int.MaxValue, cancel);
+        back.Write(toolpath, progress.Part(0, 0.5));
+        back.End(format);
+        return (back.Finish(progress.Part(0.5, 1)), back.Size.Lines, back.Size.Bytes);
     }
 
     /// <summary>Checks a toolpath and writes it as a document in memory.</summary>

@@ -231,6 +231,6 @@ internal sealed class StrandCheck
     }
 
     private void ReportDoubled(int move, int other)
-        => _findings.Add(CheckCodes.Doubled, move, () => "Strands are printed in the place of others"
+        => _findings.AddNaming(CheckCodes.Doubled, move, () => () => "Strands are printed in the place of others"
             + (other >= 0 && _findings.PlaceOf(other) is { } place ? $" ({place with { Origin = null, Step = null }})." : "."));
 }

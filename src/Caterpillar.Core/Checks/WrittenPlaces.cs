@@ -14,8 +14,8 @@ namespace Caterpillar.Checks;
 internal sealed class WrittenPlaces(Toolpath plan, Func<int, int?> lineOf, WrittenLines lines, Printer printer)
 {
     /// <summary>The place of a move of the plan by its line.</summary>
-    public static SourceLocation OfMove(Toolpath plan, int move, int line)
-        => new(Line: line, Step: plan[move].Source is >= 0 and var step ? step : null, Move: move, Origin: plan.PlaceOf(move));
+    public static SourceLocation OfMove(Toolpath plan, WrittenLines lines, int move, int line)
+        => new(Line: lines.InFile(line), Step: plan[move].Source is >= 0 and var step ? step : null, Move: move, Origin: plan.PlaceOf(move));
 
     /// <summary>The place of a move that was read from the file.</summary>
     public SourceLocation? Of(int move) => lineOf(move) is { } line ? OfLine(line) : null;
@@ -28,14 +28,14 @@ internal sealed class WrittenPlaces(Toolpath plan, Func<int, int?> lineOf, Writt
     {
         var source = plan.Events[index].Source;
         var line = lines.LineOf(index);
-        return new SourceLocation(Line: line > 0 ? line : null, Step: source >= 0 ? source : null, Origin: plan.PlaceOfStep(source));
+        return new SourceLocation(Line: line > 0 ? lines.InFile(line) : null, Step: source >= 0 ? source : null, Origin: plan.PlaceOfStep(source));
     }
 
     private SourceLocation OfLine(int line)
     {
-        if (lines.MoveAt(line) is >= 0 and var move) return OfMove(plan, move, line);
-        if (lines.EventAt(line) is >= 0 and var index) return OfEvent(index) with { Line = line };
+        if (lines.MoveAt(line) is >= 0 and var move) return OfMove(plan, lines, move, line);
+        if (lines.EventAt(line) is >= 0 and var index) return OfEvent(index) with { Line = lines.InFile(line) };
         var key = lines.IsStart(line) ? "start_template" : lines.IsEnd(line) ? "end_template" : "layer_template";
-        return new SourceLocation(Line: line, Origin: new SourceLocation(printer.Name, Key: key));
+        return new SourceLocation(Line: lines.InFile(line), Origin: new SourceLocation(printer.Name, Key: key));
     }
 }

@@ -22,6 +22,7 @@ internal sealed class LayerClock
         var run = -1;
         double? height = null;
         Vec3? at = null;
+        double SpeedOf(PrintPath path, int segment) => rules.SpeedOf(path, path.BeadOf(segment), path.Layer!.Index == 0);
         for (var i = 0; i < steps.Length; i++)
         {
             if (steps[i].Path is not { } path)
@@ -36,7 +37,7 @@ internal sealed class LayerClock
             if (_boxes[run].Equals(default(Bounds))) _boxes[run] = Bounds.Empty;
             _boxes[run] = _boxes[run].Include(path.Bounds);
             if (at is { } from) _times[run] += from.DistanceTo(path.Start) / rules.TravelSpeed;
-            for (var s = 0; s < path.SegmentCount; s++) _times[run] += path.LengthOf(s) / rules.SpeedOf(path, path.BeadOf(s), path.Layer!.Index == 0);
+            _times[run] += SlowDown.TimeOf(path, SpeedOf);
             at = path.End;
         }
     }

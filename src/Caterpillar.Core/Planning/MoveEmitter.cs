@@ -22,18 +22,18 @@ internal sealed class MoveEmitter
     private readonly Dictionary<Layer, int> _layers = [];
     private Layer? _layer;
     private int _layerIndex = -1;
-    private int _nextFollowed;
+    private int _nextTaken;
 
-    public MoveEmitter(PlanRules rules, PlanOptions options, PlanReport counts)
+    public MoveEmitter(PlanRules rules, PlanOptions options, Action<Toolpath>? take, PlanReport counts)
     {
         var start = options.Start;
         _rules = rules;
         _counts = counts;
         _tools = Array.ConvertAll(rules.Tools, t => new ToolpathTool(t.VolumePerE));
-        _builder = options.Follow is not { } follow ? new ToolpathBuilder(MoveSource.Steps, start) { Memory = options.Memory }
+        _builder = take is null ? new ToolpathBuilder(MoveSource.Steps, start) { Memory = options.Memory }
             : new ToolpathBuilder(MoveSource.Steps, start)
             {
-                Memory = options.Memory, BlockSize = ToolpathBlock.FollowedSize, Filled = () => GiveOn(follow),
+                Memory = options.Memory, BlockSize = ToolpathBlock.FollowedSize, Filled = () => GiveOn(take),
             };
         _retracted = new double[rules.Tools.Length];
         IsPlaced = start is not null;
@@ -164,11 +164,11 @@ internal sealed class MoveEmitter
     }
 
     // The longer it is the rarer: each time takes a copy of the lists of blocks, layers and events.
-    private void GiveOn(Action<Toolpath> follow)
+    private void GiveOn(Action<Toolpath> take)
     {
-        if (_builder.Count < _nextFollowed) return;
-        _nextFollowed = _builder.Count + _builder.Count / 16;
-        follow(_builder.SoFar(_tools));
+        if (_builder.Count < _nextTaken) return;
+        _nextTaken = _builder.Count + _builder.Count / 16;
+        take(_builder.SoFar(_tools));
     }
 
     private double Fill(double e)

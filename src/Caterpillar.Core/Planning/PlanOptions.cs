@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -31,9 +30,6 @@ public sealed record PlanOptions
 
     /// <summary>How much memory the moves may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
-
-    /// <summary>Gets the toolpath as far as it is planned, again and again; smaller blocks are made then. On the thread that plans.</summary>
-    internal Action<Toolpath>? Follow { get; init; }
 
     /// <summary>
     /// An object on the bed that is printed on: travels stay above it, and the first one rises before it goes there. Null for that of the setup.

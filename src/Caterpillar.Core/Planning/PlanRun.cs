@@ -29,12 +29,13 @@ internal sealed class PlanRun
     /// <param name="rules">The rules.</param>
     /// <param name="options">The options of the caller.</param>
     /// <param name="returns">Whether turtles may return to where they branched off.</param>
+    /// <param name="take">Takes the toolpath as far as it is planned, again and again; null for nobody.</param>
     /// <param name="cancel">Cancels.</param>
-    public PlanRun(PlanRules rules, PlanOptions options, bool returns, CancellationToken cancel)
+    public PlanRun(PlanRules rules, PlanOptions options, bool returns, Action<Toolpath>? take, CancellationToken cancel)
     {
         (_rules, _options, _cancel, _at) = (rules, options, cancel, options.Start);
         _sort = rules.AddsNothing ? new SortOptions(SortRule.None) : options.Sort;
-        _planner = new StepPlanner(rules, options, returns, _counts, _diagnostics);
+        _planner = new StepPlanner(rules, options, returns, take, _counts, _diagnostics);
     }
 
     /// <summary>Plans all steps at once.</summary>
@@ -42,7 +43,7 @@ internal sealed class PlanRun
     {
         var returns = false;
         foreach (var step in steps) returns |= step is TravelStep { Intent: TravelIntent.Return };
-        var run = new PlanRun(rules, options, returns, cancel);
+        var run = new PlanRun(rules, options, returns, null, cancel);
         run.Add(steps, progress);
         progress?.Report(1);
         return run.Finish();

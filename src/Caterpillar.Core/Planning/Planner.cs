@@ -49,10 +49,14 @@ public static class Planner
     }
 
     /// <summary>Planning of steps that come batch by batch, each a whole number of layers and from below, without travels of a turtle.</summary>
-    internal static PlanRun Begin(PrintSetup setup, PlanOptions? options, CancellationToken cancel)
+    /// <param name="setup">The printer, material and settings.</param>
+    /// <param name="options">Options of planning.</param>
+    /// <param name="take">Takes the toolpath as far as it is planned, again and again, on the thread that plans.</param>
+    /// <param name="cancel">Cancels.</param>
+    internal static PlanRun Begin(PrintSetup setup, PlanOptions? options, Action<Toolpath> take, CancellationToken cancel)
     {
         options = OptionsFor(setup, options);
-        return new PlanRun(Rules(setup, options.Policy), options, false, cancel);
+        return new PlanRun(Rules(setup, options.Policy), options, false, take, cancel);
     }
 
     private static PlanOptions OptionsFor(PrintSetup setup, PlanOptions? options)

@@ -22,33 +22,50 @@ internal readonly struct OrderedStep(Step step, PrintPath? path, int source)
 /// Sorts the paths of steps where their groups allow it: layers from below, in a layer the nearest island first, in an island the ranks from the lowest.
 /// Events, drawn travels and paths without a group stay where they are, and no path crosses them.
 /// </summary>
-internal static class StepOrder
+internal sealed class StepOrder
 {
-    public static OrderedStep[] Find(IReadOnlyList<Step> steps, SortOptions options, IProgress<double>? progress, CancellationToken cancel)
+    private readonly IReadOnlyList<Step> _steps;
+    private readonly SortOptions _options;
+    private readonly CancellationToken _cancel;
+
+    // The steps in order so far, and where the head is after them.
+    private OrderedStep[] _ordered;
+    private int _count;
+    private Vec3? _at;
+
+    // The numbers of the steps that are being sorted, by their groups.
+    private int[] _run = [];
+
+    private StepOrder(IReadOnlyList<Step> steps, SortOptions options, CancellationToken cancel)
     {
-        var ordered = new OrderedStep[steps.Count];
-        var count = 0;
-        var at = options.Start;
-        for (int first = 0, end; first < steps.Count; first = end)
-        {
-            end = first + 1;
-            if (options.Rule == SortRule.None || steps[first] is not PathStep { Group: not null })
-            {
-                if (steps[first] is TravelStep travel) at = travel.Points[travel.Points.Count - 1];
-                var path = (steps[first] as PathStep)?.Path;
-                if (path is not null) at = path.End;
-                ordered[count++] = new OrderedStep(steps[first], path, first);
-                continue;
-            }
-            while (end < steps.Count && steps[end] is PathStep { Group: not null }) end++;
-            at = SortRun(steps, first, end, ordered, ref count, at, options, cancel);
-            progress?.Report((double)end / steps.Count);
-        }
-        return ordered;
+        (_steps, _options, _cancel, _at) = (steps, options, cancel, options.Start);
+        _ordered = new OrderedStep[steps.Count];
     }
 
-    private static Vec3? SortRun(
-        IReadOnlyList<Step> steps, int first, int end, OrderedStep[] ordered, ref int count, Vec3? at, SortOptions options, CancellationToken cancel)
+    public static OrderedStep[] Find(IReadOnlyList<Step> steps, SortOptions options, IProgress<double>? progress, CancellationToken cancel)
+        => new StepOrder(steps, options, cancel).Find(progress);
+
+    private OrderedStep[] Find(IProgress<double>? progress)
+    {
+        for (int first = 0, end; first < _steps.Count; first = end)
+        {
+            end = first + 1;
+            if (_options.Rule == SortRule.None || _steps[first] is not PathStep { Group: not null })
+            {
+                if (_steps[first] is TravelStep travel) _at = travel.Points[travel.Points.Count - 1];
+                var path = (_steps[first] as PathStep)?.Path;
+                if (path is not null) _at = path.End;
+                _ordered[_count++] = new OrderedStep(_steps[first], path, first);
+                continue;
+            }
+            while (end < _steps.Count && _steps[end] is PathStep { Group: not null }) end++;
+            SortRun(first, end);
+            progress?.Report((double)end / _steps.Count);
+        }
+        return _ordered;
+    }
+
+    private void SortRun(int first, int end)
     {
         var run = new int[end - first];
         var groups = new StepGroup[run.Length];
@@ -56,10 +73,11 @@ internal static class StepOrder
         for (var i = 0; i < run.Length; i++)
         {
             run[i] = first + i;
-            groups[i] = ((PathStep)steps[first + i]).Group!.Value;
+            groups[i] = ((PathStep)_steps[first + i]).Group!.Value;
             isSorted &= i == 0 || Compare(groups[i - 1], groups[i]) <= 0;
         }
         if (!isSorted) Array.Sort(run, (a, b) => Compare(groups[a - first], groups[b - first]) is var c and not 0 ? c : a.CompareTo(b));
+        _run = run;
         for (int from = 0, to; from < run.Length; from = to)
         {
             to = from;
@@ -72,74 +90,66 @@ internal static class StepOrder
                 while (to < run.Length && groups[run[to] - first] is var g && g.Layer == layer && g.Island == island) to++;
                 islands.Add((begin, to));
             }
-            at = SortLayer(steps, run, islands, ordered, ref count, at, options, cancel);
+            SortLayer(islands);
         }
-        return at;
     }
 
-    private static Vec3? SortLayer(
-        IReadOnlyList<Step> steps, int[] run, List<(int From, int To)> islands, OrderedStep[] ordered, ref int count, Vec3? at, SortOptions options,
-        CancellationToken cancel)
+    private void SortLayer(List<(int From, int To)> islands)
     {
         // An island starts with its group of the lowest rank: the nearest of those entries decides which island comes next.
-        var choose = islands.Count > 1 && options.Rule != SortRule.Orient ? Entries(steps, run, islands, options) : null;
-        var order = new int[islands.Count];
-        var starts = new int[islands.Count + 1];
-        var (to, leads) = (at, 0);
+        var choose = islands.Count > 1 && _options.Rule != SortRule.Orient ? Entries(islands) : null;
+        var sorted = new (int From, int To)[islands.Count];
+        var starts = new int[islands.Count];
+        var (at, leads) = (_at, 0);
         for (var n = 0; n < islands.Count; n++)
         {
             // Islands below zero (a skirt) come first, in their order.
-            var isLead = ((PathStep)steps[run[islands[n].From]]).Group!.Value.Island < 0;
+            var isLead = ((PathStep)_steps[_run[islands[n].From]]).Group!.Value.Island < 0;
             if (isLead) leads++;
-            order[n] = isLead || choose is null || to is null ? n : choose.OwnerOf(choose.Nearest(to.Value));
-            choose?.Remove(order[n]);
-            starts[n] = count;
-            to = SortIsland(steps, run, islands[order[n]], ordered, ref count, to, options, cancel);
+            var next = isLead || choose is null || _at is null ? n : choose.OwnerOf(choose.Nearest(_at.Value));
+            choose?.Remove(next);
+            sorted[n] = islands[next];
+            starts[n] = _count;
+            SortIsland(sorted[n]);
         }
-        starts[islands.Count] = count;
-        if (options.Rule != SortRule.Tour || islands.Count - leads < 3 || options.Passes < 1) return to;
-        return Exchange(steps, run, islands, order, starts, leads, ordered, at, options, cancel) ?? to;
+        if (_options.Rule == SortRule.Tour && islands.Count - leads >= 3 && _options.Passes >= 1) Exchange(sorted, starts, leads, at);
     }
 
-    private static Vec3? SortIsland(
-        IReadOnlyList<Step> steps, int[] run, (int From, int To) island, OrderedStep[] ordered, ref int count, Vec3? at, SortOptions options,
-        CancellationToken cancel)
+    private void SortIsland((int From, int To) island)
     {
         for (int from = island.From, to; from < island.To; from = to)
         {
-            var rank = Rank(steps[run[from]]);
+            var rank = Rank(_steps[_run[from]]);
             to = from + 1;
-            while (to < island.To && Rank(steps[run[to]]) == rank) to++;
-            at = SortGroup(steps, run, from, to, ordered, ref count, at, options, cancel);
+            while (to < island.To && Rank(_steps[_run[to]]) == rank) to++;
+            SortGroup(from, to);
         }
-        return at;
     }
 
     // The order of the islands improved by exchanges, each taken as a line from its entry to its exit; kept where the travel is shorter in the end.
-    private static Vec3? Exchange(
-        IReadOnlyList<Step> steps, int[] run, List<(int From, int To)> islands, int[] order, int[] starts, int leads, OrderedStep[] ordered,
-        Vec3? at, SortOptions options, CancellationToken cancel)
+    private void Exchange((int From, int To)[] islands, int[] starts, int leads, Vec3? at)
     {
-        var items = new SortItem[islands.Count - leads];
+        var items = new SortItem[islands.Length - leads];
         for (var i = 0; i < items.Length; i++)
         {
-            var (a, b) = (ordered[starts[leads + i]].Path!, ordered[starts[leads + i + 1] - 1].Path!);
+            var end = leads + i + 1 < starts.Length ? starts[leads + i + 1] : _count;
             // One that ends where it began may be passed in either direction.
-            items[i] = new SortItem(a, false, false, b);
+            items[i] = new SortItem(_ordered[starts[leads + i]].Path!, false, false, _ordered[end - 1].Path!);
         }
-        var start = leads == 0 ? at : ordered[starts[leads] - 1].Path!.End;
-        var places = TourImprover.Improve(items, NearestOrder.AsGiven(items.Length), start, options.Passes, cancel);
+        var start = leads == 0 ? at : _ordered[starts[leads] - 1].Path!.End;
+        var places = TourImprover.Improve(items, NearestOrder.AsGiven(items.Length), start, _options.Passes, _cancel);
         var same = true;
         for (var i = 0; i < places.Length; i++) same &= places[i].Index == i;
-        if (same) return null;
+        if (same) return;
         var from = starts[leads];
-        var better = new OrderedStep[starts[islands.Count] - from];
-        var count = 0;
-        var to = start;
-        foreach (var place in places) to = SortIsland(steps, run, islands[order[leads + place.Index]], better, ref count, to, options, cancel);
-        if (!(Travel(better, 0, count, start) < Travel(ordered, from, starts[islands.Count], start))) return null;
-        Array.Copy(better, 0, ordered, from, count);
-        return to;
+        var (ordered, count, exit) = (_ordered, _count, _at);
+        (_ordered, _count, _at) = (new OrderedStep[count - from], 0, start);
+        foreach (var place in places) SortIsland(islands[leads + place.Index]);
+        var (better, other) = (_ordered, _at);
+        (_ordered, _count, _at) = (ordered, count, exit);
+        if (!(Travel(better, 0, better.Length, start) < Travel(ordered, from, count, start))) return;
+        Array.Copy(better, 0, ordered, from, better.Length);
+        _at = other;
     }
 
     private static double Travel(OrderedStep[] ordered, int from, int end, Vec3? at)
@@ -154,59 +164,65 @@ internal static class StepOrder
         return sum;
     }
 
-    private static Vec3? SortGroup(
-        IReadOnlyList<Step> steps, int[] run, int from, int to, OrderedStep[] ordered, ref int count, Vec3? at, SortOptions options, CancellationToken cancel)
+    private void SortGroup(int from, int to)
     {
         // Paths that stay together are one item; heads are where they begin.
         var heads = new List<int>();
         for (var i = from; i < to; i++)
         {
-            if (i == from || !((PathStep)steps[run[i]]).Joined) heads.Add(i);
+            if (i == from || !PathAt(i).Joined) heads.Add(i);
         }
         heads.Add(to);
         var items = new SortItem[heads.Count - 1];
         for (var i = 0; i < items.Length; i++)
         {
             var last = heads[i + 1] - 1;
-            items[i] = Item((PathStep)steps[run[heads[i]]], options, last > heads[i] ? ((PathStep)steps[run[last]]).Path : null);
+            items[i] = Item(heads[i], last > heads[i] ? PathAt(last).Path : null);
         }
-        foreach (var place in PathSorter.Find(items, options with { Start = at }, cancel))
+        foreach (var place in PathSorter.Find(items, _options with { Start = _at }, _cancel))
         {
             var head = heads[place.Index];
-            ordered[count++] = new OrderedStep(steps[run[head]], items[place.Index].Placed(place), run[head]);
-            at = ordered[count - 1].Path!.End;
+            Add(head, items[place.Index].Placed(place));
             for (var i = head + 1; i < heads[place.Index + 1]; i++)
             {
-                var item = Item((PathStep)steps[run[i]], options);
-                var path = item.Placed(item.NearestEntry(0, at.Value));
-                ordered[count++] = new OrderedStep(steps[run[i]], path, run[i]);
-                at = path.End;
+                var item = Item(i);
+                Add(i, item.Placed(item.NearestEntry(0, _at!.Value)));
             }
         }
-        return at;
     }
 
-    private static IslandEntries Entries(IReadOnlyList<Step> steps, int[] run, List<(int From, int To)> islands, SortOptions options)
+    private void Add(int place, PrintPath path)
+    {
+        _ordered[_count++] = new OrderedStep(_steps[_run[place]], path, _run[place]);
+        _at = path.End;
+    }
+
+    private IslandEntries Entries(List<(int From, int To)> islands)
     {
         var items = new List<SortItem>();
         var owners = new List<int>();
         for (var island = 0; island < islands.Count; island++)
         {
             var (from, to) = islands[island];
-            var rank = Rank(steps[run[from]]);
-            for (var i = from; i < to && Rank(steps[run[i]]) == rank; i++)
+            var rank = Rank(_steps[_run[from]]);
+            for (var i = from; i < to && Rank(_steps[_run[i]]) == rank; i++)
             {
                 // One whose first path was taken out is the first itself.
-                if (i > from && ((PathStep)steps[run[i]]).Joined) continue;
-                items.Add(Item((PathStep)steps[run[i]], options));
+                if (i > from && PathAt(i).Joined) continue;
+                items.Add(Item(i));
                 owners.Add(island);
             }
         }
         return new IslandEntries(items.ToArray(), owners.ToArray(), islands.Count);
     }
 
-    private static SortItem Item(PathStep step, SortOptions options, PrintPath? tail = null)
-        => new(step.Path, options.Reverse && !step.KeepStart, options.Rotate && !step.KeepStart, tail);
+    private SortItem Item(int place, PrintPath? tail = null)
+    {
+        var step = PathAt(place);
+        return new SortItem(step.Path, _options.Reverse && !step.KeepStart, _options.Rotate && !step.KeepStart, tail);
+    }
+
+    private PathStep PathAt(int place) => (PathStep)_steps[_run[place]];
 
     private static int Rank(Step step) => ((PathStep)step).Group!.Value.Rank;
 

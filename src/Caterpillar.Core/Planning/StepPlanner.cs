@@ -33,12 +33,13 @@ internal sealed class StepPlanner
     // True after retraction for a drawn travel, until something is printed.
     private bool _prepared;
 
-    public StepPlanner(PlanRules rules, PlanOptions options, bool returns, PlanReport counts, DiagnosticList diagnostics)
+    public StepPlanner(
+        PlanRules rules, PlanOptions options, bool returns, Action<Toolpath>? take, PlanReport counts, DiagnosticList diagnostics)
     {
         _rules = rules;
         _diagnostics = diagnostics;
         _counts = counts;
-        _emitter = new MoveEmitter(rules, options, counts);
+        _emitter = new MoveEmitter(rules, options, take, counts);
         returns &= !rules.AddsNothing;
         if (returns) _returnPath = new ReturnPath();
         if (returns || (rules.Lift == LiftRule.Corridor && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);

@@ -9,7 +9,7 @@ internal abstract class LookAhead
     /// Sets start, peak and end of the first segments of a run and says how many are final: all where the run ends here, else those whose speeds nothing
     /// that follows can change.
     /// </summary>
-    public abstract int Plan(Segment[] run, int count, bool ends);
+    public abstract int Plan(MotionSegment[] run, int count, bool ends);
 }
 
 /// <summary>
@@ -29,7 +29,7 @@ internal sealed class QueueLookAhead(int queue) : LookAhead
     private double[] _caps = [];
     private double[] _rises = [];
 
-    public override int Plan(Segment[] run, int count, bool ends)
+    public override int Plan(MotionSegment[] run, int count, bool ends)
     {
         if (!ends && count - _window < LeastStretch) return 0;
         if (_window >= count) WholeQueue(run, count);
@@ -50,7 +50,7 @@ internal sealed class QueueLookAhead(int queue) : LookAhead
     }
 
     // Start2 becomes the highest speed from which the rest of the run can be braked.
-    private static void WholeQueue(Segment[] run, int count)
+    private static void WholeQueue(MotionSegment[] run, int count)
     {
         var next = run[count - 1].Rest2;
         for (var i = count - 1; i >= 0; i--)
@@ -61,7 +61,7 @@ internal sealed class QueueLookAhead(int queue) : LookAhead
         }
     }
 
-    private void Windows(Segment[] run, int count, bool ends)
+    private void Windows(MotionSegment[] run, int count, bool ends)
     {
         if (_caps.Length == 0) (_caps, _rises) = (new double[_window], new double[_window]);
         for (var from = 0; from < count; from += _window)
@@ -113,7 +113,7 @@ internal sealed class CruiseLookAhead : LookAhead
     private int _entered;
     private double _reach, _slowReach, _before;
 
-    public override int Plan(Segment[] run, int count, bool ends)
+    public override int Plan(MotionSegment[] run, int count, bool ends)
     {
         Enter(run, count);
         var done = ends ? count : FinalCount(run, count);
@@ -126,7 +126,7 @@ internal sealed class CruiseLookAhead : LookAhead
         return done;
     }
 
-    private void Enter(Segment[] run, int count)
+    private void Enter(MotionSegment[] run, int count)
     {
         for (; _entered < count; _entered++)
         {
@@ -139,7 +139,7 @@ internal sealed class CruiseLookAhead : LookAhead
     }
 
     // Segments that nothing changes any more, also if the run could go on at any speed.
-    private int FinalCount(Segment[] run, int count)
+    private int FinalCount(MotionSegment[] run, int count)
     {
         if (count < _tryAt) return 0;
         double next = 0, slowNext = 0;
@@ -161,10 +161,10 @@ internal sealed class CruiseLookAhead : LookAhead
         return 0;
     }
 
-    private static bool HasTop(in Segment s, double slowNext) => s.Slow2 < slowNext + s.SlowGain && s.Slow2 + s.SlowGain > slowNext;
+    private static bool HasTop(in MotionSegment s, double slowNext) => s.Slow2 < slowNext + s.SlowGain && s.Slow2 + s.SlowGain > slowNext;
 
     // From the last to the first; the peak of segments in which the slower profile only falls stays open (NaN): it is that of the segment before.
-    private static void Brake(Segment[] run, int count, double next, double slowNext)
+    private static void Brake(MotionSegment[] run, int count, double next, double slowNext)
     {
         var highest = double.NaN;
         var open = 0;
@@ -191,7 +191,7 @@ internal sealed class CruiseLookAhead : LookAhead
         }
     }
 
-    private void Cruise(Segment[] run, int count)
+    private void Cruise(MotionSegment[] run, int count)
     {
         for (var i = 0; i < count; i++)
         {

@@ -25,7 +25,7 @@ internal sealed class MotionPlanner
     private readonly MotionColumns _out;
     private readonly double[] _filamentPerE;
 
-    private Segment[] _run = new Segment[1024];
+    private MotionSegment[] _run = new MotionSegment[1024];
     private int _count;
 
     // The last move that was added to the run.
@@ -204,7 +204,7 @@ internal sealed class MotionPlanner
         _rules.Limit(ref move);
         if (_count == _run.Length) Array.Resize(ref _run, 2 * _count);
         ref var s = ref _run[_count];
-        s = new Segment { Length = length, Acceleration = move.Acceleration, Speed2 = move.Speed * move.Speed };
+        s = new MotionSegment { Length = length, Acceleration = move.Acceleration, Speed2 = move.Speed * move.Speed };
         s.Rest2 = move.Rest * move.Rest;
         s.SlowGain = _rules.SlowGain(move);
         s.Entry2 = _before.Length > 0 ? _rules.Corner2(_before, move) : s.Rest2;

@@ -116,11 +116,11 @@ public sealed class Timeline
     /// <summary>The state when the first move of a line (or step) begins, or of the next one that moves; null after the last.</summary>
     public MachineState? AtSource(int source) => MoveAtSource(source) is >= 0 and var move && move < Toolpath.Count ? AtMove(move) : null;
 
-    /// <summary>The state when a layer of the toolpath begins; null where no move is in it.</summary>
+    /// <summary>The state when a layer of the toolpath begins; null where no move is in it, or where there is no such layer.</summary>
     /// <param name="layer">Index into the layers of the toolpath.</param>
     public MachineState? AtLayer(int layer)
     {
-        if (layer < 0 || layer >= Toolpath.Layers.Count) throw new ArgumentOutOfRangeException(nameof(layer));
+        if (layer < 0 || layer >= Toolpath.Layers.Count) return null;
         var move = _path.StartOfLayer(layer);
         return move < Toolpath.Count ? AtMove(move) : null;
     }

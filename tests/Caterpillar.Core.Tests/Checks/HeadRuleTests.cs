@@ -197,20 +197,4 @@ public class HeadRuleTests
     }
 
     // A box that reaches 60 mm to one side: what is high there comes later, whichever side that is.
-    [TestCase(1, 0)]
-    [TestCase(-1, 0)]
-    [TestCase(0, 1)]
-    [TestCase(0, -1)]
-    public void An_order_looks_at_each_side_of_the_head(int x, int y)
-    {
-        var box = new Bounds(new Vec3(Math.Min(60 * x, -5), Math.Min(60 * y, -5), 2), new Vec3(Math.Max(60 * x, 5), Math.Max(60 * y, 5), 20));
-        var setup = SmallPrint.Setup(p => p with { HeadOutline = new(new HeadPoint(0.5, 0)), HeadBoxes = new(box) });
-        PrintPath Line(double dx, double dy, double z) => new([new Vec3(100 + dx, 100 + dy, z), new Vec3(102 + dx, 100 + dy, z)], new Bead(0.08, 0.2));
-        foreach (var (far, turned) in new[] { (55, true), (70, false) })
-        {
-            var paths = new[] { Line(far * x, far * y, 10), Line(0, 0, 1) };
-            var order = CollisionFreeOrder.Find(paths, setup).OrThrow().OfType<PathStep>().Select(s => s.Path.Start.Z);
-            Assert.That(order, Is.EqualTo(turned ? new[] { 1.0, 10 } : new[] { 10.0, 1 }), $"{far}");
-        }
-    }
 }

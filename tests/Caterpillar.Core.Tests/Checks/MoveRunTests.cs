@@ -138,48 +138,6 @@ public class MoveRunTests
         Assert.That(PrintableNumbers.Check(builder.Build([new ToolpathTool(1)]))!.Source!.Move, Is.EqualTo(69_000));
     }
 
-    [Test]
-    public void A_digest_tells_every_change_of_an_arc_and_of_what_homes()
-    {
-        var print = new SmallPrint(50, 50, 1).Print(60, 50, 1).Arc(70, 60, 1, new Vec3(60, 60, 1), 90, SmallPrint.Area).Print(80, 50, 1);
-        var block = CheckRun.BlocksOf(print.Build(), 0).Single();
-        DecodedBlock With(int move, Arc arc)
-        {
-            var columns = block.Columns.Copy(block.Columns.Count);
-            (columns.ArcMoves, columns.Arcs) = ([move], [arc]);
-            return block with { Columns = columns };
-        }
-
-        var center = new Vec3(60, 60, 1);
-        DecodedBlock[] all =
-        [
-            block, With(2, new Arc(center, 90)), With(1, new Arc(center, -90)), With(1, new Arc(center + Vec3.UnitX, 90)),
-            With(1, new Arc(center + Vec3.UnitY, 90)), With(1, new Arc(center + Vec3.UnitZ, 90)), With(1, new Arc(center, 90, ArcPlane.ZX)),
-            block with { Events = [new MoveEvent(1, new HomeEvent(true, false, false))] },
-            block with { Events = [new MoveEvent(2, new HomeEvent(true, false, false))] },
-            block with { Events = [new MoveEvent(1, new HomeEvent(false, true, false))] }, block with { Start = null }, block with { Start = Vec3.Zero },
-        ];
-        Assert.That(MoveDigest.Of(With(1, new Arc(center, 90))), Is.EqualTo(MoveDigest.Of(block)));
-        Assert.That(all.Select(MoveDigest.Of), Is.Unique);
-    }
-
-    // A block may end after the travels to a layer, before its first strand says how thick it is.
-    [Test]
-    public void A_digest_tells_the_thickness_of_strands_and_of_nothing_else()
-    {
-        var block = CheckRun.BlocksOf(new SmallPrint(50, 50, 1).Print(60, 50, 1).Print(80, 50, 1).Build(), 0).Single();
-        ulong Of(double[] deposited, double thickness)
-        {
-            var columns = block.Columns.Copy(block.Columns.Count);
-            deposited.CopyTo(columns.Deposited, 0);
-            return MoveDigest.Of(block with { Columns = columns, Layers = new int[columns.Count], Thicknesses = [thickness] });
-        }
-
-        var count = block.Columns.Count;
-        Assert.That(Of(new double[count], 0), Is.EqualTo(Of(new double[count], 0.2)));
-        Assert.That(Of([.. new double[count - 1], 1], 0.1), Is.Not.EqualTo(Of([.. new double[count - 1], 1], 0.2)));
-    }
-
     private static (string Code, int? Move)[] Compared(Toolpath plan, WrittenLines lines, ToolpathColumns read)
     {
         var findings = new Findings(Setup.Printer, plan);

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using System.Text;
 using System.Threading;
 using System.Threading.Tasks;
 using Caterpillar.Basics;
@@ -11,7 +12,6 @@ using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
-using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
@@ -77,110 +77,71 @@ public sealed class PrintPipelineTests
     }
 
     [Test]
-    public void What_was_found_early_holds_for_the_same_moves_only()
+    public void What_was_found_in_a_draft_holds_for_the_same_text_only()
     {
-        var (soFar, plan) = Followed(Plain);
+        var (soFar, plan) = Taken(Plain);
         Assert.That(soFar.Count, Is.GreaterThan(1));
         Assert.That(soFar[1].Blocks[0].Columns, Is.SameAs(plan.Blocks[0].Columns));
-        var (file, lines, _) = SmallPrint.Written(plan, Plain);
-        var read = InSmallBlocks(plan, Plain).WithTools(plan.Tools);
-        var places = new WrittenPlaces(plan, move => move < 0 || move >= read.Count ? null : read[move].Source, lines, Plain.Printer);
-        var expected = PrintCheck.Run(file.Toolpath.WithTools(plan.Tools), Plain).Where(d => d.Code == CheckCodes.Unsupported)
-            .Select(d => (d.Message, d.Count));
-
-        IReadOnlyList<Diagnostic>? Early(Toolpath written)
+        var format = SetupFormat.Of(Plain, plan).Value!;
+        IReadOnlyList<Diagnostic>? Found(Toolpath written, GCodeFormat format)
         {
-            using var early = EarlyCheck.Begin(Plain, plan.Tools, default)!;
-            foreach (var part in soFar) early.Take(part);
-            Assert.That(SpinWait.SpinUntil(() => early.Blocks >= 3, 10_000));
-            return early.Finish(written, places, null);
+            using var draft = PrintDraft.Begin(soFar[0], Plain, default)!;
+            foreach (var part in soFar) draft.Take(part);
+            return draft.Finish(plan, written, format, null, null).Findings;
         }
 
-        var found = Early(read)!;
-        Assert.That(found.Where(d => d.Code == CheckCodes.Unsupported).Select(d => (d.Message, d.Count)), Is.EqualTo(expected));
-        Assert.That(found.All(d => d.Source is null || d.Source.Line > 0));
-        var changed = read.Blocks[0].Columns.Copy(read.Blocks[0].Count);
+        Assert.That(Found(plan, format)!.Select(d => d.Code), Does.Contain(CheckCodes.Unsupported));
+        Assert.That(Found(plan, format with { PrintTime = 60 }), Is.Not.Null);
+        Assert.That(Found(plan.Insert(100, new ProgressEvent(3, 20)), format), Is.Not.Null);
+        Assert.That(Found(plan, format with { Header = ["another"] }), Is.Null);
+        var changed = plan.Blocks[0].Columns.Copy(plan.Blocks[0].Count);
         changed.X[100] += 0.001;
-        Assert.That(Early(read.WithBlocks([new ToolpathBlock(changed), .. read.Blocks.Skip(1)])), Is.Null);
-        Assert.That(Early(read.WithTools([new ToolpathTool(1)])), Is.Null);
+        Assert.That(Found(plan.WithBlocks([new ToolpathBlock(changed), .. plan.Blocks.Skip(1)]), format), Is.Null);
     }
 
     [Test]
-    public void Times_hold_for_the_same_moves_only()
+    public void Findings_name_the_lines_of_the_file_and_not_those_of_the_draft()
     {
-        var (soFar, plan) = Followed(Plain);
-        var expected = MotionPlanner.Plan(plan, Plain, null, default).Motion;
-        MotionColumns? Timed(Toolpath whole)
-        {
-            var early = new EarlyTiming(Plain);
-            foreach (var part in soFar) early.Take(part, default);
-            return early.Finish(whole, default);
-        }
-
-        Assert.That(soFar.Count, Is.GreaterThan(2));
-        var timed = Timed(plan)!;
-        Assert.That(timed.TotalTime, Is.EqualTo(expected.TotalTime));
-        Assert.That(Enumerable.Range(0, plan.Count).All(i => timed.StartTime(timed.First[i]) == expected.StartTime(expected.First[i])));
-        Assert.That(Timed(plan.Insert(plan.Count, new DwellEvent(3)))!.TotalTime, Is.EqualTo(expected.TotalTime + 3).Within(1e-9));
-        Assert.That(Timed(plan.Insert(100, new DwellEvent(3))), Is.Null);
-        Assert.That(Timed(plan.WithEvents([])), plan.Events.Count == 0 ? Is.Not.Null : Is.Null);
-        Assert.That(Timed(plan.WithTools([new ToolpathTool(1)])), Is.Null);
-        var changed = plan.Blocks[1].Columns.Copy(plan.Blocks[1].Count);
-        Assert.That(Timed(plan.WithBlocks([plan.Blocks[0], new ToolpathBlock(changed), .. plan.Blocks.Skip(2)])), Is.Null);
-        var first = plan.Blocks[0].Columns.Copy(plan.Blocks[0].Count);
-        Assert.That(Timed(plan.WithBlocks([new ToolpathBlock(first), .. plan.Blocks.Skip(1)])), Is.Null);
-        var waits = new EarlyTiming(Plain);
-        waits.Take(plan.Insert(100, new DwellEvent(3)), default);
-        Assert.That(waits.Finish(plan.Insert(100, new DwellEvent(4)), default), Is.Null, "another wait");
-        Assert.That(Timed(plan.WithTools([.. plan.Tools, plan.Tools[0]])), Is.Null);
-        Assert.That(Timed(plan.With(new Vec3(1, 2, 3), plan.Layers)), Is.Null);
-        Assert.That(new EarlyTiming(Plain).Finish(plan, default), Is.Null);
-        var all = new EarlyTiming(Plain);
-        all.Take(plan, default);
-        Assert.That(all.Finish(soFar[0], default), Is.Null, "less than was planned");
-        Assert.That(all.Finish(plan, default)!.TotalTime, Is.EqualTo(expected.TotalTime), "all was planned");
-        Assert.That(all.Finish(plan, default), Is.Null, "once");
-        var wait = new EarlyTiming(Plain);
-        wait.Take(plan, default);
-        var waited = wait.Finish(plan.Insert(plan.Count, new DwellEvent(3)), default)!.TotalTime;
-        Assert.That(waited, Is.EqualTo(expected.TotalTime + 3).Within(1e-9), "a wait after all");
-        var more = new EarlyTiming(Plain);
-        more.Take(plan.Insert(plan.Count, new DwellEvent(3)), default);
-        Assert.That(more.Finish(plan, default)!.TotalTime, Is.EqualTo(expected.TotalTime), "what may still be put off");
+        var (soFar, plan) = Taken(Plain);
+        var timed = plan.Insert(0, new ProgressEvent(0, 9)).Insert(7000, new ProgressEvent(50, 5)).Insert(7000, new FanEvent(1));
+        plan = plan.Insert(7000, new FanEvent(1));
+        var format = SetupFormat.Of(Plain, plan).Value! with { PrintTime = 60 };
+        using var draft = PrintDraft.Begin(soFar[0], Plain, default)!;
+        using var stream = new MemoryStream();
+        var found = draft.Finish(plan, timed, format, stream, null);
+        var whole = new WrittenLines(plan.Count);
+        new GCodeWriter(timed, format) { Written = whole }.WriteAll(Stream.Null);
+        var at = found.Findings!.Single(d => d.Code == CheckCodes.Unsupported).Source!;
+        Assert.That(at.Line, Is.EqualTo(whole.OfMove(at.Move!.Value).First));
+        Assert.That(found.Lines, Is.EqualTo(Encoding.UTF8.GetString(stream.ToArray()).Count(c => c == '\n')));
     }
 
-    [Test]
-    public void A_digest_tells_every_change_of_a_move()
+    [TestCase("G1 X1 Y2\nG1 X3\n", "G1 X1 Y2\nG1 X4\n", false)]
+    [TestCase("G1 X1 Y2\nG1 X3\n", "G1 X3\nG1 X1 Y2\n", false)]
+    [TestCase("G1 X1 Y2\nG1 X3\n", "G1 X1 Y2\n", false)]
+    [TestCase("G1 X12345678\n", "G1 X12345679\n", false)]
+    [TestCase("G1 X1\n", "G1 X1\nM73 P5 R3\n", true)]
+    [TestCase("G1 X1\n", ";TIME:731\nG1 X1\n", true)]
+    [TestCase("G1 X1\n", "; TIME\nG1 X1\n", false)]
+    [TestCase("G1 X1\n", "M730 P5\nG1 X1\n", false)]
+    public void A_digest_tells_every_change_of_a_line_but_time_and_progress(string text, string other, bool same)
     {
-        var block = CheckRun.BlocksOf(Followed(Plain).Plan, 0).First();
-        var before = MoveDigest.Of(block);
-        ulong After(Action<ToolpathColumns> change)
+        static ulong Digest(params string[] parts)
         {
-            var columns = block.Columns.Copy(block.Columns.Count);
-            change(columns);
-            return MoveDigest.Of(block with { Columns = columns });
+            using var digest = new TextDigest(null);
+            foreach (var part in parts) digest.Write(Encoding.ASCII.GetBytes(part), 0, part.Length);
+            return digest.Sum;
         }
 
-        Assert.That(After(_ => { }), Is.EqualTo(before));
-        Action<ToolpathColumns>[] changes =
-        [
-            c => c.X[0]++, c => c.X[7] = BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(c.X[7]) + 1), c => c.Y[7] = -c.Y[7],
-            c => c.Z[7]++, c => c.E[7] = 1e-5, c => c.Deposited[7] = 1e-5, c => c.Speed[7]++,
-            c => c.Kind[7] = MoveKind.Wipe, c => c.Role[7] = Role.Skirt, c => c.Tool[7] = 1, c => c.Count--,
-            c => (c.Y[7], c.Y[11]) = (c.Y[11], c.Y[7]), c => (c.ArcMoves, c.Arcs) = ([7], [new Arc(Vec3.Zero, 90)]),
-        ];
-        var after = changes.Select(After).ToArray();
-        Assert.That(after, Has.None.EqualTo(before));
-        Assert.That(after, Is.Unique);
-        Assert.That(MoveDigest.Of(block with { Thicknesses = [.. block.Thicknesses!.Select(t => t + 0.1)] }), Is.Not.EqualTo(before));
-        Assert.That(MoveDigest.Of(block with { Events = [new MoveEvent(3, new HomeEvent())] }), Is.Not.EqualTo(before));
-        Assert.That(MoveDigest.Of(block with { Start = new Vec3(1, 2, 3) }), Is.Not.EqualTo(before));
+        Assert.That(Digest(other) == Digest(text), Is.EqualTo(same));
+        Assert.That(Digest(text.Split('\n').SkipLast(1).Select(l => l + "\n").ToArray()), Is.EqualTo(Digest(text)));
     }
 
     [Test]
     public void A_template_that_measures_the_print_has_no_draft()
     {
-        EarlyCheck? Begin(Func<Printer, Printer> change) => EarlyCheck.Begin(SmallPrint.Setup(change), [new ToolpathTool(1)], default);
+        var print = new SmallPrint().Print(20, 10, 0.2).Build();
+        PrintDraft? Begin(Func<Printer, Printer> change) => PrintDraft.Begin(print, SmallPrint.Setup(change), default);
         using var plain = Begin(p => p with { StartTemplate = new ValueList<string>(["G28"]), EndTemplate = new ValueList<string>(["G1 Z{print_max_z_mm}"]) });
         Assert.That(plain, Is.Not.Null);
         Assert.That(Begin(p => p with { StartTemplate = new ValueList<string>(["G1 X{print_min_x_mm}"]) }), Is.Null);
@@ -255,19 +216,11 @@ public sealed class PrintPipelineTests
         return new PathStep(path, new StepGroup(layer, 0, rank));
     }
 
-    private static (List<Toolpath> SoFar, Toolpath Plan) Followed(PrintSetup setup)
+    private static (List<Toolpath> SoFar, Toolpath Plan) Taken(PrintSetup setup)
     {
         var soFar = new List<Toolpath>();
-        var options = new PlanOptions { Follow = soFar.Add };
-        return (soFar, Planner.Plan(Print(false).SelectMany(l => l).ToArray(), setup, options).Value!);
-    }
-
-    private static Toolpath InSmallBlocks(Toolpath plan, PrintSetup setup)
-    {
-        using var memory = new MemoryStream();
-        GCodeWriter.Write(plan, SetupFormat.Of(setup, plan).Value!, memory);
-        memory.Position = 0;
-        var options = new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = 1.75, BlockSize = ToolpathBlock.FollowedSize };
-        return GCodeDecoder.DecodeStream(memory, options).Value!.Toolpath;
+        var run = Planner.Begin(setup, null, soFar.Add, default);
+        foreach (var layer in Print(false)) run.Add(layer, null);
+        return (soFar, run.Finish().Value!.Toolpath);
     }
 }

@@ -86,15 +86,6 @@ public class PrintedOnTests
     }
 
     [Test]
-    public void Paths_are_ordered_around_the_object()
-    {
-        var path = new PrintPath([new Vec3(22, 30, 5), new Vec3(50, 30, 5)], new Bead(0.08, 0.2));
-        Assert.That(CollisionFreeOrder.Find([path], SmallPrint.Setup()).Value, Is.Not.Null);
-        var blocked = CollisionFreeOrder.Find([path], OnRamp);
-        Assert.That(blocked.Diagnostics.Single().Code, Is.EqualTo(CollisionFreeOrder.BlocksItself));
-    }
-
-    [Test]
     public void Lines_over_an_object_are_never_above_it_and_never_far_below()
     {
         Prop.ForAll(Gen.Choose(0, 1_000_000).ToArbitrary(), seed =>

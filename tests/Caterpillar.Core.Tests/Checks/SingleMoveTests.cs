@@ -275,10 +275,12 @@ public class SingleMoveTests
         var toolpath = new SmallPrint().InLayer(new Layer(0, 0.2, 0.2)).Print(20, 10, 0.2).Build();
         var block = CheckRun.BlocksOf(toolpath, 0).Single();
         using var cancel = new CancellationTokenSource();
-        using var follower = new DepositFollower(toolpath.Tools, Setup, 1, cancel.Token);
+        using var checks = new MoveChecks(Setup, toolpath.Tools, () => new Findings(Setup.Printer, toolpath), cancel.Token, 1);
+        checks.Take(block);
+        checks.Stop();
+        for (var i = 0; i < 5; i++) checks.Take(block);
         cancel.Cancel();
-        for (var i = 0; i < 5; i++) Assert.That(follower.Take(block), Is.True);
-        Assert.That(() => follower.Finish(toolpath, null!, null), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(() => checks.Finish(toolpath, new CheckScope(200), null), Throws.InstanceOf<OperationCanceledException>());
     }
 
     private sealed class Seen : IMoveCheck
@@ -305,29 +307,24 @@ public class SingleMoveTests
         Thickness = thickness,
     };
 
+    // Where layers are not known yet, and where the file has other tools, the whole is looked at in the end.
     [Test]
-    public void Blocks_are_followed_where_layers_and_tools_are_known()
+    public void Blocks_may_be_checked_before_the_whole_is_known()
     {
         var toolpath = new SmallPrint(10, 10, 9).InLayer(new Layer(0, 9, 0.2)).Print(80, 10, 9).Build();
         var block = CheckRun.BlocksOf(toolpath, 0).Single();
-        var places = new WrittenPlaces(toolpath, _ => null, new WrittenLines(1), Setup.Printer);
-        IReadOnlyList<Diagnostic>? Finished(Toolpath read, params DecodedBlock[] blocks)
+        string[] Found(Toolpath read, params DecodedBlock[] blocks)
         {
-            using var follower = new DepositFollower(toolpath.Tools, Setup, 8, default);
-            foreach (var each in blocks) Assert.That(follower.Take(each), Is.EqualTo(each.Thicknesses is not null));
-            return follower.Finish(read, places, null);
+            using var checks = new MoveChecks(Setup, toolpath.Tools, () => new Findings(Setup.Printer, toolpath), default, 8);
+            foreach (var each in blocks) checks.Take(each);
+            return [.. checks.Finish(read, new CheckScope(200), null).Select(d => d.Code)];
         }
 
-        using (var located = new DepositFollower(toolpath.Tools, Setup, 8, default))
-        {
-            located.Locate(toolpath, new WrittenLines(1));
-            Assert.That(located.Take(block), Is.True);
-            Assert.That(located.Finish(toolpath, places, null)!.Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.Unsupported }));
-        }
-        Assert.That(Finished(toolpath, block)!.Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.Unsupported }));
-        Assert.That(Finished(toolpath), Is.Null, "nothing was checked");
-        Assert.That(Finished(toolpath, block with { Thicknesses = null }), Is.Null, "layers are not known");
-        Assert.That(Finished(toolpath.WithTools([new ToolpathTool(1)]), block), Is.Null, "other tools");
+        Assert.That(Found(toolpath), Is.EqualTo(new[] { CheckCodes.Unsupported }));
+        Assert.That(Found(toolpath, block), Is.EqualTo(new[] { CheckCodes.Unsupported }));
+        Assert.That(Found(toolpath, block with { Thicknesses = null }), Is.EqualTo(new[] { CheckCodes.Unsupported }));
+        var other = toolpath.WithTools([new ToolpathTool(1000)]);
+        Assert.That(Found(other, block), Is.EqualTo(PrintCheck.Run(other, Setup).Select(d => d.Code)).And.Member(CheckCodes.Width), "other tools");
     }
 
     private static readonly Toolpath Empty = new ToolpathBuilder(MoveSource.Lines, null).Build([new ToolpathTool(1)]);

@@ -14,7 +14,7 @@ public class LookAheadTests
     {
         var random = new Random(seed);
         var run = Run(random, 6000, slow: seed % 4 == 0 ? 1 : 0.2 + 0.7 * random.NextDouble());
-        var once = (Segment[])run.Clone();
+        var once = (MotionSegment[])run.Clone();
         Assert.That(new CruiseLookAhead().Plan(once, once.Length, ends: true), Is.EqualTo(once.Length));
         var (parts, most) = InParts(new CruiseLookAhead(), run, 100 + random.Next(400));
         Assert.That(most, Is.LessThan(4000), "segments that wait");
@@ -44,10 +44,10 @@ public class LookAheadTests
     public void A_long_rise_holds_segments_only_while_it_lasts()
     {
         var rise = Enumerable.Range(0, 5000)
-            .Select(i => new Segment { Length = 0.1, Acceleration = 1000, Speed2 = 1e6, Entry2 = i > 0 ? 1e6 : 0, SlowGain = 100 });
+            .Select(i => new MotionSegment { Length = 0.1, Acceleration = 1000, Speed2 = 1e6, Entry2 = i > 0 ? 1e6 : 0, SlowGain = 100 });
         var random = Run(new Random(5), 20_000, 0.5).Select((s, i) => s with { Entry2 = i > 0 ? s.Entry2 : s.Speed2 });
         var run = rise.Concat(random).ToArray();
-        var once = (Segment[])run.Clone();
+        var once = (MotionSegment[])run.Clone();
         new CruiseLookAhead().Plan(once, once.Length, ends: true);
         var (parts, most) = InParts(new CruiseLookAhead(), run, 256);
         Assert.That(most, Is.InRange(5000, 10_500));
@@ -68,10 +68,10 @@ public class LookAheadTests
         => Assert.That(new QueueLookAhead(16).Plan(Run(new Random(1), count, 1), count, ends), Is.EqualTo(final));
 
     // As the planner does: segments are added, and what is final leaves.
-    private static (List<Segment> Segments, int Most) InParts(CruiseLookAhead planner, Segment[] run, int step)
+    private static (List<MotionSegment> Segments, int Most) InParts(CruiseLookAhead planner, MotionSegment[] run, int step)
     {
-        var result = new List<Segment>();
-        var waiting = new Segment[run.Length];
+        var result = new List<MotionSegment>();
+        var waiting = new MotionSegment[run.Length];
         var (count, most) = (0, 0);
         for (var i = 0; i < run.Length; i++)
         {
@@ -88,9 +88,9 @@ public class LookAheadTests
     }
 
     // Long and short, fast and slow, with corners of all speeds; now and then a stretch of very short ones.
-    private static Segment[] Run(Random random, int count, double slow)
+    private static MotionSegment[] Run(Random random, int count, double slow)
     {
-        var run = new Segment[count];
+        var run = new MotionSegment[count];
         var tiny = 0;
         for (var i = 0; i < count; i++)
         {
@@ -98,7 +98,7 @@ public class LookAheadTests
             var length = tiny-- > 0 ? 0.02 : Math.Exp(4 * random.NextDouble() - 2);
             var acceleration = random.Next(4) == 0 ? 500 : 3000;
             var speed = random.Next(3) == 0 ? 20 : 20 + 180 * random.NextDouble();
-            run[i] = new Segment { Length = length, Acceleration = acceleration, Speed2 = speed * speed, SlowGain = 2 * length * acceleration * slow };
+            run[i] = new MotionSegment { Length = length, Acceleration = acceleration, Speed2 = speed * speed, SlowGain = 2 * length * acceleration * slow };
             var corner = random.Next(3) == 0 ? 5 + 5 * random.NextDouble() : 200;
             if (i > 0) run[i].Entry2 = Math.Min(corner * corner, Math.Min(run[i].Speed2, run[i - 1].Speed2));
         }

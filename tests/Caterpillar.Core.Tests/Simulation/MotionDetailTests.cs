@@ -5,7 +5,6 @@ using Caterpillar.Machines;
 using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
-using Segment = Caterpillar.Simulation.Segment;
 
 namespace Caterpillar.Tests.Simulation;
 
@@ -68,7 +67,7 @@ public class MotionDetailTests
     [TestCase(91, 5, 20, 10)]
     public void A_run_is_divided_as_close_to_its_end_as_it_can_be_braked(double speed2, double acceleration, double slowGain, int kept)
     {
-        var segment = new Segment { Length = 1, Acceleration = acceleration, Speed2 = speed2, Entry2 = speed2, SlowGain = slowGain };
+        var segment = new MotionSegment { Length = 1, Acceleration = acceleration, Speed2 = speed2, Entry2 = speed2, SlowGain = slowGain };
         Assert.That(new CruiseLookAhead().Plan(Enumerable.Repeat(segment, 2000).ToArray(), 2000, ends: false), Is.EqualTo(2000 - kept));
     }
 }

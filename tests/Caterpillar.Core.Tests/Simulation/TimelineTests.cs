@@ -102,8 +102,8 @@ public class TimelineTests
         Assert.That(timeline.AtHeight(0.5)!.Value.Position, Is.EqualTo(new Vec3(200, 0, 0.6)));
         Assert.That(timeline.AtHeight(0.3)!.Value.Move, Is.EqualTo(2));
         Assert.That(timeline.AtHeight(7), Is.Null);
-        Assert.That(() => timeline.AtLayer(-1), Throws.InstanceOf<ArgumentOutOfRangeException>());
-        Assert.That(() => timeline.AtLayer(2), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(timeline.AtLayer(-1), Is.Null);
+        Assert.That(timeline.AtLayer(2), Is.Null);
         Assert.That(() => timeline.StartOf(-1), Throws.InstanceOf<ArgumentOutOfRangeException>());
     }
 

@@ -48,7 +48,7 @@ public class VaseFlowTests
         var cups = places.Select((x, i) => new NamedMesh($"cup {i}", Solids.Cone(0, 6, 4, 10, 24).Moved(new Vec3(x, 0, 0)))).ToArray();
         var sliced = PlanarSlicer.Slice(cups, setup.Settings).Value!;
         if (!layerByLayer) return Planner.PlanWithReport(sliced.ToSteps(), setup).Value!;
-        var run = Planner.Begin(setup, null, CancellationToken.None);
+        var run = Planner.Begin(setup, null, _ => { }, CancellationToken.None);
         foreach (var level in sliced.Layers.GroupBy(l => l.Layer.Z)) run.Add(level.SelectMany(l => l.Steps).ToArray(), null);
         return run.Finish().Value!;
     }

@@ -24,17 +24,16 @@ public sealed record DecodeOptions
     /// <summary>How much memory the moves and the text may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
-    /// <summary>Gets each block of moves as soon as it is full, on the thread that reads; not the last one.</summary>
-    internal Action<DecodedBlock>? Follow { get; init; }
+    /// <summary>
+    /// Takes each block of moves as soon as it is full, on the thread that reads; not the last one. Blocks are smaller then, and so is what is read at a time,
+    /// so that others begin soon and what was read stays in the cache.
+    /// </summary>
+    internal Action<DecodedBlock>? Take { get; init; }
 
-    /// <summary>Number of moves in a block.</summary>
-    internal int BlockSize { get; init; } = ToolpathBlock.Capacity;
+    internal int BlockSize => Take is null ? ToolpathBlock.Capacity : ToolpathBlock.FollowedSize;
 
     /// <summary>Number of bytes that are read at a time.</summary>
-    internal int ChunkSize { get; init; } = 1024 * 1024;
-
-    /// <summary>False where full blocks are followed only: the toolpath is then without them.</summary>
-    internal bool KeepsBlocks { get; init; } = true;
+    internal int ChunkSize => Take is null ? 1024 * 1024 : 64 * 1024;
 
     internal int Degree => Threads > 0 ? Threads : Math.Max(Environment.ProcessorCount, 1);
 }

@@ -149,7 +149,7 @@ public static class GCodeDecoder
         var given = axis;
         axis = axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
-        interpreter.Machine.Moves.Begin(options.BlockSize, options.KeepsBlocks, options.Follow);
+        interpreter.Machine.Moves.Begin(options.BlockSize, options.Take);
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched))
         {

@@ -23,7 +23,7 @@ public sealed partial class GCodeWriter
     private const double LargestExact = 1e8;
 
     private Toolpath _toolpath;
-    private readonly GCodeFormat _format;
+    private GCodeFormat _format;
     private readonly DialectRules _rules;
     private readonly LineBuffer _out;
     private readonly byte _e;
@@ -135,8 +135,8 @@ public sealed partial class GCodeWriter
         Flush(stream);
     }
 
-    /// <summary>Goes on with a toolpath that begins as the one so far and is longer.</summary>
-    internal void GoOn(Toolpath longer) => _toolpath = longer;
+    /// <summary>Goes on with a toolpath that begins as the one so far and is longer; its end code may be known only now.</summary>
+    internal void GoOn(Toolpath longer, GCodeFormat format) => (_toolpath, _format) = (longer, format);
 
     /// <summary>What happens after the last move, and the end code.</summary>
     public void WriteEnd(Stream stream)

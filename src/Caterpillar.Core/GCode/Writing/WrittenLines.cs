@@ -5,13 +5,16 @@ namespace Caterpillar.GCode;
 
 /// <summary>
 /// Which lines of a file belong to each move, each event and each template. Lines count from 1. While one thread takes them down, others may ask for those that
-/// are written.
+/// are written. The file may have lines besides, which were added after.
 /// </summary>
-internal sealed class WrittenLines(int moves)
+/// <param name="moves">Number of moves, where it is known.</param>
+internal sealed class WrittenLines(int moves = 1024)
 {
-    private readonly int[] _before = new int[moves];
-    private readonly int[] _last = new int[moves];
+    // Replaced as a whole where there are more: what others read of them never changes.
+    private volatile int[] _before = new int[moves];
+    private volatile int[] _last = new int[moves];
     private readonly List<(int Before, int Last, int Event)> _events = [];
+    private readonly List<int> _added = [];
     private int _start;
     private int _end = int.MaxValue;
     private volatile int _moves;
@@ -23,7 +26,11 @@ internal sealed class WrittenLines(int moves)
 
     public void BeginEnd(long lines) => _end = Number(lines);
 
-    public void BeginMove(int move, long lines) => _before[move] = Number(lines);
+    public void BeginMove(int move, long lines)
+    {
+        if (move == _before.Length) (_before, _last) = (Longer(_before), Longer(_last));
+        _before[move] = Number(lines);
+    }
 
     public void EndMove(int move, long lines)
     {
@@ -36,6 +43,20 @@ internal sealed class WrittenLines(int moves)
         if (last <= before) return;
         lock (_events) _events.Add((Number(before), Number(last), index));
     }
+
+    /// <summary>The file has one more line, after as many of those that are taken down here; from above.</summary>
+    public void Add(int after) => _added.Add(after);
+
+    /// <summary>The number that a line has in the file.</summary>
+    public int InFile(int line)
+    {
+        var added = 0;
+        while (added < _added.Count && _added[added] < line) added++;
+        return line + added;
+    }
+
+    /// <summary>Number of lines before an event of a move, of which there may be none.</summary>
+    public int Before(int move, int what) => LineOf(what) is > 0 and var line ? line - 1 : move > 0 ? _last[move - 1] : _start;
 
     /// <summary>True for lines of the start code and of the end code.</summary>
     public bool IsStart(int line) => line <= _start;
@@ -87,6 +108,13 @@ internal sealed class WrittenLines(int moves)
             else high = middle;
         }
         return low;
+    }
+
+    private static int[] Longer(int[] values)
+    {
+        var longer = new int[values.Length + values.Length / 2 + 1];
+        Array.Copy(values, longer, values.Length);
+        return longer;
     }
 
     private static int Number(long lines) => (int)Math.Min(lines, int.MaxValue);

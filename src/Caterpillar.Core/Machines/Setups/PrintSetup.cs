@@ -38,6 +38,9 @@ public sealed record PrintSetup
     /// </summary>
     public TriMesh? PrintedOn { get; init; }
 
+    /// <summary>Makes checks of your own, one of each for every file that is checked or written.</summary>
+    public ValueList<Func<IOwnCheck>> OwnChecks { get; init; } = ValueList<Func<IOwnCheck>>.Empty;
+
     /// <summary>Converts strands to amounts of E.</summary>
     public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowMultiplier);
 

@@ -20,7 +20,7 @@ internal sealed class LayerFinish
     private readonly Action<IReadOnlyList<SlicedLayer>>? _follow;
     private readonly Dictionary<Body, (VaseSpiral Spiral, int Last)> _vases = [];
     private readonly Dictionary<Body, SeamPlacer> _seams = [];
-    private readonly LayerTime _time;
+    private readonly LayerCooling _cooling;
     private readonly PrintSupports? _supports;
     private readonly bool _waits, _isByObject, _takesTurns;
 
@@ -47,7 +47,7 @@ internal sealed class LayerFinish
         Action<IReadOnlyList<SlicedLayer>>? follow)
     {
         (_works, _settings, _supports, _problems, _follow) = (works, settings, supports, problems, follow);
-        _time = new LayerTime(settings);
+        _cooling = new LayerCooling(settings);
         // The skirt goes around all that stands on the bed.
         _isByObject = bodies.Count > 1 && settings.PrintSequence == PrintSequence.ByObject;
         _takesTurns = bodies.Count > 1 && !_isByObject;
@@ -90,7 +90,7 @@ internal sealed class LayerFinish
         if (_isByObject) _low = Low();
         Release(_all.Count);
         EndLevel();
-        _time.Report(_problems);
+        _cooling.Report(_problems);
         return _finished.ToArray();
     }
 
@@ -120,7 +120,7 @@ internal sealed class LayerFinish
 
     private void GiveOn(SlicedLayer[] level)
     {
-        _time.Apply(level);
+        _cooling.Apply(level);
         _follow?.Invoke(level);
         foreach (var layer in level) _finished.Add(_follow is null ? layer : layer with { Steps = [], Chains = [] });
     }

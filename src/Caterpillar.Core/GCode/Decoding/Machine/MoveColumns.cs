@@ -7,8 +7,7 @@ namespace Caterpillar.GCode;
 
 /// <summary>Collects moves into the columns of blocks, without a call for each value.</summary>
 /// <param name="blockSize">Number of moves in a block.</param>
-/// <param name="keepsBlocks">False where full blocks are only handed out.</param>
-internal sealed class MoveColumns(int blockSize = ToolpathBlock.Capacity, bool keepsBlocks = true)
+internal sealed class MoveColumns(int blockSize = ToolpathBlock.Capacity)
 {
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<int> _arcMoves = [];
@@ -87,7 +86,7 @@ internal sealed class MoveColumns(int blockSize = ToolpathBlock.Capacity, bool k
             if (Columns.Count < Columns.Capacity / 2) Columns = Columns.Copy(Columns.Count);
             Seal();
         }
-        if (_turns.Count > 0 && keepsBlocks) FillTurns();
+        if (_turns.Count > 0) FillTurns();
         return _blocks;
     }
 
@@ -135,7 +134,7 @@ internal sealed class MoveColumns(int blockSize = ToolpathBlock.Capacity, bool k
         Columns.Arcs = _arcs.ToArray();
         _arcMoves.Clear();
         _arcs.Clear();
-        if (keepsBlocks) _blocks.Add(new ToolpathBlock(Columns));
+        _blocks.Add(new ToolpathBlock(Columns));
         _sealed += Columns.Count;
         Columns = new ToolpathColumns(0);
     }

@@ -20,7 +20,7 @@ internal sealed partial class MoveRecorder
     private readonly LineDiagnostics _diagnostics;
     private readonly DecodeCounters _counters;
     private MoveColumns _moves = new();
-    private Action<DecodedBlock>? _follow;
+    private Action<DecodedBlock>? _take;
     private readonly List<MoveEvent> _events = [];
     private readonly bool _balance;
     private readonly bool _switched;
@@ -28,7 +28,7 @@ internal sealed partial class MoveRecorder
     private double _lastFlatZ = double.NaN;
     private bool _afterPrint;
     private Vec3? _start;
-    private int _followed;
+    private int _taken;
 
     public MoveRecorder(Machine machine, ExtrusionRule rule)
     {
@@ -70,11 +70,11 @@ internal sealed partial class MoveRecorder
         _events.Clear();
     }
 
-    /// <summary>Where moves go: into blocks of a size, which are kept or only handed to a follower as soon as they are full.</summary>
-    public void Begin(int blockSize, bool keepsBlocks, Action<DecodedBlock>? follow)
+    /// <summary>Where moves go: into blocks of a size, each handed over as soon as it is full if somebody takes them.</summary>
+    public void Begin(int blockSize, Action<DecodedBlock>? take)
     {
-        _follow = follow;
-        _moves = new MoveColumns(blockSize, keepsBlocks);
+        _take = take;
+        _moves = new MoveColumns(blockSize);
     }
 
     /// <summary>The finished toolpath.</summary>
@@ -259,7 +259,7 @@ internal sealed partial class MoveRecorder
         head.X = x;
         head.Y = y;
         head.Z = z;
-        if (_moves.IsFull && _moves.Grow() is { } full) _follow?.Invoke(Followed(full));
+        if (_moves.IsFull && _moves.Grow() is { } full) _take?.Invoke(Taken(full));
         var c = _moves.Columns;
         var i = c.Count++;
         c.X[i] = x + head.ShiftX;
@@ -275,12 +275,12 @@ internal sealed partial class MoveRecorder
         c.Source[i] = _diagnostics.Line;
     }
 
-    private DecodedBlock Followed(ToolpathColumns full)
+    private DecodedBlock Taken(ToolpathColumns full)
     {
-        var first = _followed;
-        while (_followed < _events.Count && _events[_followed].Move < _moves.Count) _followed++;
+        var first = _taken;
+        while (_taken < _events.Count && _events[_taken].Move < _moves.Count) _taken++;
         return new DecodedBlock(
-            full, full.Layer, _moves.Count - full.Count, _events.GetRange(first, _followed - first).ToArray(), _start, Layers.Thicknesses());
+            full, full.Layer, _moves.Count - full.Count, _events.GetRange(first, _taken - first).ToArray(), _start, Layers.Thicknesses());
     }
 
     // Where the first move begins; from there on the axes are known.

@@ -7,7 +7,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Slicing;
 
 /// <summary>Slows small layers down, so that each takes the least time of the settings. Layers of several objects at one height cool together.</summary>
-internal sealed class LayerTime(PrintSettings settings)
+internal sealed class LayerCooling(PrintSettings settings)
 {
     private int _quick;
     private double _first;

@@ -3,7 +3,7 @@ namespace Caterpillar.Simulation;
 /// <summary>
 /// A straight move as the planner sees it: what limits it alone, and (after planning) its speeds. Squares of speeds in mm²/s², lengths in mm.
 /// </summary>
-internal struct Segment
+internal struct MotionSegment
 {
     public double Length;
 

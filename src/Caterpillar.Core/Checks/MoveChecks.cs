@@ -1,0 +1,143 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Caterpillar.Basics;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Checks;
+
+/// <summary>
+/// All checks of a print, which may see its blocks while the rest of it is still being planned, written and read: single moves at once, what is printed on a
+/// thread of its own (by far the longest of all checks), and what a whole file must do in the end.
+/// </summary>
+internal sealed class MoveChecks : IDisposable
+{
+    private readonly PrintSetup _setup;
+    private readonly IReadOnlyList<ToolpathTool> _tools;
+    private readonly Func<Findings> _findings;
+    private readonly CancellationToken _cancel;
+    private readonly CancellationTokenSource _stop;
+    private readonly BlockingCollection<DecodedBlock> _waiting;
+    private readonly Findings _ofMoves;
+    private readonly Findings _ofPrint;
+    private readonly Findings _ofUser;
+    private readonly CheckRun? _moves;
+    private readonly OwnChecks _own;
+    private readonly bool _looksAtPrint;
+    private Task? _printing;
+    private int _shown;
+    private int _printed;
+    private bool _isLate;
+    private volatile Toolpath? _whole;
+    private volatile IProgress<double>? _progress;
+
+    /// <param name="setup">The printer, material and settings.</param>
+    /// <param name="tools">The tools of the moves.</param>
+    /// <param name="findings">Makes empty lists of findings.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <param name="waiting">Number of blocks that wait at most; whoever brings more waits, too.</param>
+    public MoveChecks(PrintSetup setup, IReadOnlyList<ToolpathTool> tools, Func<Findings> findings, CancellationToken cancel, int waiting = int.MaxValue)
+    {
+        (_setup, _tools, _findings, _cancel) = (setup, tools, findings, cancel);
+        _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
+        _waiting = new BlockingCollection<DecodedBlock>(waiting);
+        (_ofMoves, _ofPrint, _ofUser) = (findings(), findings(), findings());
+        _own = new OwnChecks(setup, _ofUser);
+        _looksAtPrint = _ofPrint.LooksFor(DepositCheck.AllCodes);
+        IMoveCheck[] checks =
+        [
+            new PositionCheck(setup.Printer, _ofMoves), new RateCheck(tools, setup, _ofMoves), new StationaryCheck(setup.Printer, _ofMoves),
+            new GapCheck(_ofMoves),
+        ];
+        checks = Asked(checks, _ofMoves);
+        if (checks.Length > 0) _moves = new CheckRun(checks, tools, cancel);
+    }
+
+    /// <summary>The next block that is full.</summary>
+    public void Take(DecodedBlock block)
+    {
+        _shown++;
+        Look(block);
+        // As long as the file does not say how thick its layers are, all of it must be known.
+        _isLate |= block.Thicknesses is null;
+        if (!_isLate) Print(block);
+    }
+
+    /// <summary>What was found in the whole toolpath, whose first blocks are those that were taken.</summary>
+    public IReadOnlyList<Diagnostic> Finish(Toolpath whole, CheckScope scope, IProgress<double>? progress)
+    {
+        // A file may have other tools than were planned.
+        if (!whole.Tools.SequenceEqual(_tools))
+        {
+            using var again = new MoveChecks(_setup, whole.Tools, _findings, _cancel);
+            return again.Finish(whole, scope, progress);
+        }
+        (_whole, _progress) = (whole, progress);
+        foreach (var block in CheckRun.BlocksOf(whole, _printed)) Print(block);
+        _waiting.CompleteAdding();
+        foreach (var block in CheckRun.BlocksOf(whole, _shown)) Look(block);
+        _moves?.End(whole);
+        var ofFile = _findings();
+        IMoveCheck[] checks = [new HeatCheck(_setup, scope, ofFile), new FileCheck(whole, _setup.Printer, scope, ofFile)];
+        CheckRun.Run(whole, Asked(checks, ofFile), null, _cancel);
+        if (_printing is not null)
+        {
+            OwnThread.Wait(_printing);
+            _cancel.ThrowIfCancellationRequested();
+            _printing.GetAwaiter().GetResult();
+        }
+        progress?.Report(1);
+        return [.. _ofMoves.ToList(), .. ofFile.ToList(), .. _ofPrint.ToList(), .. _ofUser.ToList()];
+    }
+
+    /// <summary>Nothing more is checked.</summary>
+    public void Stop() => _stop.Cancel();
+
+    /// <summary>Stops where it is not finished, and waits for that.</summary>
+    public void Dispose()
+    {
+        Stop();
+        _waiting.CompleteAdding();
+        if (_printing is not null) OwnThread.Wait(_printing);
+        _waiting.Dispose();
+        _stop.Dispose();
+    }
+
+    private static IMoveCheck[] Asked(IMoveCheck[] checks, Findings findings) => Array.FindAll(checks, c => findings.LooksFor(c.Codes));
+
+    private void Look(DecodedBlock block)
+    {
+        _moves?.Block(block, _ => { });
+        _own.Take(block);
+    }
+
+    private void Print(DecodedBlock block)
+    {
+        if (!_looksAtPrint) return;
+        _printing ??= OwnThread.Run(Print);
+        _printed++;
+        // Where the work has failed or was stopped nobody makes room.
+        while (!_printing.IsCompleted && !_waiting.TryAdd(block, 20))
+        {
+        }
+    }
+
+    private void Print()
+    {
+        var run = new CheckRun([new DepositCheck(_setup, _ofPrint)], _tools, _stop.Token);
+        foreach (var block in _waiting.GetConsumingEnumerable())
+        {
+            run.Block(block, at =>
+            {
+                if (_progress is { } progress && _whole is { } whole) progress.Report(at / (double)whole.Count);
+            });
+        }
+        _stop.Token.ThrowIfCancellationRequested();
+        run.End(_whole!);
+    }
+}
