@@ -1,3 +1,4 @@
+using Caterpillar.Curved;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.LayerFields;

@@ -25,6 +25,7 @@ public class RoomTests
         ["Traces"] = Data,
         ["Drawings"] = Data,
         ["Slicing"] = Data,
+        ["Curved"] = [.. Data, "Slicing"],
         ["Shaping"] = Data,
         ["Planning"] = Data,
         ["GCode"] = Data,

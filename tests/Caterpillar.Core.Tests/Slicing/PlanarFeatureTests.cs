@@ -204,7 +204,7 @@ public class PlanarFeatureTests
         Step Line(double length, double speed) => new PathStep(
             new PrintPath([Vec3.Zero, new Vec3(length, 0)], new Bead(0.08, 0.2, speed)).With(Role.InnerWall, layer), new StepGroup(1));
         SlicedLayer[] layers = [new(layer, Region.Empty, [(PathStep)Line(10, 1), (PathStep)Line(20, 40)])];
-        Assert.That(new LayerTime(Bare with { MinLayerTime = 30, MinSpeed = least }).Apply(layers), Is.EqualTo(reached));
+        Assert.That(new LayerSlowdown(Bare with { MinLayerTime = 30, MinSpeed = least }).Apply(layers), Is.EqualTo(reached));
         Assert.That(Solids.Paths(layers[0]).Select(p => p.BeadOf(0).Speed), Is.EqualTo(new[] { 1, least }).Within(1e-9), "never faster than before");
     }
 
@@ -227,7 +227,7 @@ public class PlanarFeatureTests
         var settings = new PrintSettings { LayerHeight = 0.4, Vase = what == "vase", InfillEvery = every, FuzzySkin = 0.1, Ironing = true };
         TriMesh[] meshes = [Solids.Cone(0, 10, 8, 20), Solids.Cone(8, 20, 14, 4), Solids.Block(30, 0, 0, 40, 10, 6)];
         NamedMesh[] models = [new("a", TriMesh.Merge(meshes)), new("b", meshes[2])];
-        string Describe(int threads) => string.Join("\n", PlanarSlicer.Slice(models, settings, threads)
+        string Describe(int threads) => string.Join("\n", PlanarSlicer.Slice(models, settings, new SliceOptions { Threads = threads })
             .Value!.Layers.SelectMany(l => l.Steps).Select(s => $"{s.Group} {s.Path.Role} {s.Path.Volume:R} {string.Join(" ", s.Path.Points)}"));
         Assert.That(Describe(1), Is.EqualTo(Describe(4)));
     }

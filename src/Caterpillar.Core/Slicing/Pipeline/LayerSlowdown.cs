@@ -1,0 +1,62 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Slows small layers down, so that each takes the least time of the settings. Layers of several objects at one height cool together.</summary>
+internal sealed class LayerSlowdown(PrintSettings settings)
+{
+    private int _quick;
+    private double _first;
+
+    /// <summary>Layers of one height, in place; false where they stay below the time even at the least speed.</summary>
+    public bool Apply(IList<SlicedLayer> layers)
+    {
+        double Speed(PrintPath path, int segment)
+            => path.BeadOf(segment).Speed is > 0 and var own ? own : settings.SpeedOf(path.Role, path.Layer is { Index: 0 });
+
+        if (!(settings.MinLayerTime > 0) || LastsLongEnough(layers, settings.MinLayerTime, Speed)) return true;
+        var paths = new List<PrintPath>();
+        foreach (var layer in layers)
+        {
+            foreach (var step in layer.Steps) paths.Add(step.Path);
+        }
+        var slowed = SlowDown.To(paths, Speed, settings.MinLayerTime, settings.MinSpeed, out var reached);
+        var next = 0;
+        for (var i = 0; i < layers.Count; i++)
+        {
+            var steps = new List<PathStep>(layers[i].Steps.Count);
+            foreach (var step in layers[i].Steps) steps.Add(step.With(slowed[next++]));
+            layers[i] = layers[i] with { Steps = steps };
+        }
+        if (!reached && _quick++ == 0) _first = layers[0].Layer.Z;
+        return reached;
+    }
+
+    /// <summary>Says which layers stay below the time.</summary>
+    public void Report(DiagnosticList problems)
+    {
+        // Where the machine waits, they do.
+        if (_quick == 0 || settings.LayerWait != LayerWait.None) return;
+        problems.Add(Severity.Remark, "slice.layer_time",
+            $"Layers take less than {NumberFormatter.Format(settings.MinLayerTime, 1)} s even at {NumberFormatter.Format(settings.MinSpeed, 1)} mm/s, "
+            + $"first at z = {NumberFormatter.Format(_first, 3)} mm: they may not cool in time.", null, _quick);
+    }
+
+    private static bool LastsLongEnough(IList<SlicedLayer> layers, double wanted, Func<PrintPath, int, double> speed)
+    {
+        var time = 0.0;
+        foreach (var layer in layers)
+        {
+            foreach (var step in layer.Steps)
+            {
+                time += SlowDown.TimeOf(step.Path, speed);
+                if (time >= wanted) return true;
+            }
+        }
+        return false;
+    }
+}
