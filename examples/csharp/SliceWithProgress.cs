@@ -17,7 +17,7 @@ public static class SliceWithProgress
         var read = MeshReader.Read(model, progress, cancel);
         foreach (var diagnostic in read.Diagnostics) Console.WriteLine(diagnostic);
         if (read.Value is not { } meshes) return false;
-        var layers = PlanarSlicer.Slice(meshes.OnBed(setup.Printer), setup.Settings, threads: 0, progress, cancel).OrThrow();
+        var layers = PlanarSlicer.Slice(meshes.OnBed(setup.Printer), setup.Settings, options: null, progress, cancel).OrThrow();
         var toolpath = Planner.Plan(layers.ToSteps(), setup, options: null, progress, cancel).OrThrow();
         return SafeWriter.WriteFile(toolpath, setup, output, reason: null, progress, cancel).Value is not null;
     }

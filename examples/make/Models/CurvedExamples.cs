@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
+using Caterpillar.Curved;
 using Caterpillar.Display;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -93,7 +94,7 @@ internal static class CurvedExamples
         var part = CurvedPlate.Make(plan, Saddle, (x, y) => Saddle(x, y) + 3);
         var lines = SurfaceLines.AlongCurvature(surface, plan, 5).Concat(SurfaceLines.AlongCurvature(surface, plan, 5, across: true)).ToArray();
         var setup = Plain with { Settings = Plain.Settings with { InfillPercent = 20, TopLayers = 0, BottomLayers = 2 } };
-        return Sliced(part, LayerField.Vertical(surface), setup, new CurvedOptions { InfillLines = lines, Onto = surface },
+        return Sliced(part, LayerField.Vertical(surface), setup, new CurvedOptions { InfillLines = _ => lines, Onto = surface },
             CurvedPlate.Make(plan, (_, _) => 0, Saddle));
     }
 

@@ -4,6 +4,7 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Curved;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Curved;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;
@@ -42,13 +43,14 @@ internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult argu
         }
         var meshes = models.Select(m => m.Mesh).ToArray();
         var field = options.Field(arguments, meshes, shift, setup, session, out var surface);
+        var lines = options.InfillLines(arguments, surface, meshes, shift, setup, session);
         var curved = new CurvedOptions
         {
+            Threads = threads, InfillLines = lines is null ? null : _ => lines,
             Onto = onto is null ? null : PlanSurface.OnBed(onto), Partial = options.IsPartial(arguments), MaxTilt = options.Tilt(arguments)?.MaxTilt ?? 0,
-            InfillLines = options.InfillLines(arguments, surface, meshes, shift, setup, session),
         };
         var result = session.ValueOrFail(session.WithProgress("Slicing",
-            progress => CurvedSlicer.SliceEach(models, field, setup, curved, threads, progress, session.Cancel)));
+            progress => CurvedSlicer.SliceEach(models, field, setup, curved, progress, session.Cancel)));
         _field = result.Field;
         return (result.ToSteps(), result.Layers.Count);
     }
@@ -58,7 +60,7 @@ internal sealed class CurvedSlicing(CurvedOptionValues options, ParseResult argu
         // Loops around the part and rafts are for beds.
         var plain = models.Select(m => new SliceModel(m.Mesh, Plain(m.Settings))).ToArray();
         var flat = session.ValueOrFail(session.WithProgress("Slicing",
-            progress => PlanarSlicer.SliceEach(plain, Plain(setup.Settings), threads, progress, session.Cancel)));
+            progress => PlanarSlicer.SliceEach(plain, Plain(setup.Settings), new SliceOptions { Threads = threads }, progress, session.Cancel)));
         var steps = session.ValueOrFail(session.WithProgress("Projecting", progress => SurfaceProjection.Project(
             flat.ToSteps(), PlanSurface.Of(onto), setup, options.Squeeze(arguments), options.IsPartial(arguments), progress, session.Cancel)));
         return (steps, flat.Layers.Count);

@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Curved;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;

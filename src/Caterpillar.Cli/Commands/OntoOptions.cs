@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.CommandLine;
 using Caterpillar.Basics;
+using Caterpillar.Curved;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Planning;

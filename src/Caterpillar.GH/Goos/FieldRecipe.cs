@@ -2,6 +2,7 @@ using System;
 using System.Collections;
 using System.Collections.Generic;
 using Caterpillar.Basics;
+using Caterpillar.Curved;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;

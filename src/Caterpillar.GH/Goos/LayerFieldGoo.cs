@@ -1,3 +1,5 @@
+using Caterpillar.Curved;
+using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Slicing;
 using Grasshopper.Kernel.Types;

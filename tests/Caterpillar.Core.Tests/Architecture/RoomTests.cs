@@ -24,6 +24,7 @@ public class RoomTests
         ["Traces"] = Data,
         ["Drawings"] = Data,
         ["Slicing"] = Data,
+        ["Curved"] = [.. Data, "Slicing"],
         ["Shaping"] = Data,
         ["Planning"] = Data,
         ["GCode"] = Data,

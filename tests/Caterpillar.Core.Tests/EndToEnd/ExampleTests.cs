@@ -25,7 +25,7 @@ public class ExampleTests
         // Coarser than a real print, to keep the test fast.
         var setup = new ProfileLibrary().Setup("generic", values: ["layer_height_mm=0.3", "first_layer_height_mm=0.3", "skirt_loops=1"]).Value!;
         var models = ModelPlacement.OnBed(MeshReader.Read(file).Value!, setup.Printer.BuildBounds.Center);
-        var sliced = PlanarSlicer.Slice(models, setup.Settings, threads);
+        var sliced = PlanarSlicer.Slice(models, setup.Settings, new SliceOptions { Threads = threads });
         Assert.That(sliced.Diagnostics.Where(d => d.Severity != Severity.Remark), Is.Empty);
         var planned = Planner.Plan(sliced.Value!.ToSteps(), setup);
         var written = SafeWriter.ToDocument(planned.Value!, setup);

@@ -32,7 +32,7 @@ public class ProgressTests
     {
         var meshes = Enumerable.Range(0, models).Select(i => new NamedMesh("block", Solids.Block(30 * i, 0, 0, 30 * i + 20, 20, 12))).ToArray();
         var reported = new Reported();
-        PlanarSlicer.Slice(meshes, Setup.Settings, 2, reported).OrThrow();
+        PlanarSlicer.Slice(meshes, Setup.Settings, new SliceOptions { Threads = 2 }, reported).OrThrow();
         AssertAscending(reported, 8);
         // Sections are the first two fifths.
         Assert.That(reported.Values, Has.Some.InRange(0.399999, 0.400001));

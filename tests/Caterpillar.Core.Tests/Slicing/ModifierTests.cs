@@ -22,10 +22,10 @@ public class ModifierTests
 
     private static readonly TriMesh Half = Solids.Block(20, -5, 1, 50, 25, 3);
 
-    private static Result<SliceResult> Sliced(PrintSettings common, TriMesh modifier, PrintSettings inside, int threads = 0)
+    private static Result<SliceResult> Sliced(PrintSettings common, TriMesh modifier, PrintSettings inside, SliceOptions? options = null)
         => PlanarSlicer.SliceEach(
             [new SliceModel(new NamedMesh("part", Part), common), new SliceModel(new NamedMesh("mod", modifier), inside with { ModelUse = ModelUse.Modifier })],
-            common, threads);
+            common, options);
 
     private static IReadOnlyList<SlicedLayer> Layers(PrintSettings common, TriMesh modifier, PrintSettings inside)
     {
@@ -143,7 +143,8 @@ public class ModifierTests
     {
         var common = Plain with { TopLayers = 2 };
         string Text(int threads) => string.Join(";",
-            Sliced(common, Half, common with { InfillPattern = pattern, TopLayers = 6, InfillPercent = 35 }, threads).Value!.Layers
+            Sliced(common, Half, common with { InfillPattern = pattern, TopLayers = 6, InfillPercent = 35 }, new SliceOptions { Threads = threads })
+                .Value!.Layers
             .SelectMany(l => l.Steps).SelectMany(s => s.Path.RawPoints).Select(p => p.ToString()));
         Assert.That(Text(3), Is.EqualTo(Text(1)));
     }

@@ -227,7 +227,7 @@ public class PlanarFeatureTests
         var settings = new PrintSettings { LayerHeight = 0.4, Vase = what == "vase", InfillEvery = every, FuzzySkin = 0.1, Ironing = true };
         TriMesh[] meshes = [Solids.Cone(0, 10, 8, 20), Solids.Cone(8, 20, 14, 4), Solids.Block(30, 0, 0, 40, 10, 6)];
         NamedMesh[] models = [new("a", TriMesh.Merge(meshes)), new("b", meshes[2])];
-        string Describe(int threads) => string.Join("\n", PlanarSlicer.Slice(models, settings, threads)
+        string Describe(int threads) => string.Join("\n", PlanarSlicer.Slice(models, settings, new SliceOptions { Threads = threads })
             .Value!.Layers.SelectMany(l => l.Steps).Select(s => $"{s.Group} {s.Path.Role} {s.Path.Volume:R} {string.Join(" ", s.Path.Points)}"));
         Assert.That(Describe(1), Is.EqualTo(Describe(4)));
     }

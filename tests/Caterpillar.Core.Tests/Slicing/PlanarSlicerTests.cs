@@ -108,7 +108,8 @@ public class PlanarSlicerTests
     {
         var models = MeshReader.Read(TestData.Shared("meshes/plate_holes.stl")).Value!;
         var settings = Plain with { LayerHeight = 0.5 };
-        Assert.That(Describe(PlanarSlicer.Slice(models, settings, threads).Value!), Is.EqualTo(Describe(PlanarSlicer.Slice(models, settings).Value!)));
+        var sliced = PlanarSlicer.Slice(models, settings, new SliceOptions { Threads = threads }).Value!;
+        Assert.That(Describe(sliced), Is.EqualTo(Describe(PlanarSlicer.Slice(models, settings).Value!)));
     }
 
     [TestCase("spot.obj")]

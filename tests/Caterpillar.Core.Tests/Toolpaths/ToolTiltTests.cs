@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Curved;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -47,7 +48,7 @@ public class ToolTiltTests
             [new(100, 100, 0), new(120, 100, 4), new(120, 110, 4), new(100, 110, 0), new(100, 100, 2), new(120, 100, 6), new(120, 110, 6), new(100, 110, 2)],
             [0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7]);
         var sliced = CurvedSlicer.Slice([new NamedMesh("block", block)], LayerField.Vertical(PlanSurface.Of((x, _) => 0.2 * (x - 100))), setup).OrThrow();
-        var planned = new ToolTilt(TiltAxes.BC).Apply(Planner.Plan(sliced.ToSteps(), setup).OrThrow(), sliced.Field!.Normal);
+        var planned = new ToolTilt(TiltAxes.BC).Apply(Planner.Plan(sliced.ToSteps(), setup).OrThrow(), sliced.Field.Normal);
         var bytes = GCodeWriter.ToBytes(planned);
         // The tool leans to −x by the angle of the slope, 11.31 degrees.
         Assert.That(System.Text.Encoding.ASCII.GetString(bytes), Does.Contain(" B11.31 C180"));

@@ -108,7 +108,7 @@ public sealed class SlicerTests
         plan.Solve();
         Assert.That(plan.Errors, Is.Empty);
         var solid = new NamedMesh("Solid 0", RhinoMesh.ToTriangles(Shapes.Box(), DocumentUnits.Current));
-        var slices = PlanarSlicer.Slice([solid], Quick with { WallCount = 3 }, 1, null, default).Value!;
+        var slices = PlanarSlicer.Slice([solid], Quick with { WallCount = 3 }, new SliceOptions { Threads = 1 }).Value!;
         var steps = slices.Layers.SelectMany(l => l.Steps).ToArray();
         Assert.That(steps.Count(s => s.Joined), Is.GreaterThan(0));
         var expected = Planner.Plan(steps, ((ToolpathGoo)plan.Output("Toolpath").VolatileData.get_Branch(0)[0]!).Setup!).Value!;

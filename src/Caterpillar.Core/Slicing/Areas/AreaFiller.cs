@@ -50,7 +50,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
             return;
         }
         var thick = thickness == _rules.Thickness ? _rules : _rules with { Walls = WallRules.Of(_settings, thickness), Thickness = thickness };
-        var pattern = layer.Body.InfillCurves is null ? _settings.InfillPattern : InfillPattern.Curves;
+        var pattern = layer.Body.InfillLines is null ? _settings.InfillPattern : InfillPattern.Curves;
         var request = Request(area, pattern, _rules.InfillSpacing, _rules.Width, angle, solid: false);
         Add(tools.Infill.Fill(request), thick.Bead(_rules.Width), Role.Infill, rank);
     }
@@ -111,8 +111,8 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
             Angle = angle, Z = layer.Plan.Top, Layer = layer.Index, Solid = solid, Linked = pattern != InfillPattern.Curves, Formula = _rules.InfillFormula,
             Curves = pattern switch
             {
-                InfillPattern.Lightning => layer.Body.Lightning[layer.Index],
-                InfillPattern.Curves => layer.Body.InfillCurves?.Invoke(layer.Plan.Top) ?? _rules.InfillCurves,
+                InfillPattern.Lightning => LightningPlan.TreesOf(layer.Body)[layer.Index],
+                InfillPattern.Curves => layer.Body.InfillLines?.Invoke(layer.Plan.Top) ?? _rules.InfillCurves,
                 _ => null,
             },
         };

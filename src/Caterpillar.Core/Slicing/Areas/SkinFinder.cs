@@ -17,6 +17,12 @@ internal sealed class SkinFinder(LayerWork layer, SliceRules rules, RegionEngine
     /// <summary>How many upper neighbors the skins of a layer depend on.</summary>
     public static int Reach(LayerWork layer, SliceRules rules) => Count(layer, 1, rules.Settings.TopLayers, rules.Settings.TopThickness);
 
+    /// <summary>How a part of a layer is filled. Found when it is first asked for, by when the neighbors of the layer have their outlines.</summary>
+    public static IslandAreas AreasOf(LayerWork layer, InsideWork inside, RegionEngine engine)
+    {
+        lock (inside.Gate) return inside.Areas ??= new SkinFinder(layer, inside.Rules, engine).Find(inside.Region);
+    }
+
     public IslandAreas Find(Region inside)
     {
         if (inside.IsEmpty) return new IslandAreas();

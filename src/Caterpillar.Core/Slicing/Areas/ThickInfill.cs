@@ -48,7 +48,7 @@ internal readonly record struct ThickInfill(Region Area, double Thickness)
         {
             foreach (var inside in island.Insides)
             {
-                if (pattern is null || inside.Rules.Settings.InfillPattern == pattern) paths.AddRange(inside.AreasOf(layer, engine).Sparse.Paths);
+                if (pattern is null || inside.Rules.Settings.InfillPattern == pattern) paths.AddRange(SkinFinder.AreasOf(layer, inside, engine).Sparse.Paths);
             }
         }
         return Region.Own(paths.ToArray());

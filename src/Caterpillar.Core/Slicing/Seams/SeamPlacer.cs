@@ -30,8 +30,9 @@ internal sealed class SeamPlacer(Body body)
     public SlicedLayer Next(LayerWork work, SlicedLayer layer)
     {
         var settings = work.Rules.Settings;
-        if (layer.Chains.Count == 0) return layer;
-        var chains = layer.Chains;
+        if (work.Chains.Count == 0) return layer;
+        var chains = work.Chains;
+        work.Chains = [];
         var places = new LoopPlace?[chains.Count];
         var loops = new Vec3[chains.Count][];
         for (var i = 0; i < loops.Length; i++) loops[i] = layer.Steps[chains[i].Outer].Path.RawPoints;

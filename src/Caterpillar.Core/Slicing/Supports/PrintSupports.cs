@@ -59,11 +59,7 @@ internal sealed class PrintSupports : IDisposable
         LayerWork[] works, IReadOnlyList<Body> bodies, IReadOnlyList<SliceModel> helpers, PrintSettings common, ParallelOptions options)
     {
         if (!works.Any(w => w.Rules.Settings.Support != SupportKind.None)) return null;
-        Parallel.For(0, works.Length, options, () => new LayerTools(), (i, _, tools) =>
-        {
-            OutlineStage.FindRegion(works[i], tools);
-            return tools;
-        }, _ => { });
+        RegionEngine.ForEach(0, works.Length, options, (i, engine) => LayerRegion.Find(works[i], engine));
         return new PrintSupports(works, own => Build(works, bodies, helpers, common, own), options);
     }
 

@@ -13,7 +13,7 @@ internal sealed class StrandFinisher(Region piece)
 {
     private const int Slices = 16;
 
-    public void Finish(List<Strand> strands)
+    public void Finish(List<MedialStrand> strands)
     {
         // A lone center in the bead of a strand is a piece of it.
         var covered = strands.FindAll(s => s.Count == 1 && strands.Exists(other => other.Count > 1 && other.Clearance(s.Points[0]) < 0));
@@ -45,7 +45,7 @@ internal sealed class StrandFinisher(Region piece)
     }
 
     // A lone center becomes a short line in the direction in which its piece is longest.
-    private void Stretch(Strand strand)
+    private void Stretch(MedialStrand strand)
     {
         var center = strand.Points[0];
         var longest = -1.0;
@@ -64,7 +64,7 @@ internal sealed class StrandFinisher(Region piece)
     }
 
     // Where only ends meet and no strand passes, the straightest two become one strand.
-    private static void Join(List<Strand> strands)
+    private static void Join(List<MedialStrand> strands)
     {
         while (true)
         {
@@ -102,13 +102,13 @@ internal sealed class StrandFinisher(Region piece)
         }
     }
 
-    private static bool EndsIn(Strand strand, List<Strand> strands)
+    private static bool EndsIn(MedialStrand strand, List<MedialStrand> strands)
     {
         var end = strand.Points[strand.Count - 1];
         return strands.Exists(other => other != strand && other.Clearance(end) < 0);
     }
 
-    private static bool Passed(List<Strand> strands, int a, int b, Vec3 at)
+    private static bool Passed(List<MedialStrand> strands, int a, int b, Vec3 at)
     {
         for (var i = 0; i < strands.Count; i++)
         {
@@ -117,7 +117,7 @@ internal sealed class StrandFinisher(Region piece)
         return false;
     }
 
-    private static ((Vec3 At, StrandEnd Kind) End, double Radius, Vec3 Heading) EndOf(Strand strand, bool atEnd)
+    private static ((Vec3 At, StrandEnd Kind) End, double Radius, Vec3 Heading) EndOf(MedialStrand strand, bool atEnd)
     {
         if (!atEnd) strand.Reverse();
         var radius = strand.Radii[strand.Count - 1];
@@ -126,7 +126,7 @@ internal sealed class StrandFinisher(Region piece)
         return result;
     }
 
-    private static void Trim(Strand strand, List<Strand> strands)
+    private static void Trim(MedialStrand strand, List<MedialStrand> strands)
     {
         // By those that pass where it ends; others are near because they end there, too.
         var end = strand.Points[strand.Count - 1];
@@ -135,7 +135,7 @@ internal sealed class StrandFinisher(Region piece)
             if (other != strand && other.Clearance(end) < 0) strand.TrimEnd(other);
         }
         // A bowl comes back to its own stem.
-        var own = new Strand();
+        var own = new MedialStrand();
         var left = strand.Length - 5 * strand.Radii[strand.Count - 1];
         for (var i = 0; i < strand.Count && left > 0; i++)
         {
@@ -146,7 +146,7 @@ internal sealed class StrandFinisher(Region piece)
     }
 
     // Distance from the end to the outline, in radii.
-    private double Ahead(Strand strand)
+    private double Ahead(MedialStrand strand)
     {
         var radius = strand.Radii[strand.Count - 1];
         var d = strand.Heading(radius);
@@ -154,7 +154,7 @@ internal sealed class StrandFinisher(Region piece)
     }
 
     // As far as its bead has the area of what is left of the piece ahead: to the end where that is square, not as far where it is round or pointed.
-    private void Extend(Strand strand)
+    private void Extend(MedialStrand strand)
     {
         var end = strand.Points[strand.Count - 1];
         var radius = strand.Radii[strand.Count - 1];

@@ -15,7 +15,7 @@ internal sealed class StrandTracer(double step, double limit, double thinnest)
 
     private enum State : byte { Unknown, Owned, Elsewhere, Thin }
 
-    public List<Strand> Trace(Region piece)
+    public List<MedialStrand> Trace(Region piece)
     {
         var grid = new SegmentGrid(piece.Paths, piece.Bounds, limit);
         var sampler = new BoundarySampler(grid, step, limit, null);
@@ -31,14 +31,14 @@ internal sealed class StrandTracer(double step, double limit, double thinnest)
             start[c] = Math.Max(0, samples[c].FindIndex(s => s.Disc.Radius == 0 || s.Disc.Opposite > Corner));
             first[c] = samples[c].Count == 0 ? 0 : samples[c][start[c]].Edge + samples[c][start[c]].Along;
         }
-        var strands = new List<Strand>();
+        var strands = new List<MedialStrand>();
         for (var c = 0; c < contours; c++) Runs(grid, samples[c], start[c], first, strands);
         if (strands.Count == 0) Dot(samples, strands);
         return strands;
     }
 
     // A piece that is as wide as long has no strip: one dot at its thickest.
-    private void Dot(List<BoundarySample>[] samples, List<Strand> strands)
+    private void Dot(List<BoundarySample>[] samples, List<MedialStrand> strands)
     {
         var largest = 0.0;
         var center = Vec3.Zero;
@@ -51,14 +51,14 @@ internal sealed class StrandTracer(double step, double limit, double thinnest)
             }
         }
         if (2 * largest < thinnest) return;
-        var dot = new Strand();
+        var dot = new MedialStrand();
         dot.Add(center, largest);
         strands.Add(dot);
     }
 
-    private void Runs(SegmentGrid grid, List<BoundarySample> samples, int start, double[] first, List<Strand> strands)
+    private void Runs(SegmentGrid grid, List<BoundarySample> samples, int start, double[] first, List<MedialStrand> strands)
     {
-        Strand? open = null;
+        MedialStrand? open = null;
         var before = strands.Count;
         var gap = false;
         var ownedFirst = false;
@@ -87,7 +87,7 @@ internal sealed class StrandTracer(double step, double limit, double thinnest)
                 if (open is null)
                 {
                     var ran = last == State.Thin && radius < thinnest ? StrandEnd.Thin : StrandEnd.Junction;
-                    open = new Strand { Start = gap || k == 0 ? StrandEnd.Outline : ran };
+                    open = new MedialStrand { Start = gap || k == 0 ? StrandEnd.Outline : ran };
                     strands.Add(open);
                 }
                 if (open.Count == 0 || (center - open.Points[open.Count - 1]).LengthXY > 1e-4) open.Add(center, radius);
@@ -116,7 +116,7 @@ internal sealed class StrandTracer(double step, double limit, double thinnest)
     }
 
     // It ran out in thinness, rather than at a step.
-    private bool Ends(Strand strand) => strand.Radii[strand.Count - 1] < thinnest;
+    private bool Ends(MedialStrand strand) => strand.Radii[strand.Count - 1] < thinnest;
 
     private Vec3 Center(in BoundarySample sample) => sample.Point + sample.Normal * Math.Min(sample.Disc.Radius, limit);
 

@@ -42,7 +42,7 @@ internal sealed class WallOutput(WallRules rules)
         => Add(Array.ConvertAll(ring, Grid.ToMm), Array.ConvertAll(distances, d => rules.Width(2 * d)), closed: true, index, isStrand: false);
 
     /// <summary>Single strands, at least as wide as a spacing.</summary>
-    public void Strands(List<Strand> strands, int index, double least)
+    public void Strands(List<MedialStrand> strands, int index, double least)
     {
         var most = Math.Max(rules.Spacing(rules.MaxWidth), rules.Spacing(rules.OuterWidth));
         foreach (var strand in strands)

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Curved;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
@@ -48,7 +49,7 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
             if (field.Value is null || field.HasErrors) return new Result<SliceResult>(null, field.Diagnostics);
             var floor = ModelMesh.Joined(onto);
             var options = new CurvedOptions { Onto = floor is null ? null : PlanSurface.OnBed(floor), Partial = partial };
-            var sliced = CurvedSlicer.Slice(solids, field.Value, setup, options, 0, progress, cancel);
+            var sliced = CurvedSlicer.Slice(solids, field.Value, setup, options, progress, cancel);
             return new Result<SliceResult>(sliced.Value, field.Diagnostics.Concat(sliced.Diagnostics).ToArray());
         });
         SetResult(run, models, solids, result);

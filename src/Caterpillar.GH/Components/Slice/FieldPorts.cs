@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
+using Caterpillar.Curved;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;

@@ -49,7 +49,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         SliceModel[] all = [.. parts, .. modifiers];
         object[] helpers = modifiers.SelectMany(m => new object[] { m.Mesh.Mesh, m.Settings }).ToArray();
         var result = run.Work("Slicing", [settings, models, parts.Select(p => p.Settings).ToArray(), helpers],
-            (progress, cancel) => PlanarSlicer.SliceEach(all, settings, 0, progress, cancel));
+            (progress, cancel) => PlanarSlicer.SliceEach(all, settings, null, progress, cancel));
         SetResult(run, models, solids, result);
     }
 

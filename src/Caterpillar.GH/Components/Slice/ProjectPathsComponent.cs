@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Caterpillar.Curved;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;

@@ -124,7 +124,7 @@ public class SeamTests
     public void Seams_do_not_depend_on_the_number_of_threads()
     {
         var model = new NamedMesh("test", TriMesh.Merge([EllSolid, Solids.Cone(0, 8, 9, 2)]));
-        Vec3[] Of(int threads) => Seams(PlanarSlicer.Slice([model], At(SeamPosition.Aligned), threads).Value!.Layers);
+        Vec3[] Of(int threads) => Seams(PlanarSlicer.Slice([model], At(SeamPosition.Aligned), new SliceOptions { Threads = threads }).Value!.Layers);
         Assert.That(Of(4), Is.EqualTo(Of(1)));
     }
 

@@ -188,7 +188,8 @@ public class SupportTests
     public void Supports_do_not_depend_on_the_number_of_threads(SupportKind kind)
     {
         var model = new NamedMesh("test", TriMesh.Merge(Footed));
-        Vec3[] Of(int threads) => PlanarSlicer.Slice([model], With(kind), threads).Value!.Layers.SelectMany(l => l.Steps).SelectMany(s => s.Path.Points)
+        Vec3[] Of(int threads) => PlanarSlicer.Slice([model], With(kind), new SliceOptions { Threads = threads }).Value!.Layers
+            .SelectMany(l => l.Steps).SelectMany(s => s.Path.Points)
             .ToArray();
         Assert.That(Of(4), Is.EqualTo(Of(1)));
     }

@@ -5,7 +5,6 @@ using Caterpillar.Machines;
 using Caterpillar.Slicing;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
-using Strand = Caterpillar.Slicing.Strand;
 
 namespace Caterpillar.Tests.Slicing;
 
@@ -132,9 +131,9 @@ public class WallPartTests
         Assert.That(new InfillLine([new(0, 0), new(4, 0), new(4, 3)], true).Length, Is.EqualTo(12));
     }
 
-    private static Strand Line(params (double X, double Y, double Radius)[] points)
+    private static MedialStrand Line(params (double X, double Y, double Radius)[] points)
     {
-        var strand = new Strand();
+        var strand = new MedialStrand();
         foreach (var (x, y, radius) in points) strand.Add(new Vec3(x, y), radius);
         return strand;
     }

@@ -1,0 +1,137 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Curved;
+
+/// <summary>
+/// A field whose flat layers are as wide as the layers are along themselves, so that walls and lines keep their distance on slopes. The plan is stretched along
+/// the two main directions of the slopes, at each position by the root mean square of what the slopes there ask for: exact for tilted planes, waves and roofs
+/// that slope in one direction, and near to it for others. Amounts are reduced by as much as the plan grows.
+/// </summary>
+internal sealed class StretchedField : LayerField
+{
+    // Nodes along each axis, and levels of the field, between which the stretch is linear.
+    private const int Nodes = 33;
+    private const int Levels = 17;
+
+    // Less would not be seen in print: slopes below 2.5 degrees.
+    private const double Least = 1e-3;
+
+    private readonly LayerField _inner;
+    private readonly double _cos;
+    private readonly double _sin;
+    private readonly double _low;
+    private readonly double _step;
+    private readonly (AxisStretch U, AxisStretch V)[] _axes;
+
+    private StretchedField(LayerField inner, SlopeSamples samples)
+    {
+        _inner = inner;
+        (_cos, _sin) = (samples.Cos, samples.Sin);
+        (_low, _step) = (samples.Low, samples.Step);
+        _axes = new (AxisStretch U, AxisStretch V)[Levels];
+        for (var i = 0; i < Levels; i++) _axes[i] = samples.Axes(i);
+    }
+
+    public override double Detail => _inner.Detail;
+
+    public override bool StartsLevel => _inner.StartsLevel;
+
+    /// <summary>The field itself where its layers are almost level, or where it already bends the plan.</summary>
+    public static LayerField Of(LayerField field, PartColumns part)
+    {
+        if (field.BendsPlan) return field;
+        var samples = SlopeSamples.Of(field, part, Nodes, Levels);
+        return samples is not null && samples.Most - 1 > Least ? new StretchedField(field, samples) : field;
+    }
+
+    public override double Value(Vec3 point) => _inner.Value(point);
+
+    public override double Height(double x, double y, double value) => _inner.Height(x, y, value);
+
+    public override bool Covers(double x, double y) => _inner.Covers(x, y);
+
+    public override Vec3 Normal(Vec3 point) => _inner.Normal(point);
+
+    public override Vec3 ToFlat(Vec3 point) => Stretched(point.WithZ(_inner.Value(point)));
+
+    public override Vec3 ToPart(Vec3 flat)
+    {
+        var place = ToPlan(flat);
+        return place.WithZ(_inner.Height(place.X, place.Y, flat.Z));
+    }
+
+    /// <summary>The place in plan of a point among flat layers; its height stays the value of the field.</summary>
+    public Vec3 ToPlan(Vec3 flat)
+    {
+        var (u, v) = Turned(flat);
+        var (i, t) = LevelAt(flat.Z);
+        return Back(Inverse(_axes[i].U, _axes[i + 1].U, t, u), Inverse(_axes[i].V, _axes[i + 1].V, t, v), flat.Z);
+    }
+
+    /// <summary>What a region among flat layers covers in plan.</summary>
+    public Region ToPlan(Region region, double value)
+        => Region.From(region.Contours.Select(c => new Polyline(c.Points.Select(p => ToPlan(p.WithZ(value)).WithZ(0)), closed: true)).ToArray(),
+            FillRule.NonZero);
+
+    internal override IReadOnlyList<double> Creases => _inner.Creases;
+
+    internal override bool BendsPlan => true;
+
+    internal override TriMesh? FlatMesh(TriMesh mesh)
+    {
+        if (_inner.FlatMesh(mesh) is not { } flat) return null;
+        return TriMesh.Own(Array.ConvertAll(flat.RawVertices, Stretched), flat.RawTriangles);
+    }
+
+    internal override double Spread(Vec3 point) => _inner.Spread(point);
+
+    internal override double Span(Vec3 step) => _inner.Span(step);
+
+    internal override (double First, double Second) Heights(double x, double y, double first, double second) => _inner.Heights(x, y, first, second);
+
+    internal override LiftedPoint Lift(Vec3 flat, double thickness)
+    {
+        var place = ToPlan(flat);
+        var lifted = _inner.Lift(place, thickness);
+        var (u, v) = Turned(place);
+        var (i, t) = LevelAt(flat.Z);
+        var grown = Lerp(_axes[i].U.Stretch(u), _axes[i + 1].U.Stretch(u), t) * Lerp(_axes[i].V.Stretch(v), _axes[i + 1].V.Stretch(v), t);
+        return lifted with { Area = lifted.Area / grown };
+    }
+
+    private Vec3 Stretched(Vec3 place)
+    {
+        var (u, v) = Turned(place);
+        var (i, t) = LevelAt(place.Z);
+        return Back(Lerp(_axes[i].U.To(u), _axes[i + 1].U.To(u), t), Lerp(_axes[i].V.To(v), _axes[i + 1].V.To(v), t), place.Z);
+    }
+
+    private (double U, double V) Turned(Vec3 p) => (p.X * _cos + p.Y * _sin, p.Y * _cos - p.X * _sin);
+
+    private Vec3 Back(double u, double v, double z) => new(u * _cos - v * _sin, u * _sin + v * _cos, z);
+
+    private (int Index, double Share) LevelAt(double value)
+    {
+        var t = Math.Min(Math.Max((value - _low) / _step, 0), Levels - 1);
+        var i = (int)Math.Min(t, Levels - 2);
+        return (i, t - i);
+    }
+
+    // Newton's rule: the slope of the stretched positions changes little.
+    private static double Inverse(AxisStretch a, AxisStretch b, double t, double stretched)
+    {
+        var u = stretched;
+        for (var i = 0; i < 30; i++)
+        {
+            var rest = Lerp(a.To(u), b.To(u), t) - stretched;
+            u -= rest / Lerp(a.Stretch(u), b.Stretch(u), t);
+            if (Math.Abs(rest) < 1e-11) break;
+        }
+        return u;
+    }
+
+    private static double Lerp(double a, double b, double t) => a + (b - a) * t;
+}

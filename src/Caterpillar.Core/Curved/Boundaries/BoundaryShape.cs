@@ -1,0 +1,50 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Curved;
+
+/// <summary>A surface or a set of curves that shows where a boundary of layers runs on a part.</summary>
+public sealed class BoundaryShape
+{
+    private readonly Func<Vec3, double> _distance;
+
+    private BoundaryShape(Func<Vec3, double> distance) => _distance = distance;
+
+    /// <summary>A surface, which touches or cuts the part.</summary>
+    /// <exception cref="ArgumentException">The mesh has no triangles.</exception>
+    public static BoundaryShape Of(TriMesh surface)
+    {
+        var distance = new MeshDistance(surface ?? throw new ArgumentNullException(nameof(surface)));
+        return new BoundaryShape(p => distance.Nearest(p).Point.DistanceTo(p));
+    }
+
+    /// <summary>Several at once.</summary>
+    public static BoundaryShape Of(IReadOnlyList<BoundaryShape> shapes)
+    {
+        if (shapes is null) throw new ArgumentNullException(nameof(shapes));
+        return new BoundaryShape(p =>
+        {
+            var least = double.PositiveInfinity;
+            foreach (var shape in shapes) least = Math.Min(least, shape.DistanceTo(p));
+            return least;
+        });
+    }
+
+    /// <summary>Curves on the part.</summary>
+    public static BoundaryShape Of(IReadOnlyList<Polyline> curves)
+    {
+        if (curves is null) throw new ArgumentNullException(nameof(curves));
+        return new BoundaryShape(p =>
+        {
+            var least = double.PositiveInfinity;
+            foreach (var curve in curves)
+            {
+                for (var i = 0; i < curve.SegmentCount; i++) least = Math.Min(least, p.DistanceToSegment(curve[i], curve[(i + 1) % curve.Count]));
+            }
+            return least;
+        });
+    }
+
+    internal double DistanceTo(Vec3 point) => _distance(point);
+}

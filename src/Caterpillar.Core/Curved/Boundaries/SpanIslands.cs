@@ -1,0 +1,54 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Curved;
+
+/// <summary>The connected pieces of a layer: each outline with the holes in it.</summary>
+internal static class SpanIslands
+{
+    /// <summary>A span for each piece, with its box.</summary>
+    public static List<(MeanValueSpan Span, Bounds Bounds)> Of(List<Vec3[]> curves)
+    {
+        var outlines = curves.Where(c => Area(c) > 0).OrderBy(Area).ToArray();
+        if (outlines.Length == 0) return [(new MeanValueSpan(curves), Bounds.Of(curves.SelectMany(c => c)))];
+        var spans = Array.ConvertAll(outlines, o => new MeanValueSpan([o]));
+        var members = Array.ConvertAll(outlines, o => new List<Vec3[]> { o });
+        foreach (var hole in curves.Where(c => !(Area(c) > 0)))
+        {
+            // The smallest outline around it.
+            var owner = Array.FindIndex(spans, s => s.Winding(hole[0].X, hole[0].Y) != 0);
+            if (owner >= 0) members[owner].Add(hole);
+        }
+        return members.Select(m => (new MeanValueSpan(m), Bounds.Of(m[0]))).ToList();
+    }
+
+    /// <summary>The piece that a place lies in, else the nearest.</summary>
+    public static MeanValueSpan Nearest(List<(MeanValueSpan Span, Bounds Bounds)> spans, double x, double y)
+    {
+        if (spans.Count == 1) return spans[0].Span;
+        foreach (var (span, bounds) in spans)
+        {
+            if (x >= bounds.Min.X && x <= bounds.Max.X && y >= bounds.Min.Y && y <= bounds.Max.Y && span.Winding(x, y) != 0) return span;
+        }
+        var (best, least) = (spans[0].Span, double.PositiveInfinity);
+        foreach (var (span, _) in spans)
+        {
+            var square = span.SquareTo(x, y);
+            if (square < least) (best, least) = (span, square);
+        }
+        return best;
+    }
+
+    private static double Area(Vec3[] curve)
+    {
+        var sum = 0.0;
+        for (var i = 0; i < curve.Length; i++)
+        {
+            var next = curve[(i + 1) % curve.Length];
+            sum += (curve[i].X - curve[0].X) * (next.Y - curve[0].Y) - (next.X - curve[0].X) * (curve[i].Y - curve[0].Y);
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,115 @@
+using System;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Curved;
+
+/// <summary>
+/// Layers between boundaries of a mesh. On its surface the field is linear in each triangle, so its level curves are the walls; inside of them a layer spans
+/// its walls.
+/// </summary>
+internal sealed class BoundaryField : LayerField
+{
+    private readonly MeshBoundaries _boundaries;
+
+    // Of each vertex, from 0 at the lower boundary to the height at the upper one.
+    private readonly double[] _values;
+    private readonly double _height;
+    private readonly Lazy<SpanGrid> _grid;
+
+    private BoundaryField(MeshBoundaries boundaries, double[] values, double height, Func<double[]> levels)
+    {
+        _boundaries = boundaries;
+        _values = values;
+        _height = height;
+        _grid = new Lazy<SpanGrid>(() => SpanGrid.Of(boundaries.Mesh, values, levels()));
+        var low = boundaries.Lower.Select(v => boundaries.Mesh.RawVertices[v].Z).ToArray();
+        StartsLevel = low.Max() - low.Min() < 1e-3;
+    }
+
+    public override double Detail => 1;
+
+    public override bool StartsLevel { get; }
+
+    /// <summary>A field of values from 0 at the lower boundary to 1 at the upper one.</summary>
+    public static LayerField Of(MeshBoundaries boundaries, double[] shares)
+    {
+        var mesh = boundaries.Mesh;
+        // Nine tenths of the surface have layers no thicker than asked for; near branchings they are thicker, and may be divided.
+        var height = new SurfaceSlope(mesh, shares).Thickness(0.9);
+        var values = Array.ConvertAll(shares, s => s * height);
+        return new BoundaryField(boundaries, values, height, () => Even(0, height, 100));
+    }
+
+    public static double[] HarmonicShares(MeshBoundaries boundaries, CancellationToken cancel)
+    {
+        var given = new double[boundaries.Mesh.VertexCount];
+        for (var i = 0; i < given.Length; i++) given[i] = double.NaN;
+        foreach (var v in boundaries.Lower) given[v] = 0;
+        foreach (var v in boundaries.Upper) given[v] = 1;
+        return HarmonicValues.Solve(boundaries.Mesh, given, cancel);
+    }
+
+    public static double[] GeodesicShares(MeshBoundaries boundaries, CancellationToken cancel)
+    {
+        var low = GeodesicDistance.From(boundaries.Mesh, boundaries.Lower, cancel);
+        var high = GeodesicDistance.From(boundaries.Mesh, boundaries.Upper, cancel);
+        return low.Select((d, v) => d / (d + high[v])).ToArray();
+    }
+
+    public override double Value(Vec3 point) => _grid.Value.Level(point);
+
+    public override double Height(double x, double y, double value) => _grid.Value.Height(x, y, value);
+
+    public override Vec3 Normal(Vec3 point)
+    {
+        var (grid, step) = (_grid.Value, _grid.Value.Cell / 2);
+        var level = grid.Level(point);
+        var byX = (grid.Height(point.X + step, point.Y, level) - grid.Height(point.X - step, point.Y, level)) / (2 * step);
+        var byY = (grid.Height(point.X, point.Y + step, level) - grid.Height(point.X, point.Y - step, level)) / (2 * step);
+        return new Vec3(-byX, -byY, 1).Unit();
+    }
+
+    internal override double Span(Vec3 step) => step.LengthXY;
+
+    internal override TriMesh? FlatMesh(TriMesh mesh)
+    {
+        var (own, given) = (_boundaries.Original, mesh);
+        if (!ReferenceEquals(own, given) && !(own.RawVertices.AsEnumerable().SequenceEqual(given.RawVertices)
+            && own.RawTriangles.AsEnumerable().SequenceEqual(given.RawTriangles)))
+        {
+            return null;
+        }
+        var fine = _boundaries.Mesh;
+        return TriMesh.Own(fine.RawVertices.Select((p, i) => p.WithZ(_values[i])).ToArray(), fine.RawTriangles);
+    }
+
+    internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
+    {
+        var slope = new SurfaceSlope(_boundaries.Mesh, _values);
+        if (slope.Falling(out var place) is > 0.01 and var share)
+        {
+            // Small places where branches meet do little harm.
+            var most = share > 0.05;
+            problems.Add(most ? Severity.Error : Severity.Warning, "curved.not_rising",
+                $"On {NumberFormatter.Format(share * 100, 1)} % of the part's surface, most at {place}, the layers overhang or fold back: a nozzle from "
+                + "above cannot print them" + (most ? "." : " well."));
+            if (most) return this;
+        }
+        var first = settings.FirstLayerHeight;
+        var layers = Math.Max(1, (int)Math.Ceiling((_height - first) / settings.LayerHeight - 1e-6));
+        var height = first + layers * settings.LayerHeight;
+        var values = Array.ConvertAll(_values, v => v * height / _height);
+        return new BoundaryField(_boundaries, values, height, () => [0, .. Even(first, height, layers)]);
+    }
+
+    private static double[] Even(double from, double to, int parts)
+    {
+        var result = new double[parts + 1];
+        for (var i = 0; i <= parts; i++) result[i] = from + (to - from) * i / parts;
+        return result;
+    }
+}

@@ -1,0 +1,185 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Curved;
+
+/// <summary>
+/// A scalar field whose level sets are the layers of a print; planar layers are the field z. The field rises along Z everywhere, so that every layer is a
+/// height field, which a vertical tool can print. Values in mm of layer thickness. Immutable, for any thread.
+/// </summary>
+public abstract class LayerField
+{
+    /// <summary>The value at a point in mm; NaN where the field is not defined.</summary>
+    public abstract double Value(Vec3 point);
+
+    /// <summary>The height over (x, y), mm, where the field has a value; NaN if there is none.</summary>
+    public virtual double Height(double x, double y, double value) => HeightSolver.Solve(this, x, y, value);
+
+    /// <summary>Heights of two values over one place, mm.</summary>
+    internal virtual (double First, double Second) Heights(double x, double y, double first, double second)
+        => (Height(x, y, first), Height(x, y, second));
+
+    /// <summary>False where the surfaces that make the field have no height over (x, y); there the field is continued beyond their edge.</summary>
+    public virtual bool Covers(double x, double y) => true;
+
+    /// <summary>The field has no features smaller than this in plan, mm; infinite for a plane.</summary>
+    public virtual double Detail => 2;
+
+    /// <summary>True if the layers near the bed are level, so that loops around the part can be printed there.</summary>
+    public virtual bool StartsLevel => false;
+
+    /// <summary>The unit normal of the layer through a point, upward.</summary>
+    public virtual Vec3 Normal(Vec3 point)
+    {
+        const double Step = 1e-3;
+        Vec3 x = new(Step, 0), y = new(0, Step), z = new(0, 0, Step);
+        return new Vec3(
+            ToFlat(point + x).Z - ToFlat(point - x).Z, ToFlat(point + y).Z - ToFlat(point - y).Z, ToFlat(point + z).Z - ToFlat(point - z).Z).Unit();
+    }
+
+    /// <summary>The point of the bent part with flat layers: x, y and the value of the field.</summary>
+    public virtual Vec3 ToFlat(Vec3 point) => point.WithZ(Value(point));
+
+    /// <summary>The point of the part for a point among flat layers; not finite if there is none.</summary>
+    public virtual Vec3 ToPart(Vec3 flat) => flat.WithZ(Height(flat.X, flat.Y, flat.Z));
+
+    /// <summary>A point among flat layers in the part, with what a strand of a thickness in mm has below it.</summary>
+    internal virtual LiftedPoint Lift(Vec3 flat, double thickness)
+    {
+        var (top, bottom) = Heights(flat.X, flat.Y, flat.Z, flat.Z - thickness);
+        return new LiftedPoint(flat.WithZ(top), top - bottom, 1);
+    }
+
+    /// <summary>The part of the length of a step, mm, over which the field may change in any other than a linear manner.</summary>
+    internal virtual double Span(Vec3 step) => step.Length;
+
+    /// <summary>Values at which the field has a crease: a mesh that is bent is divided along them.</summary>
+    internal virtual IReadOnlyList<double> Creases => [];
+
+    /// <summary>How far layers at a place lie apart, along Z, for each mm of the field; 1 where that is not known.</summary>
+    internal virtual double Spread(Vec3 point) => 1;
+
+    /// <summary>Whether the field moves points in plan, too.</summary>
+    internal virtual bool BendsPlan => false;
+
+    /// <summary>A mesh bent until layers are flat, where the field is made of this very mesh; else null, and it is bent point by point.</summary>
+    internal virtual TriMesh? FlatMesh(TriMesh mesh) => null;
+
+    /// <summary>What is wrong with the surfaces of the field themselves.</summary>
+    internal virtual void Check(DiagnosticList problems)
+    {
+    }
+
+    /// <summary>The field for a part: constants chosen so that the part begins at the value 0 and the layers meet the surfaces of the field.</summary>
+    internal virtual LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems) => Anchored(this, part, settings);
+
+    /// <summary>A field moved by whole layers, so that the level 0 stays a border of layers and the part lies above 0.</summary>
+    internal static LayerField Anchored(LayerField field, PartColumns part, PrintSettings settings)
+    {
+        var lowest = double.PositiveInfinity;
+        foreach (var column in part.Columns)
+        {
+            var value = field.Value(new Vec3(column.X, column.Y, column.Low));
+            if (value < lowest) lowest = value;
+        }
+        if (double.IsInfinity(lowest)) return field;
+        const double Rounding = 1e-6;
+        var layers = Math.Floor(lowest / settings.LayerHeight + Rounding);
+        if (layers == 0 && lowest > -Rounding) return field;
+        var shift = lowest > -Rounding ? -layers * settings.LayerHeight
+            : settings.FirstLayerHeight + Math.Max(0,
+                Math.Ceiling((-lowest - settings.FirstLayerHeight) / settings.LayerHeight - Rounding)) * settings.LayerHeight;
+        return new ShiftedField(field, shift);
+    }
+
+    /// <summary>Planar layers: the field z.</summary>
+    public static LayerField Level => VerticalField.Of(PlanSurface.Level(0), null);
+
+    /// <summary>Layers that are copies of a plan, moved up and down; with a blend the layers near the bed are level.</summary>
+    /// <exception cref="ArgumentException">The blend ends below its beginning.</exception>
+    public static LayerField Vertical(PlanSurface plan, LayerBlend? blend = null)
+    {
+        if (plan is null) throw new ArgumentNullException(nameof(plan));
+        if (blend is { } zone && !(zone.From >= 0 && zone.To > zone.From)) throw new ArgumentException("A blend ends above its beginning.", nameof(blend));
+        return VerticalField.Of(plan, blend);
+    }
+
+    /// <summary>Layers at equal distances from a surface, its normal offsets; the surface has to be a height field.</summary>
+    /// <exception cref="ArgumentException">The mesh has no triangles.</exception>
+    public static LayerField Offset(TriMesh surface) => new OffsetField(surface ?? throw new ArgumentNullException(nameof(surface)));
+
+    /// <summary>
+    /// Layers of a part that is bent by a map before it is sliced flat; the paths are bent back. The map must be smooth, must not fold the part, and must be
+    /// callable from any thread.
+    /// </summary>
+    /// <param name="bend">A point of the part, mm, to a point of the bent part, mm.</param>
+    public static LayerField Deformed(Func<Vec3, Vec3> bend) => new DeformedField(bend ?? throw new ArgumentNullException(nameof(bend)));
+
+    /// <summary>As <see cref="Deformed(Func{Vec3, Vec3})"/>, by formulas for the bent x, y and z in x, y, z, r and theta.</summary>
+    /// <returns>None with an error that gives the column.</returns>
+    public static Result<LayerField> Deformed(string x, string y, string z, Vec3 origin = default, SourceLocation? source = null)
+    {
+        var compiled = new[] { FieldFormula.Compile(x, source), FieldFormula.Compile(y, source), FieldFormula.Compile(z, source) };
+        var problems = new List<Diagnostic>();
+        foreach (var one in compiled) problems.AddRange(one.Diagnostics);
+        if (compiled[0].Value is not { } fx || compiled[1].Value is not { } fy || compiled[2].Value is not { } fz)
+            return new Result<LayerField>(null, problems);
+        return new Result<LayerField>(
+            new DeformedField(p =>
+            {
+                var d = p - origin;
+                return new Vec3(fx.At(d.X, d.Y, d.Z), fy.At(d.X, d.Y, d.Z), fz.At(d.X, d.Y, d.Z)) + origin;
+            }),
+            problems);
+    }
+
+    /// <summary>Layers that divide the space between surfaces, of which each lies above the one before.</summary>
+    /// <exception cref="ArgumentException">Fewer than two surfaces.</exception>
+    public static LayerField Between(params PlanSurface[] surfaces)
+    {
+        if (surfaces is null) throw new ArgumentNullException(nameof(surfaces));
+        if (surfaces.Length < 2) throw new ArgumentException("There is something between two surfaces at least.", nameof(surfaces));
+        return BetweenField.Of((PlanSurface[])surfaces.Clone());
+    }
+
+    /// <summary>
+    /// Layers between boundaries of a mesh that change as evenly as can be, also where it branches: a harmonic field, by Laplace's equation on the surface
+    /// with cotangent weights. Its level curves are the walls; inside of them layers span the walls.
+    /// </summary>
+    /// <param name="boundaries">Where layers begin and end.</param>
+    /// <param name="cancel">Cancels.</param>
+    public static LayerField Harmonic(MeshBoundaries boundaries, CancellationToken cancel = default)
+        => BoundaryField.Of(boundaries ?? throw new ArgumentNullException(nameof(boundaries)), BoundaryField.HarmonicShares(boundaries, cancel));
+
+    /// <summary>
+    /// Layers between boundaries of a mesh by distances along its surface: at the share d / (d + e), where d and e are the distances to the lower and to the
+    /// nearest upper boundary (fast marching). Layers are thicker where the boundaries are farther apart; where two upper boundaries are equally far they have
+    /// a crease.
+    /// </summary>
+    /// <inheritdoc cref="Harmonic"/>
+    public static LayerField Geodesic(MeshBoundaries boundaries, CancellationToken cancel = default)
+        => BoundaryField.Of(boundaries ?? throw new ArgumentNullException(nameof(boundaries)), BoundaryField.GeodesicShares(boundaries, cancel));
+
+    /// <summary>A field given by a function of the place, in mm of layer thickness; it must rise with z, and be callable from any thread.</summary>
+    /// <param name="value">The value at a point.</param>
+    /// <param name="detail">Size of the smallest features, mm.</param>
+    public static LayerField Of(Func<Vec3, double> value, double detail = FieldFormula.Detail)
+        => new FormulaField(value ?? throw new ArgumentNullException(nameof(value)), detail);
+
+    /// <summary>A field given by a formula in x, y, z (mm), and r and theta, the polar coordinates about the origin: <c>z - 2 * sin(9 * x)</c>.</summary>
+    /// <param name="text">The formula.</param>
+    /// <param name="origin">Where its origin is, mm.</param>
+    /// <param name="source">Where it comes from, for messages.</param>
+    /// <returns>None with an error that gives the column.</returns>
+    public static Result<LayerField> Formula(string text, Vec3 origin = default, SourceLocation? source = null)
+    {
+        var compiled = FieldFormula.Compile(text, source);
+        return new Result<LayerField>(
+            compiled.Value is { } formula ? new FormulaField(p => formula.At(p.X - origin.X, p.Y - origin.Y, p.Z - origin.Z), FieldFormula.Detail)
+                : null, compiled.Diagnostics);
+    }
+}

@@ -1,0 +1,96 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Curved;
+
+/// <summary>
+/// Layers at equal distances from a surface: its normal offsets. Where those would run into each other, on the hollow side, the distance keeps them apart along
+/// a crease.
+/// </summary>
+internal sealed class OffsetField : LayerField
+{
+    private readonly TriMesh _mesh;
+    private readonly MeshDistance _distance;
+    private readonly MeshHeights _heights;
+
+    // −1 for a surface that faces down.
+    private readonly double _side;
+
+    public OffsetField(TriMesh mesh)
+    {
+        _mesh = mesh;
+        _distance = new MeshDistance(mesh);
+        _heights = new MeshHeights(mesh);
+        var up = 0.0;
+        for (var t = 0; t < mesh.TriangleCount; t++) up += mesh.Normal(t).Z;
+        _side = up < 0 && !mesh.IsWatertight ? -1 : 1;
+        Detail = Math.Max(0.25, Math.Sqrt(2 * mesh.Area / mesh.TriangleCount));
+    }
+
+    public override double Detail { get; }
+
+    public override double Value(Vec3 point) => _side * _distance.Nearest(point).Distance;
+
+    public override double Height(double x, double y, double value)
+    {
+        var under = _heights.TopUnder(x, y);
+        if (double.IsInfinity(under)) return base.Height(x, y, value);
+        // The distance changes along its own direction by as much as one moves.
+        var z = under + value;
+        for (var i = 0; i < 12; i++)
+        {
+            var near = _distance.Nearest(new Vec3(x, y, z));
+            var rest = _side * near.Distance - value;
+            if (Math.Abs(rest) < 1e-10) return z;
+            var rise = Math.Abs(near.Distance) > 1e-6 ? (z - near.Point.Z) / near.Distance : near.Normal.Z;
+            rise *= _side;
+            if (!(rise > 0.05)) break;
+            z -= rest / rise;
+        }
+        return base.Height(x, y, value);
+    }
+
+    public override Vec3 Normal(Vec3 point)
+    {
+        var near = _distance.Nearest(point);
+        var normal = Math.Abs(near.Distance) > 1e-6 ? (point - near.Point) / near.Distance : near.Normal;
+        return normal * _side;
+    }
+
+    internal override void Check(DiagnosticList problems) => PlanSurface.Of(_mesh).Check(problems);
+
+    internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
+    {
+        foreach (var column in part.Columns)
+        {
+            if (!Rises(column, problems)) return this;
+        }
+        return Anchored(this, part, settings);
+    }
+
+    private bool Rises(Column column, DiagnosticList problems)
+    {
+        // mm: parts as large as their plan reach over its edge by rounding.
+        const double Edge = 0.05;
+        foreach (var z in new[] { column.Low, column.High })
+        {
+            var at = new Vec3(column.X, column.Y, z);
+            var near = _distance.Nearest(at);
+            var aside = (at - near.Point - near.Normal * Vec3.Dot(at - near.Point, near.Normal)).Length;
+            if (near.OnRim && aside > Edge)
+            {
+                problems.Add(Severity.Error, "curved.outside_plan",
+                    $"The surface has no point below {at} along its normal: it is smaller than the part, or has a hole.");
+                return false;
+            }
+            if (!(Normal(at).Z > 1e-3))
+            {
+                problems.Add(Severity.Error, "curved.not_rising", $"The layers stand upright or overhang at {at}: a nozzle from above cannot print them.");
+                return false;
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,44 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Curved;
+
+/// <summary>What the layers above and below cover, for places where layers are too thin to be printed one by one. Only reads; any thread.</summary>
+internal sealed class LayerNeighbors
+{
+    private readonly Dictionary<string, Dictionary<int, Region>> _objects = new(StringComparer.Ordinal);
+
+    public LayerNeighbors(IEnumerable<SlicedLayer> layers)
+    {
+        foreach (var layer in layers)
+        {
+            if (!_objects.TryGetValue(layer.Layer.Object, out var regions)) _objects.Add(layer.Layer.Object, regions = []);
+            regions[layer.Layer.Index] = layer.Region;
+        }
+    }
+
+    /// <summary>
+    /// How many layers a strand prints at once, itself the uppermost; 0 where a layer above prints this one with its own. Layers are grouped by powers of two,
+    /// so that groups of different places end together; a group also ends below the surface of the part.
+    /// </summary>
+    public int LayersFor(Layer layer, Vec3 flat, int wanted)
+    {
+        var group = 1;
+        while (group < wanted && group < 64) group *= 2;
+        var above = (group - 1 - layer.Index % group) % group;
+        // Printed by the last layer of the group, or the last one before that which is there.
+        if (above > 0 && Covers(layer, 1, flat)) return 0;
+        var count = 1;
+        while (count <= layer.Index % group && Covers(layer, -count, flat)) count++;
+        return count;
+    }
+
+    /// <summary>Whether nothing of the part lies below a place of a layer.</summary>
+    public bool IsLowest(Layer layer, Vec3 flat) => !Covers(layer, -1, flat);
+
+    private bool Covers(Layer layer, int offset, Vec3 flat)
+        => _objects[layer.Object].TryGetValue(layer.Index + offset, out var region) && region.Contains(flat.X, flat.Y);
+}

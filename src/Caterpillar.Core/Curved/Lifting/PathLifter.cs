@@ -1,0 +1,174 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Curved;
+
+/// <summary>
+/// Brings paths of flat layers back into the part: divided until chords and gaps are exact enough, each piece with a bead of the volume that lies between its
+/// layer and what is below. One thread.
+/// </summary>
+internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbors? neighbors)
+{
+    private const int MaxDepth = 12;
+    private readonly JoinedStrand _strand = new(rules.Tolerance / 2, rules.GapShare);
+    private readonly List<PathStep> _pieces = [];
+    private Layer? _layer;
+    private Vec3 _segmentStart;
+
+    /// <summary>What was noticed on all paths so far.</summary>
+    public LiftReport Report { get; } = new();
+
+    /// <summary>The step in the part: usually one, several where pieces are left out.</summary>
+    public IReadOnlyList<PathStep> Lift(PathStep step)
+    {
+        var path = step.Path;
+        _pieces.Clear();
+        _strand.Clear();
+        _layer = path.Layer;
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            Vec3 from = path.RawPoints[i], to = path.EndOf(i);
+            var bead = path.BeadOf(i);
+            var span = field.Span(to - from);
+            var arc = path.ArcOf(i);
+            var parts = double.IsInfinity(field.Detail) ? 1 : (int)Math.Min(100_000, Math.Max(1, Math.Ceiling(span / field.Detail)));
+            if (arc is { } turn)
+                parts = Math.Max(turn.ChordCount(from, rules.Tolerance / 2),
+                    (int)Math.Min(100_000, Math.Ceiling(path.LengthOf(i) / Math.Min(field.Detail, 1e6))));
+            var a = At(from, bead.Height);
+            _segmentStart = from;
+            for (var k = 1; k <= parts; k++)
+            {
+                var b = At(k == parts ? to : arc?.PointAt(from, to, (double)k / parts) ?? Vec3.Lerp(from, to, (double)k / parts), bead.Height);
+                Divide(a, b, bead, 0, step);
+                a = b;
+            }
+        }
+        if (_pieces.Count == 0 && path.IsClosed && _strand.Points.Count > 3)
+        {
+            _strand.Points.RemoveAt(_strand.Points.Count - 1);
+            _pieces.Add(step.With(path.WithGeometry(_strand.Points, _strand.Beads, closed: true)));
+        }
+        else
+        {
+            End(step);
+            if (path.IsClosed) JoinEnds(step);
+        }
+        return _pieces.ToArray();
+    }
+
+    private Sample At(Vec3 flat, double thickness)
+    {
+        // Strands of unknown height keep their volume.
+        var lifted = field.Lift(flat, thickness > 0 ? thickness : 1);
+        var gap = lifted.Gap;
+        if (rules.Onto is not null)
+        {
+            var clear = lifted.Part.Z - rules.Onto.Height(lifted.Part.X, lifted.Part.Y);
+            // Where the part begins here, the first strand fills what is open below it.
+            if (clear < gap || (clear <= rules.MaxFill && _layer is not null && neighbors?.IsLowest(_layer, flat) == true)) gap = clear;
+        }
+        return new Sample(flat, lifted.Part, gap, lifted.Area, !rules.FindsEdge || field.Covers(lifted.Part.X, lifted.Part.Y));
+    }
+
+    private void Divide(Sample a, Sample b, Bead bead, int depth, PathStep step)
+    {
+        var m = At(Vec3.Lerp(a.Flat, b.Flat, 0.5), bead.Height);
+        if (depth < MaxDepth && !IsSmooth(a, b, m, bead) && a.Flat.DistanceTo(b.Flat) > 4 * rules.Tolerance)
+        {
+            Divide(a, m, bead, depth + 1, step);
+            Divide(m, b, bead, depth + 1, step);
+            return;
+        }
+        Add(a, b, m, bead, step);
+    }
+
+    private bool IsSmooth(Sample a, Sample b, Sample m, Bead bead)
+    {
+        if (m.Part.DistanceToSegment(a.Part, b.Part) > rules.Tolerance || a.Covered != m.Covered || b.Covered != m.Covered) return false;
+        var limit = rules.GapShare * Math.Max(Math.Abs(m.Gap), 1e-6);
+        if (Math.Abs(a.Gap - b.Gap) > limit || Math.Abs(m.Gap - (a.Gap + b.Gap) / 2) > limit / 2) return false;
+        // A second test off the middle, where waves may hide.
+        var n = At(Vec3.Lerp(a.Flat, b.Flat, 0.23), bead.Height);
+        return n.Part.DistanceToSegment(a.Part, b.Part) <= rules.Tolerance && Math.Abs(n.Gap - m.Gap) <= limit;
+    }
+
+    private void Add(Sample a, Sample b, Sample m, Bead bead, PathStep step)
+    {
+        var length = a.Part.DistanceTo(b.Part);
+        if (!(length > 0)) return;
+        var thickness = bead.Height;
+        var gap = (a.Gap + 4 * m.Gap + b.Gap) / 6;
+        var normal = field.Normal(m.Part);
+        var slope = Angle.Atan2(normal.LengthXY, normal.Z);
+        if (!(gap > 0) || !a.Part.IsFinite || !b.Part.IsFinite)
+        {
+            Report.Below.Note(length, -gap, m.Part);
+            End(step);
+            return;
+        }
+        if (step.Path.Role is not (Role.Skirt or Role.Brim) && !m.Covered)
+        {
+            Report.Uncovered.Note(length, 1, m.Part);
+            if (rules.Partial)
+            {
+                End(step);
+                return;
+            }
+        }
+        if (slope > rules.MaxSlope)
+        {
+            Report.Steep.Note(length, slope, m.Part);
+            if (rules.Partial)
+            {
+                End(step);
+                return;
+            }
+        }
+        var layers = rules.MinGap > 0 && gap * normal.Z < rules.MinGap && neighbors is not null && _layer is not null
+            ? neighbors.LayersFor(_layer, m.Flat, (int)Math.Ceiling(rules.MinGap / (gap * normal.Z) - 1e-9)) : 1;
+        if (layers == 0)
+        {
+            Report.Thin.Note(length, gap, m.Part);
+            End(step);
+            return;
+        }
+        if (layers > 1)
+        {
+            thickness *= layers;
+            gap = (At(a.Flat, thickness).Gap + 4 * At(m.Flat, thickness).Gap + At(b.Flat, thickness).Gap) / 6;
+        }
+        // The area among flat layers that the strand covers, times the gap.
+        var area = bead.Area / (bead.Height > 0 ? bead.Height : 1) * gap * m.Area * a.Flat.DistanceTo(b.Flat) / length;
+        _strand.Add(a.Part, b.Part, new Bead(area, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), keepsStart: a.Flat == _segmentStart);
+    }
+
+    private void End(PathStep step)
+    {
+        if (_strand.Points.Count > 1) _pieces.Add(step.With(step.Path.WithGeometry(_strand.Points, _strand.Beads, closed: false)));
+        _strand.Clear();
+    }
+
+    // A closed path that was cut elsewhere goes on through its first vertex.
+    private void JoinEnds(PathStep step)
+    {
+        if (_pieces.Count < 2) return;
+        PrintPath last = _pieces[_pieces.Count - 1].Path, first = _pieces[0].Path;
+        if (last.End.DistanceTo(first.Start) > 1e-9) return;
+        var points = new List<Vec3>(last.Points);
+        var beads = new List<Bead>();
+        for (var i = 0; i < last.SegmentCount; i++) beads.Add(last.BeadOf(i));
+        for (var i = 0; i < first.SegmentCount; i++)
+        {
+            points.Add(first.EndOf(i));
+            beads.Add(first.BeadOf(i));
+        }
+        _pieces[0] = step.With(step.Path.WithGeometry(points, beads, closed: false));
+        _pieces.RemoveAt(_pieces.Count - 1);
+    }
+
+    private readonly record struct Sample(Vec3 Flat, Vec3 Part, double Gap, double Area, bool Covered);
+}

@@ -1,0 +1,59 @@
+using System;
+using System.Linq;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Curved;
+
+/// <summary>Whether a head that prints one patch goes through another that is printed already, cell by cell.</summary>
+/// <param name="printer">Nozzle, head and gantry.</param>
+/// <param name="cell">Side of the cells of patches, mm.</param>
+/// <param name="slack">How much nearer than the middles of their cells points may be to each other, mm.</param>
+internal sealed class PatchClearance(Printer printer, double cell, double slack)
+{
+    // Rise that a strand beside the nozzle may have, mm.
+    private const double Flush = 0.1;
+    private readonly HeadShape _shape = new(printer.HeadOutline.Select(p => (p.Radius, p.Height)));
+
+    // Below this nothing but nozzle and cone is met.
+    private readonly double _boxes = printer.HeadBoxes.Concat(printer.Gantry).Select(b => b.Min.Z).DefaultIfEmpty(double.PositiveInfinity).Min();
+
+    /// <summary>True if the head goes through what is printed of one patch while it prints another.</summary>
+    public bool IsBlocked(LayerPatch printed, LayerPatch next)
+    {
+        var rise = printed.Top - next.Low;
+        if (!(rise > Math.Min(_boxes, _shape.HeightAt(Distance(printed, next))) + Flush)) return false;
+        foreach (var from in printed.Cells)
+        {
+            if (!(from.Top - next.Low > Flush)) continue;
+            foreach (var to in next.Cells)
+            {
+                if (Meets((from.Column - to.Column) * cell, (from.Row - to.Row) * cell, from.Top - to.Low - Flush)) return true;
+            }
+        }
+        return false;
+    }
+
+    private bool Meets(double x, double y, double rise)
+    {
+        if (!(rise > 0)) return false;
+        if (rise > _shape.HeightAt(Math.Sqrt(x * x + y * y) - slack)) return true;
+        if (!(rise > _boxes)) return false;
+        foreach (var box in printer.HeadBoxes)
+        {
+            if (rise > box.Min.Z && x > box.Min.X - slack && x < box.Max.X + slack && y > box.Min.Y - slack && y < box.Max.Y + slack) return true;
+        }
+        foreach (var beam in printer.Gantry)
+        {
+            if (rise > beam.Min.Z && y > beam.Min.Y - slack && y < beam.Max.Y + slack) return true;
+        }
+        return false;
+    }
+
+    // At least, between the boxes of two patches.
+    private double Distance(LayerPatch a, LayerPatch b)
+    {
+        double x = Math.Max(0, Math.Max(a.Left - b.Right, b.Left - a.Right)) * cell, y = Math.Max(0, Math.Max(a.Bottom - b.Over, b.Bottom - a.Over)) * cell;
+        return Math.Sqrt(x * x + y * y) - slack;
+    }
+}

@@ -1,0 +1,226 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Curved;
+
+/// <summary>
+/// Slices meshes along the level sets of a field (Caterpillar 2019, section 3.2, "curved slicer"): the part is bent until its layers are flat, sliced as by
+/// <see cref="PlanarSlicer"/> with all of its settings, and the paths are bent back. Every bead has the volume between its layer and what is below.
+/// </summary>
+public static class CurvedSlicer
+{
+    /// <summary>Slices meshes at the positions where they are printed (Z = 0 is the bed).</summary>
+    /// <param name="models">The objects; the field is common to all of them.</param>
+    /// <param name="field">The layers.</param>
+    /// <param name="setup">Settings of layers, walls, skins and infill; the printer's head limits the slope of layers.</param>
+    /// <param name="options">What is printed on, whether a part of the print will do, infill lines, threads and memory.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <returns>The layers, whose Z is the value of the field; and what was noticed: the codes of <see cref="PlanarSlicer"/>, and those that begin with
+    /// <c>curved.</c></returns>
+    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    public static Result<CurvedResult> Slice(
+        IReadOnlyList<NamedMesh> models, LayerField field, PrintSetup setup, CurvedOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        return SliceEach(models.Select(m => new SliceModel(m, setup.Settings)).ToArray(), field, setup, options, progress, cancel);
+    }
+
+    /// <summary>Slices models that have settings of their own.</summary>
+    /// <inheritdoc cref="Slice"/>
+    public static Result<CurvedResult> SliceEach(
+        IReadOnlyList<SliceModel> models, LayerField field, PrintSetup setup, CurvedOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        if (field is null) throw new ArgumentNullException(nameof(field));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        options ??= new CurvedOptions();
+        var problems = new DiagnosticList();
+        field.Check(problems);
+        var part = PartColumns.Of(models.Select(m => m.Mesh.Mesh));
+        if (!problems.HasErrors) CheckCover(field, part, options, problems);
+        if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
+        field = field.FitTo(part, setup.Settings, problems);
+        if (!problems.HasErrors) CheckDefined(field, part, problems);
+        if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
+
+        field = StretchedField.Of(field, part);
+        var flat = new List<SliceModel>();
+        for (var i = 0; i < models.Count; i++)
+        {
+            progress?.Report(0.3 * i / models.Count);
+            var mesh = field.FlatMesh(models[i].Mesh.Mesh)
+                ?? MeshFlattener.Flatten(models[i].Mesh.Mesh, field, setup.Settings.CurvedTolerance, options.Threads, cancel);
+            if (mesh is null)
+            {
+                problems.Add(Severity.Error, "curved.too_fine", "The bent model would have more than 12 million triangles: the field is too rough, or "
+                    + "curved_tolerance_mm too small.", new SourceLocation(models[i].Mesh.Name));
+                return new Result<CurvedResult>(null, problems.ToList());
+            }
+            flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field)));
+        }
+        var common = OnField(setup.Settings, field);
+        if (setup.Settings.RaftLayers > 0 || (!field.StartsLevel && (setup.Settings.SkirtLoops > 0 || setup.Settings.BrimWidth > 0)))
+            problems.Add(Severity.Remark, "curved.no_loops", "Curved layers that do not begin level have no skirt and no brim, and none have a raft.");
+        var limits = new GapLimits(field, part, setup.Settings, MaxGap(setup));
+        var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions
+        {
+            Threads = options.Threads, Memory = options.Memory, Divide = limits.Divide,
+            InfillLines = options.InfillLines is { } lines ? z => Flat(lines(z), field, z) : null,
+        }, progress.Part(0.3, 0.75), cancel);
+        problems.AddRange(sliced.Diagnostics);
+        if (sliced.Value is not { } result) return new Result<CurvedResult>(null, problems.ToList());
+        var least = MinGap(setup);
+        // Thinner places are printed several layers at once.
+        if (setup.Settings.CurvedMaxGapRatio > 0)
+            least = Math.Max(least, limits.Thickest(result.Layers.Select(l => l.Layer)) / setup.Settings.CurvedMaxGapRatio);
+        // A tool that tilts sees the slope from its own axis; overhanging layers cannot be printed by any.
+        var ceiling = Math.Min(89.9, SlopeLimit(setup, part, result, field) + options.MaxTilt);
+        var rules = new LiftRules(setup.Settings, least, ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial)
+        {
+            // Without a partial print it was looked for in the whole part.
+            FindsEdge = options.Partial,
+            MaxFill = options.Onto is null ? 0 : MaxGap(setup),
+        };
+        var layers = Lifted(result.Layers, field, rules, options.Threads, problems, progress.Part(0.75, 1), cancel);
+        if (layers.Length == 0 && !problems.HasErrors)
+            problems.Add(Severity.Error, "slice.nothing", "Nothing to print: no part of the models lies above the surface, within the plan.");
+        if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
+        return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems), field), problems.ToList());
+    }
+
+    // The layers back in the part; without those of which nothing is printed.
+    private static SlicedLayer[] Lifted(
+        IReadOnlyList<SlicedLayer> flat, LayerField field, LiftRules rules, int threads, DiagnosticList problems, IProgress<double>? progress,
+        CancellationToken cancel)
+    {
+        var neighbors = new LayerNeighbors(flat);
+        var layers = new SlicedLayer[flat.Count];
+        var reports = new LiftReport[layers.Length];
+        var done = 0;
+        var parallel = new ParallelOptions { CancellationToken = cancel, MaxDegreeOfParallelism = threads > 0 ? threads : -1 };
+        Parallel.For(0, layers.Length, parallel, i =>
+        {
+            var lifter = new PathLifter(field, rules, neighbors);
+            var steps = new List<PathStep>(flat[i].Steps.Count);
+            foreach (var step in flat[i].Steps)
+            {
+                cancel.ThrowIfCancellationRequested();
+                steps.AddRange(lifter.Lift(step));
+            }
+            var region = field is StretchedField stretched ? stretched.ToPlan(flat[i].Region, flat[i].Layer.Z) : flat[i].Region;
+            layers[i] = flat[i] with { Region = region, Steps = IsLevel(steps) ? Within(steps, region) : WithoutRegions(steps) };
+            reports[i] = lifter.Report;
+            progress?.Report((double)Interlocked.Increment(ref done) / layers.Length);
+        });
+        var report = new LiftReport();
+        foreach (var layer in reports) report.Add(layer);
+        LiftFindings.Add(report, rules, problems);
+        return Array.FindAll(layers, l => l.Steps.Count > 0);
+    }
+
+    // Where lines in plan lie among flat layers.
+    private static IReadOnlyList<Polyline> Flat(IReadOnlyList<Polyline> lines, LayerField field, double value)
+    {
+        if (!field.BendsPlan) return lines;
+        return lines.Select(l => new Polyline(l.Points.Select(p => field.ToFlat(p.WithZ(field.Height(p.X, p.Y, value)))), l.IsClosed)).ToArray();
+    }
+
+    private static bool IsLevel(List<PathStep> steps)
+    {
+        foreach (var step in steps)
+        {
+            foreach (var p in step.Path.RawPoints)
+            {
+                if (Math.Abs(p.Z - steps[0].Path.Start.Z) > 1e-6) return false;
+            }
+        }
+        return true;
+    }
+
+    private static List<PathStep> Within(List<PathStep> steps, Region region)
+        => steps.ConvertAll(s => s.Region is null
+            || ReferenceEquals(s.Region, region) ? s : s.With(s.Path, region));
+
+    // Level travels inside the part would run through curved layers; steps that are joined may have lost pieces between them.
+    private static List<PathStep> WithoutRegions(List<PathStep> steps)
+        => steps.ConvertAll(s => s.Region is null ? s : new PathStep(s.Path, s.Group) { KeepStart = s.KeepStart });
+
+    // The head sees no more of a layer than its rise: found from the samples of the part.
+    private static double SlopeLimit(PrintSetup setup, PartColumns part, SliceResult flat, LayerField field)
+    {
+        if (setup.Settings.CurvedMaxSlope > 0) return setup.Settings.CurvedMaxSlope;
+        var rise = 0.0;
+        foreach (var layer in flat.Layers)
+        {
+            var (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
+            foreach (var contour in layer.Region.Contours)
+            {
+                for (var i = 0; i < contour.Count; i++)
+                {
+                    var z = field.ToPart(contour[i].WithZ(layer.Layer.Z)).Z;
+                    (low, high) = (Math.Min(low, z), Math.Max(high, z));
+                }
+            }
+            rise = Math.Max(rise, high - low);
+        }
+        var size = part.Bounds.Size;
+        return HeadSlope.Limit(setup.Printer, size.LengthXY, rise);
+    }
+
+    // Thinner strands are not laid down reliably.
+    private static double MinGap(PrintSetup setup) => setup.Settings.CurvedMinGap > 0 ? setup.Settings.CurvedMinGap
+        : Math.Min(setup.Printer.NozzleDiameter * 0.15, setup.Settings.LayerHeight / 2);
+
+    private static double MaxGap(PrintSetup setup) => setup.Settings.CurvedMaxGap > 0 ? setup.Settings.CurvedMaxGap
+        : Math.Max(setup.Printer.NozzleDiameter * 0.75, Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight));
+
+    // Bent arcs are none.
+    private static PrintSettings OnField(PrintSettings settings, LayerField field)
+    {
+        settings = settings with { RaftLayers = 0, WallArcTolerance = 0 };
+        return field.StartsLevel ? settings : settings with { SkirtLoops = 0, BrimWidth = 0 };
+    }
+
+    private static void CheckCover(LayerField field, PartColumns part, CurvedOptions options, DiagnosticList problems)
+    {
+        var outside = 0;
+        Column? first = null;
+        foreach (var column in part.Columns)
+        {
+            if (field.Covers(column.X, column.Y)) continue;
+            first ??= column;
+            outside++;
+        }
+        if (first is not { } place) return;
+        var share = 100.0 * outside / part.Columns.Count;
+        problems.Add(options.Partial ? Severity.Warning : Severity.Error, "curved.outside_plan",
+            $"The plan has no height over {NumberFormatter.Format(share, share < 1 ? 2 : 0)} % of the part, first at x {Text(place.X)}, y {Text(place.Y)} mm: "
+            + (options.Partial ? "that is not printed." : "it is smaller than the part, lies beside it, or has a hole."));
+    }
+
+    private static void CheckDefined(LayerField field, PartColumns part, DiagnosticList problems)
+    {
+        foreach (var column in part.Columns)
+        {
+            var point = new Vec3(column.X, column.Y, column.High);
+            var flat = field.ToFlat(point);
+            if (flat.IsFinite && field.ToPart(flat).IsFinite) continue;
+            problems.Add(Severity.Error, "curved.undefined", $"The field has no value at {point}.");
+            return;
+        }
+    }
+
+    private static string Text(double value) => NumberFormatter.Format(value, 2);
+}

@@ -1,0 +1,93 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Curved;
+
+/// <summary>
+/// Puts what was made for a level bed onto an object: heights above the bed become heights above the object's surface. For paths from slicing, curves, turtles
+/// and traces.
+/// </summary>
+public static class SurfaceProjection
+{
+    /// <summary>Projects steps downward onto a surface. Segments are divided until they follow it within <c>curved_tolerance_mm</c>.</summary>
+    /// <param name="steps">Paths, drawn travels and events; events stay as they are.</param>
+    /// <param name="onto">The surface.</param>
+    /// <param name="setup">Tolerance; the head, which limits the slope.</param>
+    /// <param name="squeeze">How much everything is lowered, so that the first strands are pressed onto the surface, mm.</param>
+    /// <param name="partial">Leaves out what lies beyond the surface or is too steep, instead of an error.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The squeeze is negative or not finite.</exception>
+    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    public static Result<IReadOnlyList<Step>> Project(
+        IReadOnlyList<Step> steps, PlanSurface onto, PrintSetup setup, double squeeze = 0, bool partial = false,
+        IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (steps is null) throw new ArgumentNullException(nameof(steps));
+        if (onto is null) throw new ArgumentNullException(nameof(onto));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        if (!(squeeze >= 0) || double.IsInfinity(squeeze)) throw new ArgumentOutOfRangeException(nameof(squeeze), "A squeeze is not negative.");
+        var problems = new DiagnosticList();
+        onto.Check(problems);
+        if (problems.HasErrors) return new Result<IReadOnlyList<Step>>(null, problems.ToList());
+        var settings = setup.Settings;
+        var field = VerticalField.Of(onto.Moved(new Vec3(0, 0, -squeeze)), null);
+        var (span, rise) = Extent(steps, onto);
+        var steepest = settings.CurvedMaxSlope > 0 ? settings.CurvedMaxSlope : HeadSlope.Limit(setup.Printer, span, rise);
+        var rules = new LiftRules(settings, 0, steepest, null, partial) { FindsEdge = true };
+        var lifter = new PathLifter(field, rules, null);
+        var result = new List<Step>(steps.Count);
+        for (var i = 0; i < steps.Count; i++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            progress?.Report((double)i / steps.Count);
+            switch (steps[i])
+            {
+                // Level combing does not know the surface; pieces that are left out join nothing.
+                case PathStep path: result.AddRange(lifter.Lift(path).Select(Free)); break;
+                case TravelStep travel: result.Add(new TravelStep(Over(travel.Points, field), travel.Speed, travel.Intent)); break;
+                case var other: result.Add(other); break;
+            }
+        }
+        LiftFindings.Add(lifter.Report, rules, problems);
+        return new Result<IReadOnlyList<Step>>(problems.HasErrors ? null : result, problems.ToList());
+    }
+
+    private static PathStep Free(PathStep step)
+        => new(step.Path, step.Group) { KeepStart = step.KeepStart, Source = step.Source, Lines = step.Lines };
+
+    private static (double Span, double Rise) Extent(IReadOnlyList<Step> steps, PlanSurface onto)
+    {
+        var bounds = Bounds.Empty;
+        var (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
+        foreach (var step in steps)
+        {
+            if (step is not PathStep { Path: var path }) continue;
+            bounds = bounds.Include(path.Bounds);
+            foreach (var p in path.Points)
+            {
+                var z = onto.Height(p.X, p.Y);
+                (low, high) = (Math.Min(low, z), Math.Max(high, z));
+            }
+        }
+        return (bounds.Size.LengthXY, Math.Max(0, high - low));
+    }
+
+    // Between drawn points the head follows the surface.
+    private static List<Vec3> Over(IReadOnlyList<Vec3> points, LayerField field)
+    {
+        var result = new List<Vec3> { field.ToPart(points[0]) };
+        for (var i = 1; i < points.Count; i++)
+        {
+            var parts = double.IsInfinity(field.Detail) ? 1 : (int)Math.Min(10_000, Math.Ceiling((points[i] - points[i - 1]).LengthXY / field.Detail) + 1);
+            for (var k = 1; k <= parts; k++) result.Add(field.ToPart(Vec3.Lerp(points[i - 1], points[i], (double)k / parts)));
+        }
+        return result;
+    }
+}

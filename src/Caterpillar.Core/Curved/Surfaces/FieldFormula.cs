@@ -1,0 +1,45 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Expressions;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Curved;
+
+/// <summary>A formula over a place: x, y, z in mm, and r (mm) and theta (degrees, −180 to 180) about the Z axis. For any thread.</summary>
+internal sealed class FieldFormula
+{
+    /// <summary>Formulas are expected to have no features smaller than this, mm.</summary>
+    public const double Detail = 2;
+
+    private static readonly string[] Variables = ["x", "y", "z", "r", "theta"];
+    private readonly Formula _formula;
+    private readonly SpareContext _contexts = new(Variables.Length);
+
+    private FieldFormula(Formula formula) => _formula = formula;
+
+    public bool IsConstant => _formula.IsConstant;
+
+    public static Result<FieldFormula> Compile(string text, SourceLocation? source)
+    {
+        if (text is null) throw new ArgumentNullException(nameof(text));
+        var compiled = Formula.Compile(text, Variables, source);
+        if (compiled.Value is not { } formula) return new Result<FieldFormula>(null, compiled.Diagnostics);
+        if (!formula.UsesRandom) return new Result<FieldFormula>(new FieldFormula(formula), compiled.Diagnostics);
+        return new Result<FieldFormula>(null, [new Diagnostic(Severity.Error, "formula.random",
+            "The formula of a field draws random numbers; random(seed) has one value for each seed.", source)]);
+    }
+
+    public double At(double x, double y, double z)
+    {
+        var context = _contexts.Rent();
+        var values = context.Values;
+        values[0] = x;
+        values[1] = y;
+        values[2] = z;
+        values[3] = Math.Sqrt(x * x + y * y);
+        values[4] = Angle.Atan2(y, x);
+        var value = _formula.Evaluate(context);
+        _contexts.Return(context);
+        return value;
+    }
+}

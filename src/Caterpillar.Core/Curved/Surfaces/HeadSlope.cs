@@ -1,0 +1,48 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Curved;
+
+/// <summary>The steepest layers that a head can print without touching what lies uphill.</summary>
+internal static class HeadSlope
+{
+    /// <summary>Degrees.</summary>
+    /// <param name="printer">The outline and boxes of its head.</param>
+    /// <param name="span">Length of the part in plan, mm: farther out nothing is touched.</param>
+    /// <param name="rise">Height between the lowest and the highest point of a layer, mm: parts of the head higher up touch nothing.</param>
+    public static double Limit(Printer printer, double span, double rise)
+    {
+        var tip = printer.HeadOutline.Count > 0 ? printer.HeadOutline[0].Radius : 0;
+        var limit = 90.0;
+        for (var i = 1; i < printer.HeadOutline.Count; i++)
+        {
+            // The outline rises straight from the point before: its inner end is the lowest.
+            var (inner, outer) = (printer.HeadOutline[i - 1], printer.HeadOutline[i]);
+            if (inner.Radius < span && outer.Radius > tip && inner.Height < rise) limit = Math.Min(limit, Reach(outer.Radius, outer.Height, inner));
+        }
+        foreach (var box in printer.HeadBoxes)
+        {
+            var near = Math.Sqrt(Square(box.Min.X, box.Max.X) + Square(box.Min.Y, box.Max.Y));
+            var far = Math.Sqrt(Math.Max(box.Min.X * box.Min.X, box.Max.X * box.Max.X) + Math.Max(box.Min.Y * box.Min.Y, box.Max.Y * box.Max.Y));
+            if (near < span && box.Min.Z < rise) limit = Math.Min(limit, Angle.Atan2(Math.Min(box.Min.Z, rise), Math.Min(far, span)));
+        }
+        return limit;
+
+        // A slope meets the edge at its outer end, or where the part, or the rise of its layers, ends.
+        double Reach(double radius, double height, HeadPoint inner)
+        {
+            var share = 1.0;
+            if (radius > span) share = Math.Min(share, (span - inner.Radius) / (radius - inner.Radius));
+            if (height > rise) share = Math.Min(share, (rise - inner.Height) / (height - inner.Height));
+            var (r, h) = (inner.Radius + (radius - inner.Radius) * share, inner.Height + (height - inner.Height) * share);
+            return r > tip ? Angle.Atan2(h, r - tip) : 90;
+        }
+    }
+
+    private static double Square(double low, double high)
+    {
+        var nearest = low > 0 ? low : high < 0 ? -high : 0;
+        return nearest * nearest;
+    }
+}

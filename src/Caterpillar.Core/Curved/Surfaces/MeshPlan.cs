@@ -1,0 +1,115 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Curved;
+
+/// <summary>The highest faces of a mesh as a plan.</summary>
+internal sealed class MeshPlan : PlanSurface
+{
+    // mm: a part as large as its plan may reach over its edge by rounding.
+    private static readonly double[] Steps = [1e-8, 1e-5, 1e-3, 0.02];
+    private readonly TriMesh _mesh;
+    private readonly MeshHeights _heights;
+
+    public MeshPlan(TriMesh mesh)
+    {
+        _mesh = mesh;
+        _heights = new MeshHeights(mesh);
+        // About the length of an edge.
+        Detail = mesh.TriangleCount == 0 ? 1 : Math.Max(0.25, Math.Sqrt(2 * mesh.Area / mesh.TriangleCount));
+    }
+
+    public override double Detail { get; }
+
+    public override bool Covers(double x, double y) => !double.IsInfinity(Covered(x, y, out _));
+
+    public override double Height(double x, double y)
+    {
+        var height = Covered(x, y, out _);
+        return double.IsInfinity(height) ? Beyond(x, y).Height : height;
+    }
+
+    // That of the triangle: differences of heights would be wrong where points are moved onto the edge.
+    internal override (double ByX, double ByY) Slope(double x, double y)
+    {
+        if (double.IsInfinity(Covered(x, y, out var triangle))) triangle = Beyond(x, y).Triangle;
+        if (triangle < 0) return (0, 0);
+        var (a, b, c) = _mesh.Triangle(triangle);
+        var normal = Vec3.Cross(_mesh.RawVertices[b] - _mesh.RawVertices[a], _mesh.RawVertices[c] - _mesh.RawVertices[a]);
+        return (-normal.X / normal.Z, -normal.Y / normal.Z);
+    }
+
+    internal override void Check(DiagnosticList problems)
+    {
+        if (_mesh.TriangleCount == 0)
+        {
+            problems.Add(Severity.Error, "curved.plan_empty", "The plan has no triangles.");
+            return;
+        }
+        if (_mesh.IsWatertight) return;
+        int up = 0, down = 0, firstDown = -1, firstUp = -1;
+        for (var t = 0; t < _mesh.TriangleCount; t++)
+        {
+            var z = _mesh.Normal(t).Z;
+            if (z > 1e-6 && up++ == 0) firstUp = t;
+            if (z < -1e-6 && down++ == 0) firstDown = t;
+        }
+        if (up == 0 && down == 0)
+        {
+            problems.Add(Severity.Error, "curved.plan_upright", "The plan stands upright: it has no height over the part.");
+        }
+        else if (up > 0 && down > 0)
+        {
+            var (a, b, c) = _mesh.Triangle(down < up ? firstDown : firstUp);
+            var place = (_mesh.Vertices[a] + _mesh.Vertices[b] + _mesh.Vertices[c]) / 3;
+            problems.Add(Severity.Error, "curved.plan_folded", $"The plan is folded over itself, first at {place}: a nozzle from above cannot follow it.");
+        }
+        else if (up == 0)
+        {
+            problems.Add(Severity.Warning, "curved.plan_upside_down", "The plan faces down; its layers are printed upward all the same.");
+        }
+    }
+
+    private double Covered(double x, double y, out int triangle)
+    {
+        var height = Top(x, y, out triangle);
+        if (!double.IsInfinity(height)) return height;
+        // Points on the outermost edge may miss it by rounding; the less they are moved the better.
+        var center = _mesh.Bounds.Center;
+        int dx = Math.Sign(center.X - x), dy = Math.Sign(center.Y - y);
+        foreach (var step in Steps)
+        {
+            height = Top(x + dx * step, y, out triangle);
+            if (double.IsInfinity(height)) height = Top(x, y + dy * step, out triangle);
+            if (double.IsInfinity(height)) height = Top(x + dx * step, y + dy * step, out triangle);
+            if (!double.IsInfinity(height)) break;
+        }
+        return height;
+    }
+
+    // The height where the line to the middle of the surface first meets it.
+    private (double Height, int Triangle) Beyond(double x, double y)
+    {
+        const int Parts = 64;
+        var center = _mesh.Bounds.Center;
+        for (var i = 1; i <= Parts; i++)
+        {
+            double inside = (double)i / Parts, outside = (i - 1.0) / Parts;
+            if (double.IsInfinity(At(inside, out _))) continue;
+            for (var k = 0; k < 30; k++)
+            {
+                var middle = (inside + outside) / 2;
+                if (double.IsInfinity(At(middle, out _))) outside = middle;
+                else inside = middle;
+            }
+            return (At(inside, out var triangle), triangle);
+        }
+        return (center.Z, -1);
+
+        double At(double t, out int triangle) => Top(x + (center.X - x) * t, y + (center.Y - y) * t, out triangle);
+    }
+
+    private double Top(double x, double y, out int triangle) => _heights.TopUnder(x, y, double.PositiveInfinity, out triangle);
+}

@@ -1,0 +1,105 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Curved;
+
+/// <summary>
+/// Lines on a surface that follow directions, at even distances along the surface: ribs, or infill of <see cref="CurvedOptions.InfillLines"/>.
+/// </summary>
+public static class SurfaceLines
+{
+    /// <summary>Lines along a direction field.</summary>
+    /// <param name="surface">The surface.</param>
+    /// <param name="plan">Where lines may run, in x and y, mm.</param>
+    /// <param name="direction">
+    /// The direction at a place in plan, of which X and Y count, with either sign; zero or not finite where there is none: there lines end.
+    /// </param>
+    /// <param name="spacing">Distance of lines, mm, positive. Where directions spread or run together it varies from half of it to twice.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The spacing is not positive.</exception>
+    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    public static IReadOnlyList<Polyline> Along(
+        PlanSurface surface, Bounds plan, Func<Vec3, Vec3> direction, double spacing, CancellationToken cancel = default)
+    {
+        if (surface is null) throw new ArgumentNullException(nameof(surface));
+        if (direction is null) throw new ArgumentNullException(nameof(direction));
+        if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentOutOfRangeException(nameof(spacing), "A distance must be positive.");
+        return new EvenLines(surface, plan, direction, spacing).Trace(cancel);
+    }
+
+    /// <summary>Lines along the principal curvatures of a surface.</summary>
+    /// <param name="surface">The surface.</param>
+    /// <param name="plan">Where lines may run, in x and y, mm.</param>
+    /// <param name="spacing">Distance of lines, mm, positive.</param>
+    /// <param name="across">False for the direction that bends most, true for the one at right angles to it on the surface.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <inheritdoc cref="Along(PlanSurface, Bounds, Func{Vec3, Vec3}, double, CancellationToken)"/>
+    public static IReadOnlyList<Polyline> AlongCurvature(
+        PlanSurface surface, Bounds plan, double spacing, bool across = false, CancellationToken cancel = default)
+    {
+        if (surface is null) throw new ArgumentNullException(nameof(surface));
+        return Along(surface, plan, p => PrincipalDirection(surface, p, across), spacing, cancel);
+    }
+
+    /// <summary>Lines that run along with curves: everywhere as the nearest piece of them.</summary>
+    /// <param name="surface">The surface.</param>
+    /// <param name="plan">Where lines may run, in x and y, mm.</param>
+    /// <param name="curves">Curves, of which x and y count, mm; at least one of two points.</param>
+    /// <param name="spacing">Distance of lines, mm, positive.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <inheritdoc cref="Along(PlanSurface, Bounds, Func{Vec3, Vec3}, double, CancellationToken)"/>
+    public static IReadOnlyList<Polyline> AlongCurves(
+        PlanSurface surface, Bounds plan, IReadOnlyList<Polyline> curves, double spacing, CancellationToken cancel = default)
+    {
+        if (curves is null) throw new ArgumentNullException(nameof(curves));
+        return Along(surface, plan, p => Nearest(curves, p), spacing, cancel);
+    }
+
+    /// <summary>
+    /// The direction in plan of a principal curvature of a surface, from heights about as far around as its features are large; zero where it bends equally in
+    /// all directions.
+    /// </summary>
+    public static Vec3 PrincipalDirection(PlanSurface surface, Vec3 place, bool across = false)
+    {
+        if (surface is null) throw new ArgumentNullException(nameof(surface));
+        var h = double.IsInfinity(surface.Detail) ? 1 : Math.Max(0.5, 2 * surface.Detail);
+        double At(int i, int k) => surface.Height(place.X + i * h, place.Y + k * h);
+        double east = At(1, 0), west = At(-1, 0), north = At(0, 1), south = At(0, -1), middle = At(0, 0);
+        double zx = (east - west) / (2 * h), zy = (north - south) / (2 * h);
+        double zxx = (east - 2 * middle + west) / (h * h), zyy = (north - 2 * middle + south) / (h * h);
+        var zxy = (At(1, 1) - At(1, -1) - At(-1, 1) + At(-1, -1)) / (4 * h * h);
+        // The shape operator: the inverse of the metric times the second derivatives.
+        double e = 1 + zx * zx, f = zx * zy, g = 1 + zy * zy;
+        double a = g * zxx - f * zxy, b = g * zxy - f * zyy, c = e * zxy - f * zxx, d = e * zyy - f * zxy;
+        double mean = (a + d) / 2, root = Math.Sqrt(Math.Max(0, (a - d) * (a - d) / 4 + b * c));
+        if (!(root > 1e-9 * (1 + Math.Abs(mean)))) return Vec3.Zero;
+        var value = mean >= 0 != across ? mean + root : mean - root;
+        // Of two forms of the eigenvector the longer one.
+        Vec3 first = new(b, value - a), second = new(value - d, c);
+        return (first.LengthSquared > second.LengthSquared ? first : second).Unit();
+    }
+
+    private static Vec3 Nearest(IReadOnlyList<Polyline> curves, Vec3 place)
+    {
+        // mm².
+        const double Same = 1e-12;
+        var (best, least) = (Vec3.Zero, double.PositiveInfinity);
+        foreach (var curve in curves)
+        {
+            for (var i = 0; i < curve.SegmentCount; i++)
+            {
+                Vec3 a = curve[i].WithZ(0), d = curve[(i + 1) % curve.Count].WithZ(0) - a, p = place.WithZ(0);
+                var square = d.LengthSquared;
+                if (!(square > 0)) continue;
+                var far = (p - a - d * Math.Min(1, Math.Max(0, Vec3.Dot(p - a, d) / square))).LengthSquared;
+                // At a corner both of its sides count.
+                if (far < least - Same) (best, least) = (d.Unit(), far);
+                else if (far <= least + Same) best += d.Unit();
+            }
+        }
+        return best.Unit();
+    }
+}

@@ -1,0 +1,52 @@
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>What a layer covers: what its plane cuts out of the mesh, without details that nobody sees, and with the compensations of the settings.</summary>
+internal static class LayerRegion
+{
+    /// <summary>Finds the region of a layer, if it is not known yet.</summary>
+    public static void Find(LayerWork layer, RegionEngine engine)
+    {
+        if (layer.Section is not { } section) return;
+        layer.Section = null;
+        var settings = layer.Rules.Settings;
+        if (settings.OpenMeshes == OpenMeshes.Walls) layer.OpenLines = section.OpenLines;
+        var region = Region.From(section.Loops, FillRule.NonZero, false, engine);
+        // What simplifying cuts off stays open where there is nothing but walls.
+        var tolerance = IsAllWalls(region, layer.Rules.Walls) ? settings.SimplifyTolerance / 2 : settings.SimplifyTolerance;
+        layer.Region = Compensated(region.Simplified(tolerance, engine), layer, engine);
+    }
+
+    // On average the walls of both sides fill the layer.
+    private static bool IsAllWalls(Region region, WallRules walls)
+        => walls.Count > 0 && region.Area < region.Perimeter * (walls.Edge + walls.OuterSpacing + (walls.Count - 1) * walls.InnerSpacing);
+
+    // Outlines and holes moved by the compensations of the settings.
+    private static Region Compensated(Region region, LayerWork layer, RegionEngine engine)
+    {
+        var settings = layer.Rules.Settings;
+        var outline = settings.XyCompensation + (layer.Index == 0 ? settings.FirstLayerCompensation : 0);
+        var inHoles = outline - settings.HoleCompensation;
+        if (outline == 0 && inHoles == 0) return region;
+        if (outline == inHoles) return region.Offset(outline, JoinStyle.Miter, 2, 0.005, engine);
+        // Holes are regions of their own, turned over; an island within a hole is an outline again.
+        var result = Region.Empty;
+        foreach (var island in region.Islands)
+        {
+            var outer = Region.Own([island.Paths[0]]).Offset(outline, JoinStyle.Miter, 2, 0.005, engine);
+            var holes = new List<GridPoint[]>();
+            for (var i = 1; i < island.Paths.Length; i++)
+            {
+                var hole = (GridPoint[])island.Paths[i].Clone();
+                System.Array.Reverse(hole);
+                holes.Add(hole);
+            }
+            if (holes.Count > 0) outer = outer.Subtract(Region.Own(holes.ToArray()).Offset(-inHoles, JoinStyle.Miter, 2, 0.005, engine), engine);
+            result = result.Union(outer, engine);
+        }
+        return result;
+    }
+}

@@ -1,0 +1,33 @@
+using System.Collections.Generic;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>First stage of a layer, which needs no neighbors: its section becomes a region, islands, and their walls.</summary>
+internal static class OutlineStage
+{
+    public static void Run(LayerWork layer, LayerTools tools)
+    {
+        LayerRegion.Find(layer, tools.Engine);
+        if (layer.Region.IsEmpty) return;
+        var (settings, engine) = (layer.Rules.Settings, tools.Engine);
+        if (settings.Vase && layer.Index >= settings.BottomLayers)
+        {
+            layer.VaseLoop = VaseSpiral.Loop(layer, engine);
+            if (layer.VaseLoop is not null) return;
+        }
+        var islands = new List<IslandWork>();
+        foreach (var zone in LayerZones.Of(layer, engine))
+        {
+            var builder = new WallBuilder(zone.Rules.Walls, engine);
+            foreach (var island in zone.Region.Islands)
+            {
+                var walls = builder.Build(island);
+                layer.TooThin.AddRange(walls.TooThin);
+                islands.Add(new IslandWork(island, zone.Rules) { Walls = walls.Paths, Insides = zone.Divide(walls.Inside, engine) });
+            }
+        }
+        layer.Islands = islands.ToArray();
+    }
+}

@@ -1,0 +1,159 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>
+/// Cuts meshes into planar layers and fills them with walls, skins and infill. Where solids of a model overlap their union is printed.
+/// </summary>
+public static class PlanarSlicer
+{
+    /// <summary>The most models of one print.</summary>
+    public const int MaxModels = 10_000;
+
+    /// <summary>Slices meshes at the positions where they are printed (Z = 0 is the bed).</summary>
+    /// <param name="models">The objects; each keeps its own layers.</param>
+    /// <param name="settings">Layers, walls, skins and infill.</param>
+    /// <param name="options">Threads, memory, infill lines, and who gets finished layers.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <returns>The layers, and what was noticed: <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, <c>slice.layer_formula</c>,
+    /// <c>slice.vase_divided</c>, <c>slice.vase_lag</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was mended and
+    /// what is left out) and <c>slice.lost_layers</c> (an error: there are no layers then), <c>slice.no_curves</c>, settings without effect
+    /// (<c>slice.no_effect</c>, <c>slice.print_wide</c>, <c>slice.no_support</c>), for each model <c>slice.too_thin</c>, and for each modifier without effect
+    /// <c>slice.modifier_outside</c>; <c>slice.too_many_models</c> where there are more than <see cref="MaxModels"/>.</returns>
+    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    public static Result<SliceResult> Slice(
+        IReadOnlyList<NamedMesh> models, PrintSettings settings, SliceOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        return SliceEach(models.Select(m => new SliceModel(m, settings)).ToArray(), settings, options, progress, cancel);
+    }
+
+    /// <summary>Slices models that have settings of their own; what concerns all of them (order, skirt) is taken from <paramref name="common"/>.</summary>
+    /// <inheritdoc cref="Slice"/>
+    public static Result<SliceResult> SliceEach(
+        IReadOnlyList<SliceModel> models, PrintSettings common, SliceOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        if (common is null) throw new ArgumentNullException(nameof(common));
+        if (models.Count > MaxModels)
+            return new(null, [new Diagnostic(Severity.Error, "slice.too_many_models",
+                $"{NumberFormatter.Format(models.Count)} models are more than can be printed at once; the most is {NumberFormatter.Format(MaxModels)}.")]);
+        try
+        {
+            return Sliced(models, common, options ?? new SliceOptions(), progress, cancel);
+        }
+        catch (DiagnosticException tooMuch)
+        {
+            return new Result<SliceResult>(null, tooMuch.Diagnostics);
+        }
+    }
+
+    private static Result<SliceResult> Sliced(
+        IReadOnlyList<SliceModel> models, PrintSettings common, SliceOptions options, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var threads = options.Threads;
+        var affordable = new SliceMemory(options.Memory);
+        var problems = new DiagnosticList();
+        // One for each model, so not in the list that counts.
+        var findings = new List<Diagnostic>();
+        foreach (var model in models)
+        {
+            if (PrintWideKeys.SetBy(model.Settings, common) is not { Count: > 0 } ignored) continue;
+            var (keys, hold) = (string.Join(", ", ignored), ignored.Count == 1 ? "holds" : "hold");
+            findings.Add(new Diagnostic(Severity.Warning, "slice.print_wide",
+                $"{keys} {hold} for the whole print: the value for one model is ignored.", new SourceLocation(model.Mesh.Name)));
+        }
+        findings.AddRange(IdleSettings.Of(models, common));
+        var helpers = models.Where(m => m.Settings.ModelUse != ModelUse.Part).ToArray();
+        if (helpers.Length > 0) models = models.Where(m => m.Settings.ModelUse == ModelUse.Part).ToArray();
+        if (models.All(m => m.Settings.Support == SupportKind.None) && helpers.FirstOrDefault(m => m.Settings.ModelUse != ModelUse.Modifier) is { } idle)
+        {
+            findings.Add(new Diagnostic(Severity.Warning, "slice.no_support",
+                "It changes nothing, for there are no supports: support=grid or tree builds them, with support_angle_deg=90 only in enforcers.",
+                new SourceLocation(idle.Mesh.Name)));
+        }
+        if (common.MergeOverlapping) models = OverlappingModels.Merge(models, threads, problems, cancel);
+        var modifiers = new Modifiers(helpers.Where(m => m.Settings.ModelUse == ModelUse.Modifier).ToArray());
+        var bodies = new List<Body>();
+        for (var i = 0; i < models.Count; i++)
+        {
+            var body = new Body(models[i].Mesh, i, cancel) { InfillLines = options.InfillLines };
+            Cut(body, models[i].Settings, common, options, affordable, problems, findings, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count),
+                cancel);
+            modifiers.Apply(body, common, threads, cancel);
+            bodies.Add(body);
+        }
+        modifiers.Report(problems);
+        if (findings.Any(d => d.Severity == Severity.Error)) return new Result<SliceResult>(null, [.. problems.ToList(), .. findings]);
+        var ordered = common.PrintSequence == PrintSequence.ByObject
+            ? bodies.OrderBy(b => b.Model.Mesh.Bounds.Max.Z).ThenBy(b => b.Number).SelectMany(b => b.Layers).ToArray()
+            : bodies.SelectMany(b => b.Layers).OrderBy(l => l.Plan.Top).ThenBy(l => l.Body.Number).ToArray();
+        var parallel = new ParallelOptions { CancellationToken = cancel, MaxDegreeOfParallelism = threads > 0 ? threads : -1 };
+        var stream = new LayerStream(ordered, threads, cancel);
+        using var supports = PrintSupports.Begin(ordered, bodies, helpers, common, parallel);
+        var finish = new LayerFinish(ordered, bodies, common, supports, problems, options.Follow);
+        foreach (var layer in affordable.Watch(stream.Run(progress.Part(0.4, 1)))) finish.Add(layer);
+        var kept = finish.End();
+        foreach (var body in bodies) ThinPlaces.Report(body, findings);
+        if (kept.Length == 0 && !problems.HasErrors)
+            problems.Add(Severity.Error, "slice.nothing", Nothing(models, ordered));
+        return new Result<SliceResult>(kept.Length > 0 ? new SliceResult(kept) : null, [.. problems.ToList(), .. findings]);
+    }
+
+    private static string Nothing(IReadOnlyList<SliceModel> models, LayerWork[] layers)
+    {
+        if (models.Count == 0) return "Nothing to print: none of the models is a part.";
+        if (layers.All(l => l.Region.IsEmpty))
+        {
+            var sheets = models.Any(m => !m.Mesh.Mesh.IsWatertight) ? " Open surfaces can be printed as single walls (open_meshes=walls)." : "";
+            return "Nothing to print: no layer of the models has a closed contour." + sheets;
+        }
+        if (models.All(m => m.Settings is { WallCount: 0, InfillPercent: 0, InfillSpacing: 0, TopLayers: 0, BottomLayers: 0 }))
+            return "Nothing to print: the settings ask for no walls, no infill and no top or bottom layers.";
+        var width = NumberFormatter.Format(models[0].Settings.LineWidth, 3);
+        return $"Nothing to print: no contour of the models is as wide as a line ({width} mm), or the settings leave out all that they would hold.";
+    }
+
+    private static void Cut(
+        Body body, PrintSettings settings, PrintSettings common, SliceOptions options, SliceMemory memory, DiagnosticList problems, List<Diagnostic> findings,
+        IProgress<double>? progress, CancellationToken cancel)
+    {
+        var mesh = body.Model.Mesh;
+        if (mesh.Bounds.IsEmpty) return;
+        if (mesh.Bounds.Min.Z < -1e-6)
+        {
+            problems.Add(Severity.Warning, "slice.below_bed",
+                $"The model reaches {NumberFormatter.Format(-mesh.Bounds.Min.Z, 3)} mm below the bed; that part is not printed.", body.Source);
+        }
+        if (settings is { InfillPattern: InfillPattern.Curves, InfillCurves.Count: 0 } && (settings.InfillPercent > 0 || settings.InfillSpacing > 0))
+        {
+            problems.Add(Severity.Warning, "slice.no_curves",
+                "The infill is to be curves, but there are none (infill_curves_mm, --infill-curves FILE): the inside stays empty.", body.Source);
+        }
+        var planned = new LayerPlan(mesh, settings).Layers();
+        foreach (var problem in planned.Diagnostics) problems.Add(problem with { Source = problem.Source ?? body.Source });
+        if (planned.Value is not { } plan) return;
+        if (options.Divide is { } divide) plan = divide(plan);
+        memory.Plan(body, plan);
+        var lift = Raft.Lift(common);
+        var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, options.Threads, findings, progress, cancel);
+        var rules = new Dictionary<double, SliceRules>();
+        body.Layers = new LayerWork[plan.Length];
+        for (var i = 0; i < plan.Length; i++)
+        {
+            if (!rules.TryGetValue(plan[i].Thickness, out var rule)) rules.Add(plan[i].Thickness, rule = SliceRules.Of(settings, plan[i].Thickness, common));
+            body.Layers[i] = new LayerWork(body, i, plan[i] with { Top = plan[i].Top + lift }, rule) { Section = sections[i] };
+        }
+    }
+}

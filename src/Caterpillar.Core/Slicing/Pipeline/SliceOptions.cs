@@ -1,0 +1,32 @@
+using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>How the slicer works, and what it needs beyond the print settings.</summary>
+public sealed record SliceOptions
+{
+    /// <summary>Degree of parallelism, 0 for all cores. It does not change the result.</summary>
+    public int Threads { get; init; }
+
+    /// <summary>How much memory the layers may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
+
+    /// <summary>
+    /// Gets the layers as soon as they are finished, those of a height together and from below, on a thread of the slicer; the layers of the result are then
+    /// without steps. With supports the first come once those are found; of objects that are printed one after the other all come at the end.
+    /// </summary>
+    public Action<IReadOnlyList<SlicedLayer>>? Follow { get; init; }
+
+    /// <summary>
+    /// Gives the lines that take the place of the infill's pattern in a layer, from the height of its top above the bed, mm; of the lines x and y count, mm.
+    /// They are printed where the layer is neither closed nor skin; not where infill is 0 or 100 %. Called from any thread. Null for the pattern of the
+    /// settings.
+    /// </summary>
+    public Func<double, IReadOnlyList<Polyline>>? InfillLines { get; init; }
+
+    /// <summary>Divides planned layers further: curved slicing limits their thickness.</summary>
+    internal Func<PlannedLayer[], PlannedLayer[]>? Divide { get; init; }
+}

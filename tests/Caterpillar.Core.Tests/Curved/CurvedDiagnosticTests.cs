@@ -1,0 +1,126 @@
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Curved;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Slicing;
+using Caterpillar.Tests.Slicing;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Curved;
+
+/// <summary>Plans and fields that do not do, and partial prints.</summary>
+public class CurvedDiagnosticTests
+{
+    private static readonly TriMesh Part = Solids.Block(-10, -10, 0, 10, 10, 4);
+
+    private static TriMesh Plane(double x0, double x1, double slope)
+        => TriMesh.Create([new(x0, -20, x0 * slope), new(x1, -20, x1 * slope), new(x1, 20, x1 * slope), new(x0, 20, x0 * slope)], [0, 1, 2, 0, 2, 3]);
+
+    [Test]
+    public void A_plan_smaller_than_the_part_is_an_error_and_a_partial_print_only_when_asked()
+    {
+        var field = LayerField.Vertical(PlanSurface.Of(Plane(-20, 3, 0.1)));
+        var refused = CurvedSolids.Try(field, CurvedSolids.Massive, null, Part);
+        Assert.That(refused.Value, Is.Null);
+        Assert.That(refused.Diagnostics.Single().Code, Is.EqualTo("curved.outside_plan"));
+        Assert.That(refused.Diagnostics[0].Message, Does.Contain("% of the part, first at x"));
+        var partial = CurvedSolids.Try(field, CurvedSolids.Massive, new CurvedOptions { Partial = true }, Part);
+        Assert.That(partial.Diagnostics.Select(d => (d.Code, d.Severity)), Does.Contain(("curved.outside_plan", Severity.Warning)));
+        var points = partial.Value!.Layers.SelectMany(CurvedSolids.Points).ToArray();
+        Assert.That(points.Max(p => p.X), Is.EqualTo(3).Within(0.1));
+        Assert.That(points.Min(p => p.X), Is.EqualTo(-9.602).Within(1e-3), "Half a strand along the slope.");
+    }
+
+    [Test]
+    public void A_plan_with_a_hole_or_beside_the_part_is_an_error_that_tells_where()
+    {
+        // A square frame: the hole is 6 mm wide.
+        Vec3[] frame =
+            [new(-20, -20), new(20, -20), new(20, 20), new(-20, 20), new(-3, -3), new(3, -3), new(3, 3), new(-3, 3)];
+        var plan = TriMesh.Create(frame, [0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7]);
+        var holed = CurvedSolids.Try(LayerField.Vertical(PlanSurface.Of(plan)), CurvedSolids.Massive, null, Part);
+        Assert.That(holed.Value, Is.Null);
+        Assert.That(holed.Diagnostics.Single().Message, Does.Contain("9 % of the part, first at x -2."));
+        var beside = CurvedSolids.Try(LayerField.Vertical(PlanSurface.Of(Plane(50, 90, 0))), CurvedSolids.Massive, null, Part);
+        Assert.That(beside.Diagnostics.Single().Message, Does.Contain("100 % of the part"));
+    }
+
+    [Test]
+    public void Layers_steeper_than_the_head_allows_are_an_error_that_tells_the_angle()
+    {
+        var field = LayerField.Vertical(PlanSurface.Of((x, _) => 0.5 * x));
+        var refused = CurvedSolids.Try(field, CurvedSolids.Massive with { CurvedMaxSlope = 20 }, null, Part);
+        Assert.That(refused.Value, Is.Null);
+        var problem = refused.Diagnostics.Single(d => d.Severity == Severity.Error);
+        Assert.That(problem.Code, Is.EqualTo("curved.too_steep"));
+        Assert.That(problem.Message, Does.Contain("26.6 degrees"));
+        Assert.That(CurvedSolids.Try(field, CurvedSolids.Massive with { CurvedMaxSlope = 27 }, null, Part).Value, Is.Not.Null);
+    }
+
+    // Layers of 26.6 degrees, a head that allows 20.
+    [TestCase(5, false)]
+    [TestCase(7, true)]
+    public void A_tool_that_tilts_measures_slopes_from_its_own_axis(double tilt, bool allowed)
+    {
+        var options = new CurvedOptions { MaxTilt = tilt };
+        var result = CurvedSolids.Try(LayerField.Vertical(PlanSurface.Of((x, _) => 0.5 * x)), CurvedSolids.Massive with { CurvedMaxSlope = 20 }, options, Part);
+        Assert.That(result.Value is not null, Is.EqualTo(allowed));
+        Assert.That(() => new CurvedOptions { MaxTilt = 91 }, Throws.InstanceOf<System.ArgumentOutOfRangeException>());
+    }
+
+    [Test]
+    public void The_head_of_the_printer_limits_the_slope()
+    {
+        // The outline rises 6 mm over 3.5 mm, then 6 mm over 16 mm; seen from the edge of the tip.
+        var printer = new Printer();
+        Assert.That(HeadSlope.Limit(printer, 100, 100), Is.EqualTo(Angle.Atan2(12, 19.5)).Within(1e-9));
+        Assert.That(HeadSlope.Limit(printer, 100, 6), Is.EqualTo(Angle.Atan2(6, 3.5)).Within(1e-9), "Layers of little height do not reach the block.");
+        Assert.That(HeadSlope.Limit(printer, 4, 100), Is.EqualTo(Angle.Atan2(6, 3.5)).Within(1e-9), "Nor do small parts.");
+    }
+
+    [Test]
+    public void A_folded_plan_is_an_error_and_one_upside_down_a_warning()
+    {
+        var folded = TriMesh.Create(
+            [new(-20, -20, 0), new(20, -20, 0), new(20, 20, 0), new(-20, 20, 0), new(-20, -20, 5), new(-20, 20, 5)], [0, 1, 2, 0, 2, 3, 1, 4, 5, 1, 5, 2]);
+        var refused = CurvedSolids.Try(LayerField.Vertical(PlanSurface.Of(folded)), CurvedSolids.Massive, null, Part);
+        Assert.That(refused.Value, Is.Null);
+        Assert.That(refused.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "curved.plan_folded" }));
+        var over = TriMesh.Create([new(-20, -20, 0), new(20, -20, 2), new(20, 20, 2), new(-20, 20, 0)], [0, 2, 1, 0, 3, 2]);
+        foreach (var field in new[] { LayerField.Vertical(PlanSurface.Of(over)), LayerField.Offset(over) })
+        {
+            var result = CurvedSolids.Try(field, CurvedSolids.Massive, null, Part);
+            Assert.That(result.Diagnostics.Select(d => d.Code), Does.Contain("curved.plan_upside_down"));
+            Assert.That(result.Value, Is.Not.Null);
+        }
+    }
+
+    [TestCase("z - 30 / (x - 20.5)", null)]
+    [TestCase("sin(90 * z)", "curved.not_rising")]
+    [TestCase("-z", "curved.not_rising")]
+    [TestCase("z + 1 / (x - x)", "curved.not_rising")]
+    public void Formulas_must_rise_with_z(string formula, string? code)
+    {
+        var result = CurvedSolids.Try(LayerField.Formula(formula).OrThrow(), CurvedSolids.Massive, null, Part);
+        Assert.That(result.Diagnostics.Where(d => d.Severity == Severity.Error).Select(d => d.Code), Is.EqualTo(code is null ? [] : new[] { code }));
+    }
+
+    [Test]
+    public void Layers_need_space_to_blend_and_between_surfaces()
+    {
+        var steep = PlanSurface.Of((x, _) => 10 + 0.4 * x);
+        var blend = CurvedSolids.Try(LayerField.Vertical(steep, new LayerBlend(0, 3)), CurvedSolids.Massive, null, Part);
+        Assert.That(blend.Diagnostics.Single().Code, Is.EqualTo("curved.blend_too_short"));
+        var cross = CurvedSolids.Try(LayerField.Between(PlanSurface.Level(5), PlanSurface.Of((x, _) => 6 + 0.4 * x)), CurvedSolids.Massive, null, Part);
+        Assert.That(cross.Diagnostics.Single().Code, Is.EqualTo("curved.surfaces_cross"));
+    }
+
+    [Test]
+    public void A_formula_that_is_no_formula_tells_the_column()
+    {
+        var result = LayerField.Formula("z + sinn(x)");
+        Assert.That(result.Value, Is.Null);
+        Assert.That(result.Diagnostics[0].Source!.Column, Is.EqualTo(5));
+    }
+}
