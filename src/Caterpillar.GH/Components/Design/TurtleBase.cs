@@ -71,12 +71,9 @@ public abstract class TurtleBase(int beadInput, int lengthInput)
             run.SetList(4, texts);
             return;
         }
-        var options = new TurtleOptions
+        var options = TurtleOptions.For(setup) with
         {
             Start = run.MaybeValue<Rg.Plane>(1) is { } plane ? RhinoGeometry.ToFrame(plane, units) : Frame.World,
-            Extrusion = setup.Extrusion,
-            Shape = setup.Settings.BeadShape,
-            MaxLiftSpeed = setup.Printer.MaxSpeed.Z > 0 ? setup.Printer.MaxSpeed.Z : double.PositiveInfinity,
             KeepPoses = run.Get<bool>(lengthInput + 1),
             Bead = run.Maybe<BeadGoo>(beadInput) is { IsValid: true } bead ? bead.Value : null,
         };
