@@ -1,5 +1,6 @@
 using Caterpillar.Dialects;
 using Caterpillar.GCode;
+using Caterpillar.Jobs;
 
 namespace Caterpillar.Examples.CSharp;
 
@@ -8,8 +9,8 @@ public static class ConvertFile
 {
     public static void Run(string input, string output)
     {
-        var file = GCodeDecoder.DecodeFile(input).OrThrow();
-        var options = new ConvertOptions { Dialect = DialectTable.Klipper, RelativeE = true };
-        GCodeConverter.ToDocument(file, options).OrThrow().WriteFile(output);
+        var file = FileJob.Open(input).OrThrow();
+        var klipper = file with { Target = new ConvertOptions { Dialect = DialectTable.Klipper, RelativeE = true } };
+        klipper.WriteFile(output, setup: null).OrThrow();
     }
 }

@@ -1,9 +1,8 @@
 using System;
 using System.Linq;
-using Caterpillar.Checks;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
-using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples.CSharp;
@@ -16,7 +15,6 @@ public static class CustomPath
         var setup = new ProfileLibrary().Setup("generic").OrThrow();
         var points = Enumerable.Range(0, 101).Select(i => new Vec3(60 + i, 110 + 15 * Math.Sin(i * 0.2), 0.3 + 0.1 * Math.Sin(i * 0.4)));
         var wave = new PrintPath(points, Bead.FromWidth(width: 0.8, height: 0.3, speed: 15));
-        var toolpath = Planner.Plan([wave], setup).OrThrow();
-        SafeWriter.WriteFile(toolpath, setup, output).OrThrow();
+        PrintJob.Draw([wave], setup).OrThrow().WriteFile(output).OrThrow();
     }
 }

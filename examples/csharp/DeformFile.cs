@@ -1,8 +1,6 @@
-using Caterpillar.Checks;
-using Caterpillar.GCode;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
 using Caterpillar.Shaping;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples.CSharp;
 
@@ -11,9 +9,11 @@ public static class DeformFile
 {
     public static void Run(string input, string output)
     {
-        var file = GCodeDecoder.DecodeFile(input).OrThrow();
-        var middle = MoveFilter.Prints.InLayersOf(file.Toolpath).BoundsIn(file.Toolpath).Center;
-        var twist = DeformationText.Compile("r, theta + z, z", system: DeformationSystem.Cylindrical, axis: middle).OrThrow();
-        SafeWriter.WriteFile(file, file.Toolpath.Deform(twist).OrThrow(), new PrintSetup(), output).OrThrow();
+        var file = FileJob.Open(input).OrThrow();
+        var twist = new FileEdits
+        {
+            Deform = middle => DeformationText.Compile("r, theta + z, z", system: DeformationSystem.Cylindrical, axis: middle).OrThrow(),
+        };
+        file.Edit(twist).OrThrow().WriteFile(output, new PrintSetup()).OrThrow();
     }
 }

@@ -1,5 +1,4 @@
-using Caterpillar.Checks;
-using Caterpillar.GCode;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
@@ -10,9 +9,8 @@ public static class EditFile
 {
     public static void Run(string input, string output)
     {
-        var file = GCodeDecoder.DecodeFile(input).OrThrow();
-        var slower = file.Toolpath.ScaleSpeed(new MoveFilter { Roles = [Role.OuterWall] }, 0.5);
-        var edited = slower.InsertAtLayer(12, new PauseEvent("Insert the magnet.")).OrThrow();
-        SafeWriter.WriteFile(file, edited, new PrintSetup(), output).OrThrow();
+        var file = FileJob.Open(input).OrThrow();
+        var edits = new FileEdits { Filter = new MoveFilter { Roles = [Role.OuterWall] }, Speed = 0.5, PauseAtLayers = [12] };
+        file.Edit(edits).OrThrow().WriteFile(output, new PrintSetup()).OrThrow();
     }
 }

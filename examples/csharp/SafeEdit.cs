@@ -1,10 +1,8 @@
 using System.Collections.Generic;
 using Caterpillar.Basics;
-using Caterpillar.Checks;
-using Caterpillar.GCode;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples.CSharp;
 
@@ -14,9 +12,7 @@ public static class SafeEdit
     public static IReadOnlyList<Diagnostic> Run(string input, string output)
     {
         var setup = new ProfileLibrary().Setup("ender3").OrThrow();
-        var file = GCodeDecoder.DecodeFile(input).OrThrow();
-        var part = new MoveFilter().InLayersOf(file.Toolpath);
-        var moved = file.Toolpath.Transform(part, Affine.Move(new Vec3(150, 0)));
-        return SafeWriter.WriteFile(file, moved, setup, output).Diagnostics;
+        var moved = FileJob.Open(input).OrThrow().Edit(new FileEdits { Move = new Vec3(150, 0) }).OrThrow();
+        return moved.WriteFile(output, setup).Diagnostics;
     }
 }

@@ -1,8 +1,5 @@
-using Caterpillar.Checks;
-using Caterpillar.Geometry;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
-using Caterpillar.Planning;
-using Caterpillar.Slicing;
 
 namespace Caterpillar.Examples.CSharp;
 
@@ -12,9 +9,7 @@ public static class SliceWithProfile
     public static void Run(string model, string output)
     {
         var setup = new ProfileLibrary().Setup("ender3", values: ["layer_height_mm=0.28"]).OrThrow();
-        var meshes = MeshReader.Read(model).OrThrow().OnBed(setup.Printer);
-        var layers = PlanarSlicer.Slice(meshes, setup.Settings).OrThrow();
-        var toolpath = Planner.Plan(layers.ToSteps(), setup).OrThrow();
-        SafeWriter.WriteFile(toolpath, setup, output).OrThrow();
+        using var print = PrintJob.Slice(model, setup).OrThrow();
+        print.WriteFile(output).OrThrow();
     }
 }

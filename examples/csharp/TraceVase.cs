@@ -1,9 +1,9 @@
 using System;
-using Caterpillar.Checks;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
-using Caterpillar.Planning;
 using Caterpillar.Shaping;
+using Caterpillar.Toolpaths;
 using Caterpillar.Traces;
 
 namespace Caterpillar.Examples.CSharp;
@@ -18,7 +18,6 @@ public static class TraceVase
         var cup = new Trace(area: 0.6 * 0.2).SetSpeed(30).Spiral(foot, radius: 24, pitch: 0.6)
             .Helix(foot, radius: 24, height: 60, pitch: 0.2, ramp: new FlowRamp());
         var bulge = Deformation.Cylindrical(p => p with { X = p.X * (1 + 0.25 * Math.Sin(p.Z / 60 * Math.PI)) }, axis: foot);
-        var toolpath = Planner.Plan(bulge.Apply(cup.ToPaths()).OrThrow(), setup).OrThrow();
-        SafeWriter.WriteFile(toolpath, setup, output).OrThrow();
+        PrintJob.Draw(bulge.Apply(cup.ToPaths()).OrThrow().ToSteps(), setup).OrThrow().WriteFile(output).OrThrow();
     }
 }

@@ -1,6 +1,5 @@
-using Caterpillar.Checks;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
-using Caterpillar.Planning;
 using Caterpillar.Turtles;
 
 namespace Caterpillar.Examples.CSharp;
@@ -13,7 +12,6 @@ public static class TurtleStar
         var setup = new ProfileLibrary().Setup("generic").OrThrow();
         var turtle = new Turtle().StartAt(90, 120, 0.2).SetBead(width: 0.6, height: 0.2).SetSpeed(20)
             .Repeat(10, layer => layer.Repeat(5, side => side.Forward(40).Right(144)).LiftWorld(0.2));
-        var toolpath = Planner.Plan(turtle.ToSteps(), setup).OrThrow();
-        SafeWriter.WriteFile(toolpath, setup, output).OrThrow();
+        PrintJob.Draw(turtle.ToSteps(), setup).OrThrow().WriteFile(output).OrThrow();
     }
 }

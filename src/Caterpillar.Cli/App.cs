@@ -1,17 +1,10 @@
-using System;
-using System.CommandLine;
 using System.CommandLine.Help;
 using System.CommandLine.Invocation;
-using System.IO;
-using System.Linq;
-using System.Text.RegularExpressions;
-using Caterpillar.Basics;
-using Caterpillar.Cli.Batches;
 
 namespace Caterpillar.Cli;
 
 /// <summary>Parses the arguments, runs the verb, and turns every outcome into an exit code.</summary>
-internal static partial class App
+internal static class App
 {
     public static int Run(string[] args, Session session)
     {
@@ -20,9 +13,9 @@ internal static partial class App
         var root = new Command("caterpillar", "Turns designs into 3D-printer motion, and G-code back into toolpaths.") { new HelpOption(),
             new VersionOption() };
         var general = new GeneralOptions();
-        general.AddTo(root);
+        foreach (var option in general.All) root.Options.Add(option);
         foreach (var verb in Verbs.All()) root.Subcommands.Add(verb);
-        return Guarded(session, () =>
+        return Guard.Run(session, () =>
         {
             var parsed = root.Parse(args);
             if (parsed.CommandResult.Command is not Verb verb || parsed.Action is not (null or ParseErrorAction)) return Answer(parsed, root, session);
@@ -36,54 +29,6 @@ internal static partial class App
             return verb.Run(parsed, session);
         });
     }
-
-    /// <summary>Runs a verb by itself.</summary>
-    public static int RunVerb(Verb verb, string[] words, Session session) => verb.Run(verb.Parse(words), session);
-
-    /// <summary>Does work, and turns all that it may throw into a message and an exit code.</summary>
-    public static int Guarded(Session session, Func<int> work)
-    {
-        try
-        {
-            return work();
-        }
-        catch (CliException end)
-        {
-            if (end.Message.Length > 0) session.Messages.WriteLine(end.Message);
-            return end.Code;
-        }
-        catch (OperationCanceledException)
-        {
-            session.Messages.WriteLine("Interrupted; nothing was written.");
-            return ExitCode.Interrupted;
-        }
-        catch (Exception disk) when (disk is IOException or UnauthorizedAccessException or InvalidDataException)
-        {
-            session.Messages.WriteLine(LongWords.Shorten(Sentence(disk)));
-            return ExitCode.BadInput;
-        }
-        catch (DiagnosticException problem)
-        {
-            session.Print(problem.Diagnostics);
-            return ExitCode.BadInput;
-        }
-        catch (Exception full) when (IsOutOfMemory(full))
-        {
-            session.LacksMemory = true;
-            session.Messages.WriteLine($"This takes more memory than the limit of {MemoryLimit.Text(session.Memory.Bytes)}; nothing was written. "
-                + Session.MoreMemory);
-            return ExitCode.BadInput;
-        }
-        catch (Exception bug)
-        {
-            session.Messages.WriteLine("This is an internal error; please report it together with the input that caused it:");
-            session.Messages.WriteLine(bug.ToString());
-            return ExitCode.Bug;
-        }
-    }
-
-    private static bool IsOutOfMemory(Exception problem)
-        => problem is OutOfMemoryException || (problem is AggregateException several && several.Flatten().InnerExceptions.Any(IsOutOfMemory));
 
     // Help and version, or wrong usage.
     private static int Answer(ParseResult parsed, Command root, Session session)
@@ -109,19 +54,4 @@ internal static partial class App
         foreach (var (line, does) in verb.Examples) text.WriteLine($"  # {does}\n  caterpillar {line}");
         text.WriteLine();
     }
-
-    // The runtime's messages give the full path; users know the one they typed as an argument.
-    private static string Sentence(Exception disk) => disk switch
-    {
-        FileNotFoundException { FileName: { } file } => $"{Short(file)}: there is no such file.",
-        DirectoryNotFoundException when Quoted().Match(disk.Message) is { Success: true } path
-            => $"{Short(path.Groups[1].Value)}: there is no such folder.",
-        UnauthorizedAccessException when Quoted().Match(disk.Message) is { Success: true } path => $"{Short(path.Groups[1].Value)}: access is denied.",
-        _ => disk.Message,
-    };
-
-    [GeneratedRegex("'([^']*)'")]
-    private static partial Regex Quoted();
-
-    private static string Short(string file) => Path.GetRelativePath(Environment.CurrentDirectory, file) is var near && near.Length < file.Length ? near : file;
 }

@@ -1,10 +1,6 @@
-using System;
-using System.IO;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Threading;
-using Caterpillar.Basics;
-using Caterpillar.Machines;
 
 namespace Caterpillar.Cli;
 

@@ -4,7 +4,6 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Threading;
-using Caterpillar.Cli.Batches;
 using NUnit.Framework;
 
 namespace Caterpillar.Cli.Tests;

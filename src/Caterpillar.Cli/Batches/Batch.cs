@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.CommandLine;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
 using System.Threading;
-using Caterpillar.Basics;
 
-namespace Caterpillar.Cli.Batches;
+namespace Caterpillar.Cli;
 
 /// <summary>Many calls in one process. What each writes is what a single call would write.</summary>
 internal sealed class Batch

@@ -1,11 +1,7 @@
-using System;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
 using System.Threading;
-using Caterpillar.Basics;
 
-namespace Caterpillar.Cli.Batches;
+namespace Caterpillar.Cli;
 
 /// <summary>Runs one call of a batch as the program runs a single call, with messages and output kept for their turn.</summary>
 internal sealed class BatchCall(Verb verb, Session session, BatchSummary? earlier, bool hashes)
@@ -19,15 +15,16 @@ internal sealed class BatchCall(Verb verb, Session session, BatchSummary? earlie
         var fingerprint = "";
         using var messages = new StringWriter();
         using var output = new MemoryStream();
-        var inner = new Session(() => Stream.Null, () => new CountingStream(output), messages)
+        var inner = new Session(() => Stream.Null, () => output, messages)
         {
             Cancel = session.Cancel, Profiles = session.Profiles, Quiet = session.Quiet, Memory = memory, Collects = true,
         };
-        var code = App.Guarded(inner, () =>
+        var code = Guard.Run(inner, () =>
         {
             if (hashes) fingerprint = Fingerprint.Of(verb, job);
             if (earlier?.Earlier(fingerprint) is not null) return ExitCode.Done;
-            return App.RunVerb(Verbs.Named(verb.Name), Words(verb, job, threads), inner);
+            var fresh = Verbs.Named(verb.Name);
+            return fresh.Run(fresh.Parse(Words(verb, job, threads)), inner);
         });
         if (code == ExitCode.Done && earlier?.Earlier(fingerprint) is { } figures)
             return new BatchOutcome(job, BatchStatus.Skipped) { Figures = figures, Fingerprint = fingerprint, Seconds = watch.Elapsed.TotalSeconds };

@@ -1,6 +1,4 @@
-using System.Collections.Generic;
-
-namespace Caterpillar.Cli.Batches;
+namespace Caterpillar.Cli;
 
 /// <summary>One call of a batch.</summary>
 /// <param name="Number">Its place in the whole list, from 1.</param>

@@ -1,12 +1,6 @@
-using System;
-using System.Collections.Generic;
-using System.CommandLine;
 using System.CommandLine.Parsing;
-using System.IO;
-using System.Linq;
-using Caterpillar.Machines;
 
-namespace Caterpillar.Cli.Batches;
+namespace Caterpillar.Cli;
 
 /// <summary>Makes the list of calls of a command line, and finds what is wrong with it before any work begins.</summary>
 internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)

@@ -1,9 +1,4 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using Caterpillar.Basics;
-
-namespace Caterpillar.Cli.Batches;
+namespace Caterpillar.Cli;
 
 /// <summary>What became of a call.</summary>
 internal enum BatchStatus

@@ -1,11 +1,6 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text;
-using Caterpillar.Basics;
 
-namespace Caterpillar.Cli.Batches;
+namespace Caterpillar.Cli;
 
 /// <summary>The table of what the calls of a batch made, as CSV, and what an earlier one says is done.</summary>
 internal sealed class BatchSummary

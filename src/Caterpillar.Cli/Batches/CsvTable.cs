@@ -1,11 +1,6 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text;
-using Caterpillar.Basics;
 
-namespace Caterpillar.Cli.Batches;
+namespace Caterpillar.Cli;
 
 /// <summary>
 /// A table of text: the first row names the columns. Cells are separated by commas, or by semicolons or tabs where the first row has more of them, and quoted

@@ -1,10 +1,6 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.IO.Enumeration;
-using System.Linq;
 
-namespace Caterpillar.Cli.Batches;
+namespace Caterpillar.Cli;
 
 /// <summary>
 /// Files by patterns: <c>*</c> and <c>?</c> within a name, <c>**</c> for folders of any depth. Shells that expand patterns themselves are fine, too.

@@ -1,10 +1,6 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.RegularExpressions;
 
-namespace Caterpillar.Cli.Batches;
+namespace Caterpillar.Cli;
 
 /// <summary>Names of outputs: text with <c>{name}</c>, <c>{input}</c>, <c>{folder}</c>, <c>{row}</c> and the columns of the table.</summary>
 internal sealed partial class OutputPattern

@@ -1,7 +1,4 @@
-using System.IO;
-using System.Linq;
-
-namespace Caterpillar.Cli.Completions;
+namespace Caterpillar.Cli;
 
 /// <summary>Completions of bash 4 and later.</summary>
 internal static class BashCompletions

@@ -1,10 +1,6 @@
-using System;
-using System.Collections.Generic;
-using System.CommandLine;
 using System.CommandLine.Completions;
-using System.Linq;
 
-namespace Caterpillar.Cli.Completions;
+namespace Caterpillar.Cli;
 
 /// <summary>What shells complete: the verbs with their options and values, read from the options themselves.</summary>
 internal sealed record CompletionTable(IReadOnlyList<CompletedVerb> Verbs)
@@ -13,7 +9,7 @@ internal sealed record CompletionTable(IReadOnlyList<CompletedVerb> Verbs)
     public static CompletionTable Of(Command root)
     {
         var general = root.Options.Where(o => o.Recursive && !o.Hidden).ToArray();
-        var verbs = root.Subcommands.OfType<Verb>().Select(verb => new CompletedVerb(
+        var verbs = root.Subcommands.Select(verb => new CompletedVerb(
             verb.Name, Brief(verb.Description!),
             verb.Options.Concat(general).Where(o => !o.Hidden).Select(CompletedOption.Of).OrderBy(o => o.Name, StringComparer.Ordinal).ToArray(),
             verb.Arguments.SelectMany(a => Words(a.GetCompletions(CompletionContext.Empty))).ToArray(),

@@ -1,8 +1,4 @@
-using System;
-using System.IO;
-using System.Linq;
-
-namespace Caterpillar.Cli.Completions;
+namespace Caterpillar.Cli;
 
 /// <summary>Completions of fish.</summary>
 internal static class FishCompletions

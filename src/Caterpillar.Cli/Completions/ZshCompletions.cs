@@ -1,8 +1,4 @@
-using System;
-using System.IO;
-using System.Linq;
-
-namespace Caterpillar.Cli.Completions;
+namespace Caterpillar.Cli;
 
 /// <summary>Completions of zsh.</summary>
 internal static class ZshCompletions

@@ -1,11 +1,9 @@
-using System;
-using System.IO;
 using System.Net;
 using System.Text;
 using System.Threading;
 using System.Threading.Tasks;
 
-namespace Caterpillar.Cli.Viewing;
+namespace Caterpillar.Cli;
 
 /// <summary>Serves one page on this machine only. Open pages ask once a second for its version, and load it again when that has changed.</summary>
 internal sealed class PageServer : IDisposable

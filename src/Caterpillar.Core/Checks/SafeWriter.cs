@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Files;
@@ -173,5 +174,25 @@ public static class SafeWriter
         }
         progress?.Report(1);
         return (new Result<GCodeDocument>(written.Value, guard.Remarks(written.Diagnostics)), guard);
+    }
+
+    /// <summary>
+    /// Checks the text of a file as it stands, edited or converted before. Messages name its lines, and comments of an override come before them.
+    /// </summary>
+    internal static (Result<GCodeDocument> Document, int Overridden) Check(
+        GCodeDocument text, DecodeOptions reading, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var file = GCodeDecoder.Decode(text, reading with { FilamentDiameter = setup.Material.FilamentDiameter }, null, cancel).OrThrow();
+        var read = PrintCheck.WithVolumes(file.Toolpath, setup);
+        var findings = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), () => new Findings(setup.Printer, read), progress, cancel);
+        var guard = new WriteGuard(findings, reason);
+        if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), 0);
+        var commented = new Result<GCodeDocument>(text, []);
+        if (guard.Overridden > 0)
+        {
+            var edited = guard.Comments().Aggregate(file.Toolpath, (toolpath, comment) => toolpath.Insert(0, new CommentEvent(comment)));
+            commented = GCodeEditor.ToDocument(file, edited, null, cancel);
+        }
+        return (new Result<GCodeDocument>(commented.Value, guard.Remarks(commented.Diagnostics)), guard.Overridden);
     }
 }

@@ -24,12 +24,6 @@ public static class Planner
         return new Result<Toolpath>(result.Value?.Toolpath, result.Diagnostics);
     }
 
-    /// <summary>Plans paths in their order.</summary>
-    /// <inheritdoc cref="Plan(IReadOnlyList{Step}, PrintSetup, PlanOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
-    public static Result<Toolpath> Plan(
-        IEnumerable<PrintPath> paths, PrintSetup setup, PlanOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
-        => Plan((paths ?? throw new ArgumentNullException(nameof(paths))).Select(path => (Step)path).ToArray(), setup, options, progress, cancel);
-
     /// <summary>The same, with a count of how often each rule had an effect.</summary>
     /// <inheritdoc cref="Plan(IReadOnlyList{Step}, PrintSetup, PlanOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
     public static Result<Plan> PlanWithReport(

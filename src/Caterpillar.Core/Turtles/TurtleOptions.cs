@@ -1,3 +1,4 @@
+using System;
 using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -37,6 +38,18 @@ public sealed record TurtleOptions
 
     /// <summary>Keeps the pose after every command, for previews; see <see cref="Turtle.Poses"/>.</summary>
     public bool KeepPoses { get; init; }
+
+    /// <summary>A turtle for a print: the extrusion model and strand shape of its setup, lifts as fast as the printer can.</summary>
+    public static TurtleOptions For(PrintSetup setup)
+    {
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        return new TurtleOptions
+        {
+            Extrusion = setup.Extrusion,
+            Shape = setup.Settings.BeadShape,
+            MaxLiftSpeed = setup.Printer.MaxSpeed.Z > 0 ? setup.Printer.MaxSpeed.Z : double.PositiveInfinity,
+        };
+    }
 }
 
 /// <summary>Unit of angles.</summary>

@@ -31,6 +31,7 @@ public class RoomTests
         ["Simulation"] = Data,
         ["Display"] = Data,
         ["Checks"] = [.. Data, "Planning", "GCode", "Simulation"],
+        ["Jobs"] = [.. Data, "Turtles", "Traces", "Drawings", "Slicing", "Curved", "Shaping", "Planning", "GCode", "Simulation", "Display", "Checks"],
     };
 
     [Test]

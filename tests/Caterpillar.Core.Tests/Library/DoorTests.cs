@@ -45,12 +45,12 @@ public class DoorTests
             new([new Vec3(10, 10, 0.2), new Vec3(40, 10, 0.2)], bead),
             new([new Vec3(40, 30, 0.2), new Vec3(10, 30, 0.2)], bead),
         ];
-        var ofPaths = Planner.Plan(paths.Select(p => p), new PrintSetup()).OrThrow();
+        var ofPaths = Planner.Plan(paths.Select(p => p).ToSteps(), new PrintSetup()).OrThrow();
         var ofSteps = Planner.Plan(paths.Select(p => (Step)p).ToArray(), new PrintSetup()).OrThrow();
         Assert.That(ofPaths.Moves(), Is.EqualTo(ofSteps.Moves()));
         Assert.That(ofPaths.Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(2));
         Assert.That(Planner.Plan([paths[0]], new PrintSetup()).OrThrow().Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
-        Assert.Throws<ArgumentNullException>(() => Planner.Plan(Enumerable.Repeat<PrintPath>(null!, 1), new PrintSetup()));
+        Assert.Throws<ArgumentNullException>(() => Enumerable.Repeat<PrintPath>(null!, 1).ToSteps());
     }
 
     [Test]

@@ -51,6 +51,40 @@ public sealed class ProgramTests : IDisposable
     }
 
     [Test]
+    public void Several_models()
+    {
+        SliceSeveral.Run([Bracket, Path.Combine(TestData.Repository, "examples", "models", "vase.stl")], Output);
+        var layers = Decoded(Output).Toolpath.Layers;
+        Assert.That(layers.Select(l => l.Object).Distinct(), Is.EquivalentTo(new[] { "bracket", "vase", "bracket (2)", "vase (2)" }));
+    }
+
+    [Test]
+    public void Turtle_file()
+    {
+        TurtleFile.Run(Path.Combine(TestData.Repository, "examples", "turtle", "hilbert.turtle"), Output);
+        var (_, length, _) = Part(Decoded(Output).Toolpath);
+        // Three layers of 4^5 − 1 sides of 2 mm.
+        Assert.That(length, Is.EqualTo(3 * 1023 * 2).Within(0.1));
+    }
+
+    [Test]
+    public void Curve_file()
+    {
+        var file = _folder.File("bow.csv");
+        File.WriteAllText(file, "x,y,z\n80,100,0.2\n110,140,0.2\n140,100,0.2\n");
+        CurveFile.Run(file, Output);
+        Assert.That(Part(Decoded(Output).Toolpath).Length, Is.EqualTo(100).Within(0.1));
+    }
+
+    [Test]
+    public void Statistics()
+    {
+        var statistics = FileStatistics.Run(Sliced);
+        Assert.That(statistics.PrintLength, Is.EqualTo(ToolpathTotals.Of(Decoded(Sliced).Toolpath).PrintLength).Within(0.1));
+        Assert.That(statistics.Duration, Is.GreaterThan(statistics.PrintTime).And.GreaterThan(60));
+    }
+
+    [Test]
     public void Turtle_star()
     {
         TurtleStar.Run(Output);

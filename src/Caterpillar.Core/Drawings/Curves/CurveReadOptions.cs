@@ -1,4 +1,6 @@
+using System;
 using Caterpillar.Basics;
+using Caterpillar.Machines;
 
 namespace Caterpillar.Drawings;
 
@@ -19,4 +21,14 @@ public sealed record CurveReadOptions
 
     /// <summary>How much memory the unpacked file may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
+
+    /// <summary>Percentages refer to the nozzle, layers and speed of a setup.</summary>
+    public static CurveReadOptions For(PrintSetup setup)
+    {
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        return new CurveReadOptions
+        {
+            WidthReference = setup.Printer.NozzleDiameter, HeightReference = setup.Settings.LayerHeight, SpeedReference = setup.Settings.PrintSpeed,
+        };
+    }
 }

@@ -57,12 +57,9 @@ public sealed class TurtleComponent() : CaterpillarComponent(
         var program = run.Get<TurtleProgram>(0);
         var units = run.Units;
         var setup = SetupOf(program, run);
-        var options = new TurtleOptions
+        var options = TurtleOptions.For(setup) with
         {
             Start = run.FrameOf(1),
-            Extrusion = setup.Extrusion,
-            Shape = setup.Settings.BeadShape,
-            MaxLiftSpeed = setup.Printer.MaxSpeed.Z > 0 ? setup.Printer.MaxSpeed.Z : double.PositiveInfinity,
             KeepPoses = run.Get<bool>(4),
             Bead = run.Maybe<BeadGoo>(2) is { IsValid: true } bead ? bead.Value : null,
         };

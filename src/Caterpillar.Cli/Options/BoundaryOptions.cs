@@ -1,0 +1,43 @@
+using Caterpillar.Curved;
+using Caterpillar.Slicing;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Options for layers between boundaries of the model itself.</summary>
+internal sealed class BoundaryOptions
+{
+    private static readonly string[] CurveEndings = [".csv", ".svg", ".json"];
+
+    private readonly Described<string?> _from = new("--from",
+        "With --field harmonic or geodesic: a mesh or curves (CSV, JSON, SVG, lines of OBJ) on the model where layers begin; without it they are found.",
+        "FILE");
+
+    private readonly Described<string[]> _to = new("--to", "With --field harmonic or geodesic: where layers end; may be repeated.", "FILE");
+
+    public Option[] All => [_from, _to];
+
+    public bool IsGiven(ParseResult arguments) => arguments.GetValue(_from) is not null || arguments.GetValue(_to) is { Length: > 0 };
+
+    /// <summary>The boundaries of a model that was moved from the place in its file.</summary>
+    public MeshBoundaries Of(ParseResult arguments, TriMesh mesh, Vec3 shift, Session session)
+    {
+        if (!IsGiven(arguments)) return session.ValueOrFail(MeshBoundaries.Find(mesh, session.Cancel));
+        var from = arguments.GetValue(_from) is { } file ? Shape(file, shift, session) : null;
+        var to = (arguments.GetValue(_to) ?? []).Select(f => Shape(f, shift, session)).ToArray();
+        if (to.Length == 0) throw new CliException(ExitCode.Usage, "--from goes with --to.");
+        return session.ValueOrFail(MeshBoundaries.Near(mesh, from, to, 0, session.Cancel));
+    }
+
+    private static BoundaryShape Shape(string file, Vec3 shift, Session session)
+    {
+        if (!CurveEndings.Any(e => file.EndsWith(e, StringComparison.OrdinalIgnoreCase)))
+        {
+            var read = Meshes.Read([file], session);
+            var mesh = TriMesh.Merge((read.Value ?? []).Select(m => m.Mesh));
+            if (mesh.TriangleCount > 0) return BoundaryShape.Of(mesh.Moved(shift));
+            // An OBJ file may hold lines only.
+            if (!file.EndsWith(".obj", StringComparison.OrdinalIgnoreCase)) session.ValueOrFail(read);
+        }
+        return BoundaryShape.Of(Curves.ReadPolylines(file, shift, session));
+    }
+}

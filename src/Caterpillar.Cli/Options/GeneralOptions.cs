@@ -1,0 +1,49 @@
+namespace Caterpillar.Cli;
+
+/// <summary>Options of every verb.</summary>
+internal sealed class GeneralOptions
+{
+    // The runtime takes this much for itself.
+    private const double LeastMemory = 64 << 20;
+
+    private static readonly (string Name, double Bytes)[] Units = [("KB", 1 << 10), ("MB", 1 << 20), ("GB", 1 << 30), ("TB", 1L << 40)];
+
+    private readonly Described<bool> _quiet = new("--quiet", "Say only what is wrong: no summary, no remarks.", null, "-q") { Recursive = true };
+
+    private readonly Described<string?> _memory = new("--memory-limit",
+        "How much memory the work may take, such as 500MB, 4GB or 75%; half of the machine's by default.", "SIZE") { Recursive = true };
+
+    public Option[] All => [_quiet, _memory];
+
+    /// <exception cref="CliException">The limit is no size.</exception>
+    public void Apply(ParseResult parsed, Session session)
+    {
+        session.Quiet = parsed.GetValue(_quiet);
+        if (parsed.GetValue(_memory) is { } text) session.Memory = Limit(text);
+        session.EnforceMemory?.Invoke(session.Memory);
+    }
+
+    /// <summary>The memory of a size, at least what the program needs to run.</summary>
+    /// <exception cref="CliException">It is no size.</exception>
+    public static MemoryLimit Limit(string text)
+    {
+        var plain = text.Trim();
+        double bytes = 0;
+        if (plain.EndsWith('%'))
+        {
+            if (NumberReader.TryParse(plain[..^1].Trim(), out var percent)
+                && percent is > 0 and <= 100)
+            {
+                bytes = 2.0 * MemoryLimit.Default.Bytes * percent / 100;
+            }
+        }
+        else if (Units.FirstOrDefault(u => plain.EndsWith(u.Name, System.StringComparison.OrdinalIgnoreCase)) is { Name: not null } unit
+            && NumberReader.TryParse(plain[..^2].Trim(), out var count))
+        {
+            bytes = count * unit.Bytes;
+        }
+        return bytes is >= LeastMemory and < 1L << 60
+            ? new MemoryLimit((long)bytes)
+            : throw new CliException(ExitCode.Usage, $"--memory-limit: \"{text}\" is not a size of at least 64 MB, such as 500MB, 4GB or 75%.");
+    }
+}

@@ -1,0 +1,53 @@
+using Caterpillar.Curved;
+using Caterpillar.Slicing;
+
+namespace Caterpillar.Cli;
+
+/// <summary>The option for infill whose lines follow directions of the surface.</summary>
+internal sealed class InfillAlong
+{
+    private readonly Described<string?> _along = new("--infill-along",
+        "With --surface: lines of the infill follow the principal curvature of the surface where it bends most (curvature), the other one (across), or both; a "
+            + "direction by two formulas in x and y: \"-y; x\"; or curves of a file (CSV, JSON, SVG, lines of OBJ). infill_percent gives their distance.",
+        "curvature|across|both|DX;DY|FILE");
+
+    public Option[] All => [_along];
+
+    public bool IsGiven(ParseResult arguments) => arguments.GetValue(_along) is not null;
+
+    /// <summary>The lines over the models; null where the option was not given.</summary>
+    public IReadOnlyList<Polyline>? Lines(
+        ParseResult arguments, PlanSurface surface, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
+    {
+        if (arguments.GetValue(_along) is not { } text) return null;
+        var percent = setup.Settings.InfillPercent;
+        if (percent is <= 0 or >= 100)
+        {
+            session.Print([new Diagnostic(Severity.Warning, "curved.no_infill_lines",
+                $"--infill-along changes nothing: infill_percent is {NumberFormatter.Format(percent, 2)}, and lines have distances between 0 and 100 %.")]);
+            return null;
+        }
+        var spacing = setup.Settings.LineWidth * 100 / percent;
+        var plan = Bounds.Of(models.SelectMany(m => new[] { m.Mesh.Bounds.Min, m.Mesh.Bounds.Max }));
+        switch (text.Trim())
+        {
+            case "curvature": return SurfaceLines.AlongCurvature(surface, plan, spacing, false, session.Cancel);
+            case "across": return SurfaceLines.AlongCurvature(surface, plan, spacing, true, session.Cancel);
+            case "both":
+                return [.. SurfaceLines.AlongCurvature(surface, plan, 2 * spacing, false, session.Cancel),
+                    .. SurfaceLines.AlongCurvature(surface, plan, 2 * spacing, true, session.Cancel)];
+        }
+        if (text.Split(';') is [var x, var y])
+        {
+            var source = new SourceLocation(Key: "--infill-along");
+            var byX = session.ValueOrFail(PlanSurface.Formula(x, source), ExitCode.Usage);
+            var byY = session.ValueOrFail(PlanSurface.Formula(y, source), ExitCode.Usage);
+            Vec3 Direction(Vec3 p) => new(byX.Height(p.X - shift.X, p.Y - shift.Y), byY.Height(p.X - shift.X, p.Y - shift.Y));
+            return SurfaceLines.Along(surface, plan, Direction, spacing, session.Cancel);
+        }
+        if (!File.Exists(text))
+            throw new CliException(ExitCode.Usage, "--infill-along needs curvature, across, both, two formulas \"DX; DY\", or a file of curves.");
+        var curves = Curves.ReadPolylines(text, shift, session);
+        return SurfaceLines.AlongCurves(surface, plan, curves.Where(c => c.Count > 1).ToArray(), spacing, session.Cancel);
+    }
+}

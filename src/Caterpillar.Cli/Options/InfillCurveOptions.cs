@@ -1,0 +1,37 @@
+using Caterpillar.Drawings;
+using Caterpillar.Slicing;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Curves of the user as infill: <c>--infill-curves web.svg</c>.</summary>
+internal sealed class InfillCurveOptions
+{
+    private const double Tolerance = 0.01;
+
+    private readonly Described<string?> _file = new("--infill-curves",
+        "Curves (CSV, JSON, OBJ, SVG) that are the infill of each layer, cut at its walls; seen from above, in the coordinates of the models' files.", "FILE");
+
+    public Option[] All => [_file];
+
+    /// <summary>The setup with the pattern, where curves are given.</summary>
+    public PrintSetup Resolve(ParseResult arguments, PrintSetup setup)
+        => arguments.GetValue(_file) is null ? setup : setup with { Settings = setup.Settings with { InfillPattern = InfillPattern.Curves } };
+
+    /// <summary>The curves of the file, or null where none is given.</summary>
+    public IReadOnlyList<Polyline>? Read(ParseResult arguments, PrintSetup setup, Session session)
+    {
+        if (arguments.GetValue(_file) is not { } file) return null;
+        var curves = Curves.Read(file, session);
+        var options = CurveOptions.From(setup.Settings) with { Subdivision = SubdivisionOptions.ByTolerance(Tolerance), Memory = session.Memory };
+        var paths = session.ValueOrFail(CurvePaths.ToPaths(curves, options, null, session.Cancel));
+        return paths.Select(p => new Polyline(p.Points.Select(v => v.WithZ(0)), p.IsClosed)).ToArray();
+    }
+
+    /// <summary>Settings with curves that move along with the models.</summary>
+    public static IReadOnlyList<PrintSettings> With(IReadOnlyList<PrintSettings> settings, IReadOnlyList<Polyline>? curves, Vec3 shift)
+    {
+        if (curves is null) return settings;
+        var points = InfillPoint.Of(curves.Select(c => new Polyline(c.Points.Select(v => v + shift), c.IsClosed)));
+        return settings.Select(s => s.InfillPattern == InfillPattern.Curves ? s with { InfillCurves = points } : s).ToArray();
+    }
+}

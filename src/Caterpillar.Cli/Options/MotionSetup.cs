@@ -1,0 +1,20 @@
+using Caterpillar.GCode;
+using Caterpillar.Simulation;
+
+namespace Caterpillar.Cli;
+
+/// <summary>
+/// By which limits a file is timed: those of the printer that was named; else those that a slicer left in the file; else those of the generic printer.
+/// </summary>
+internal sealed record MotionSetup(PrintSetup Setup, string Limits)
+{
+    public static MotionSetup Of(SetupOptions options, ParseResult arguments, DecodedGCode decoded, Session session)
+    {
+        var setup = options.Resolve(arguments, session);
+        if (options.IsGiven(arguments)) return new MotionSetup(setup, "printer " + setup.Printer.Name);
+        var own = setup.Printer with { Dialect = decoded.Dialect };
+        return SlicerLimits.Of(decoded.Settings, own) is { } printer
+            ? new MotionSetup(setup with { Printer = printer }, "the slicer's settings in the file")
+            : new MotionSetup(setup with { Printer = own }, "printer " + setup.Printer.Name);
+    }
+}

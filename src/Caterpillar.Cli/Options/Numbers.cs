@@ -1,0 +1,62 @@
+namespace Caterpillar.Cli;
+
+/// <summary>Numbers in the values of options. Errors are wrong usage.</summary>
+internal static class Numbers
+{
+    public static double[] List(string text, string option) => text.Split(',').Select(part => Number(part, option)).ToArray();
+
+    // mm: no printer is larger, and G-code keeps its decimals.
+    private const double Farthest = 1e6;
+
+    /// <summary><c>X,Y</c> or <c>X,Y,Z</c> in mm.</summary>
+    public static Vec3 Vector(string text, string option)
+    {
+        var numbers = List(text, option);
+        if (numbers.Length is not (2 or 3)) throw new CliException(ExitCode.Usage, option + " needs X,Y or X,Y,Z in mm.");
+        if (numbers.Any(n => System.Math.Abs(n) > Farthest)) throw new CliException(ExitCode.Usage, option + " is limited to 1 km.");
+        return new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
+    }
+
+    /// <summary>One factor for all axes, or one for each.</summary>
+    public static Vec3 Scale(string text)
+    {
+        var scale = List(text, "--scale") switch
+        {
+            [var all] => new Vec3(all, all, all),
+            [var x, var y, var z] => new Vec3(x, y, z),
+            _ => throw new CliException(ExitCode.Usage, "--scale needs a factor, or X,Y,Z."),
+        };
+        return new Vec3(Factor(scale.X, "--scale", 1e-6), Factor(scale.Y, "--scale", 1e-6), Factor(scale.Z, "--scale", 1e-6));
+    }
+
+    /// <summary>A factor, or a percentage: <c>0.5</c> and <c>50%</c> are the same.</summary>
+    public static double Factor(string text, string option, double least)
+    {
+        var plain = text.Trim();
+        return plain.EndsWith('%') ? Factor(Number(plain[..^1], option) / 100, option, least) : Factor(Number(plain, option), option, least);
+    }
+
+    public static double Factor(double value, string option, double least)
+        => value >= least && value < 1e6 ? value
+            : throw new CliException(ExitCode.Usage, option
+                + (least > 0 ? " needs a factor above 0 and below a million." : " needs a factor from 0 to a million."));
+
+    /// <summary>A diameter in mm, where one is given.</summary>
+    public static double? Diameter(double? value, string option)
+        => value is null or (>= 0.01 and <= 1000) ? value : throw new CliException(ExitCode.Usage, option + " needs a diameter of 0.01 to 1000 mm.");
+
+    /// <summary><c>N=TEXT</c>.</summary>
+    public static (int Number, string Text) Pair(string text, string option)
+    {
+        var at = text.IndexOf('=');
+        return at > 0 && Whole(text[..at]) is { } number ? (number, text[(at + 1)..])
+            : throw new CliException(ExitCode.Usage, $"{option} needs N=…, found \"{text}\".");
+    }
+
+    /// <summary>A integer, or null.</summary>
+    public static int? Whole(string text) => NumberReader.TryParseInt(text, out var number) ? number : null;
+
+    private static double Number(string text, string option)
+        => NumberReader.TryParse(text.Trim(), out var value)
+            && double.IsFinite(value) ? value : throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is not a number.");
+}

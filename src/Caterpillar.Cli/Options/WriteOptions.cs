@@ -1,0 +1,68 @@
+using System.Threading.Tasks;
+using Caterpillar.Checks;
+using Caterpillar.Jobs;
+using Caterpillar.Simulation;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Where G-code is written, and the reason to write despite the checks; for every verb that makes G-code.</summary>
+internal sealed class WriteOptions
+{
+    private readonly Described<string?> _output = new("--output",
+        "The G-code file, binary where its name ends in .bgcode, or - for standard output. By default the name of the first input with .gcode, in the current "
+            + "folder.", "FILE", "-o");
+
+    private readonly Described<string?> _reason = Override();
+
+    public Option[] All => [_output, _reason];
+
+    public static Described<string?> Override()
+        => new("--override", "Write despite what the checks found; the reason is kept in the file as a comment.", "REASON");
+
+    /// <summary>Whether to write despite what checks find.</summary>
+    public bool Overrides(ParseResult arguments) => arguments.GetValue(_reason) is not null;
+
+    /// <summary>The file to write: the one asked for, or named after an input (standard output for standard input).</summary>
+    public string FileFor(ParseResult arguments, string input)
+    {
+        if (arguments.GetValue(_output) is { } given) return given.Length > 0 ? given : throw new CliException(ExitCode.Usage, "--output needs a name.");
+        if (input == "-") return "-";
+        var name = Path.GetFileName(input);
+        if (name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)) name = Path.GetFileNameWithoutExtension(name);
+        var file = Path.GetFileNameWithoutExtension(name) + ".gcode";
+        return Path.GetFullPath(file) != Path.GetFullPath(input) ? file
+            : throw new CliException(ExitCode.Usage, $"{input} would be overwritten: choose another file with -o.");
+    }
+
+    /// <summary>Checks and writes a print, and says what was written; a file larger than <paramref name="maxBytes"/> is not.</summary>
+    /// <exception cref="CliException">A check refused, or the file would be too large.</exception>
+    public WrittenFile Write(ParseResult arguments, Session session, PrintJob job, string file, double maxBytes = double.PositiveInfinity)
+    {
+        WrittenGCode? written = null;
+        IReadOnlyList<Diagnostic> findings = [];
+        var reason = arguments.GetValue(_reason);
+        // While it is being written.
+        var figures = Task.Run(() => PrintFigures.Of(job.Toolpath, job.Setup, double.NaN));
+        session.Write(file, (stream, isDraft) =>
+        {
+            Result<WrittenGCode> Write(IProgress<double>? progress) => job.Write(stream, file, isDraft, reason, progress, session.Cancel);
+            // A progress bar and the G-code would mix on a terminal.
+            var result = file == "-" ? Write(null) : session.WithProgress("Writing", Write);
+            // What the checks merely remark on is for "caterpillar check".
+            session.Print(result.Diagnostics.Where(d => d.Severity != Severity.Remark || CheckCodes.Find(d.Code) is null));
+            if (FindingSummary.Of(result.Diagnostics) is { } summary) session.Say(() => summary);
+            findings = result.Diagnostics.Where(d => CheckCodes.Find(d.Code) is not null).ToArray();
+            written = session.WrittenOrFail(result);
+            if (written.Bytes > maxBytes)
+                throw new CliException(ExitCode.Refused,
+                    $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than --max-size allows; nothing was written.");
+        });
+        // Start and end code apart; written files of some printers are not timed.
+        session.Made(() => figures.Result with { Seconds = written!.PrintTime ?? Timeline.Of(job.Toolpath, job.Setup, null, session.Cancel).Duration },
+            written!.Lines, written.Bytes,
+            print => $"{Session.NameOfOutput(file)}: {PrintSummary.Of(print)}; {Count(written.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
+        return new WrittenFile(written, findings);
+    }
+
+    private static string Count(long number) => NumberFormatter.Format(number);
+}

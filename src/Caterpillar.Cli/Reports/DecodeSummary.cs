@@ -1,0 +1,55 @@
+using Caterpillar.GCode;
+
+namespace Caterpillar.Cli;
+
+/// <summary>What a decoded file does, in lines to read.</summary>
+internal static class DecodeSummary
+{
+    public static void Write(TextWriter text, DecodedGCode decoding, DecodeReport report)
+    {
+        text.WriteLine($"{report.File}: {decoding.Dialect.Title}" + (decoding.Evidence.Count > 0 ? " (" + string.Join(" ", decoding.Evidence) + ")" : ""));
+        var moves = decoding.Toolpath;
+        var unit = moves.VolumePerE(0) == 1 ? "mm³" : "mm";
+        var rows = new[]
+        {
+            ["  Printed", $"{Mm(report.PrintLength)} in {Count(report.PrintSegments + report.PrintArcs, "move")}, {Count(moves.CountLayers(), "layer")}"],
+            ["  Traveled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs, "move")}, "
+                + Count(report.Retracts + report.FirmwareRetracts, "retraction")],
+            ["  Extruded", report.HasAmounts ? $"{Number(report.EUsed)} {unit} of E, net {Number(report.ENet)} {unit}" : "no amounts of E"],
+            ["  Printed box", Box(report.PrintBounds)],
+            new[] { "  All moves", Box(report.AllBounds) },
+        };
+        string[][] pictures = report.Thumbnails.Count == 0 ? [] : [["  Pictures", string.Join(", ", report.Thumbnails)]];
+        TextTable.Write(text, [.. rows, .. Roles(moves), .. pictures]);
+        if (decoding.Ignored.Count > 0)
+        {
+            var ignored = decoding.Ignored.OrderByDescending(p => p.Value).ThenBy(p => p.Key, System.StringComparer.Ordinal).ToArray();
+            text.WriteLine("  Ignored: " + string.Join(", ", ignored.Take(12).Select(p => $"{p.Key} ×{Count(p.Value)}"))
+                + (ignored.Length > 12 ? ", …" : ""));
+        }
+    }
+
+    // What is printed in each role, if the file has roles: its length, and the width that follows from its volume.
+    private static IEnumerable<string[]> Roles(Toolpath toolpath)
+    {
+        var totals = RoleTotals.Of(toolpath);
+        if (totals.All(t => t.Role == Role.Unspecified)) yield break;
+        foreach (var total in totals)
+        {
+            var strand = total is { Width: { } width, Area: > 0 and var area } ? $", {Number(width)} mm wide, {Number(area)} mm² on average" : "";
+            yield return ["  " + Words.Spaced(total.Role.ToString()), Mm(total.Length) + strand];
+        }
+    }
+
+    private static string Box(Bounds box) => box.IsEmpty ? "none" : $"{Point(box.Min)} to {Point(box.Max)} mm";
+
+    private static string Point(Vec3 p) => $"{Number(p.X)}, {Number(p.Y)}, {Number(p.Z)}";
+
+    private static string Mm(double value) => Number(value) + " mm";
+
+    private static string Number(double value) => NumberFormatter.Format(value, 3);
+
+    private static string Count(long value) => NumberFormatter.Format(value);
+
+    private static string Count(long value, string thing) => $"{Count(value)} {thing}{(value == 1 ? "" : "s")}";
+}

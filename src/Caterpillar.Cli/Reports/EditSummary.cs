@@ -1,0 +1,29 @@
+namespace Caterpillar.Cli;
+
+/// <summary>What edits have changed, in words.</summary>
+internal static class EditSummary
+{
+    public static string Of(Toolpath before, Toolpath after)
+    {
+        if (ReferenceEquals(before, after)) return "";
+        var parts = new List<string>();
+        if (before.Count == after.Count) Compare(before, after, parts);
+        else parts.Add($"{Count(before.Count, "move")} became {Count(after.Count)}");
+        var events = after.Events.Count - before.Events.Count;
+        if (events > 0) parts.Add(Count(events, "command") + " inserted");
+        if (events < 0) parts.Add(Count(-events, "command") + " removed");
+        return string.Join(", ", parts);
+    }
+
+    private static void Compare(Toolpath before, Toolpath after, List<string> parts)
+    {
+        var changed = ToolpathDifference.Of(before, after);
+        if (changed.Shifted > 0) parts.Add(Count(changed.Shifted, "move") + " shifted");
+        if (changed.Speeds > 0) parts.Add("speed of " + Count(changed.Speeds, "move") + " changed");
+        if (changed.Amounts > 0) parts.Add("material of " + Count(changed.Amounts, "move") + " changed");
+    }
+
+    private static string Count(int count, string thing) => $"{Count(count)} {thing}{(count == 1 ? "" : "s")}";
+
+    private static string Count(int count) => NumberFormatter.Format(count);
+}

@@ -1,0 +1,57 @@
+using Caterpillar.GCode;
+
+namespace Caterpillar.Cli;
+
+/// <summary>What a print is, in numbers.</summary>
+/// <param name="Layers">Count of layers; 0 where there are none.</param>
+/// <param name="Size">From edge to edge in mm, without skirt and purge; null where nothing is laid down. Z is 0 for flat drawings.</param>
+/// <param name="Printed">Length of all strands and strokes in mm.</param>
+/// <param name="E">What is deposited, in units of E.</param>
+/// <param name="Volume">What is deposited in mm³; null where the unit of E is not known.</param>
+/// <param name="Filament">Length of filament in mm; null where there is none or its diameter is not known.</param>
+/// <param name="Mass">In g; null where the density is not known.</param>
+/// <param name="Seconds">How long it takes; null where that is not known.</param>
+internal sealed record PrintFigures(
+    int Layers, Vec3? Size, double Printed, double E, double? Volume, double? Filament, double? Mass, double? Seconds)
+{
+    // mm; what is thicker is pushed by a plunger.
+    private const double ThickestFilament = 3.5;
+
+    /// <summary>Names of the columns of <see cref="Values"/>.</summary>
+    public static IReadOnlyList<string> Names { get; } = ["layers", "x_mm", "y_mm", "z_mm", "printed_mm", "volume_mm3", "filament_mm", "mass_g", "time_s"];
+
+    /// <summary>The figures in the order of <see cref="Names"/>; null where one is not known.</summary>
+    public IReadOnlyList<double?> Values => [Layers, Size?.X, Size?.Y, Size?.Z, Printed, Volume, Filament, Mass, Seconds];
+
+    /// <summary>Of a plan.</summary>
+    public static PrintFigures Of(Toolpath toolpath, PrintSetup setup, double seconds)
+        => Of(toolpath, setup.Material.FilamentDiameter, setup.Material.Density, seconds);
+
+    /// <summary>Of a decoded file, whose moves may have been edited.</summary>
+    public static PrintFigures Of(DecodedGCode decoding, Toolpath toolpath)
+        => Of(toolpath, Setting(decoding, "filament_diameter"), Setting(decoding, "filament_density"), null);
+
+    // Diameter in mm and density in g/cm³ are 0 where they are not known.
+    private static PrintFigures Of(Toolpath toolpath, double diameter, double density, double? seconds)
+    {
+        var (length, e, volume, box) = StrandTotals.Of(toolpath);
+        var isVolume = volume is > 0;
+        return new PrintFigures(
+            toolpath.CountLayers(), box.IsEmpty ? null : SizeOf(box, toolpath, length > 0 ? volume / length : null), length, e, volume,
+            isVolume && diameter is > 0 and <= ThickestFilament ? volume / (Math.PI / 4 * diameter * diameter) : null,
+            isVolume && density > 0 ? volume / 1000 * density : null, seconds);
+    }
+
+    // From edge to edge: the box of the moves, and a strand of the mean width and of the thickness of the layers around them.
+    private static Vec3 SizeOf(Bounds box, Toolpath toolpath, double? area)
+    {
+        var thickness = toolpath.Layers.Count > 0 ? toolpath.Layers[^1].Thickness : 0;
+        var width = area > 0 && thickness > 0 ? area.Value / thickness + thickness * (1 - Math.PI / 4) : 0;
+        return new Vec3(box.Size.X + width, box.Size.Y + width, box.Size.Z + (toolpath.Layers.Count > 0 ? toolpath.Layers[0].Thickness : 0));
+    }
+
+    // Slicers list one number for each tool.
+    private static double Setting(DecodedGCode decoding, string key)
+        => decoding.Settings.TryGetValue(key, out var text) && Basics.NumberReader.TryParse(text.Split(',', ';')[0].Trim(), out var value) && value > 0
+            ? value : 0;
+}

@@ -1,0 +1,61 @@
+using Caterpillar.Planning;
+using Newtonsoft.Json;
+
+namespace Caterpillar.Cli;
+
+/// <summary>What a verb reports about what it planned and wrote, as JSON: mm, mm³, bytes.</summary>
+internal static class WorkReport
+{
+    /// <param name="inputs">The files that were read.</param>
+    /// <param name="output">The file that was written.</param>
+    /// <param name="counts">Counts of the verb itself, which come first.</param>
+    /// <param name="plan">The plan; its toolpath is measured.</param>
+    /// <param name="written">What was written, and what the checks found.</param>
+    public static string ToJson(
+        IReadOnlyList<string> inputs, string output, IEnumerable<KeyValuePair<string, double>> counts, Plan plan, WrittenFile written)
+    {
+        using var text = new StringWriter { NewLine = "\n" };
+        using var json = new JsonTextWriter(text) { Formatting = Formatting.Indented };
+        json.WriteStartObject();
+        void Number(string key, double value)
+        {
+            json.WritePropertyName(key);
+            json.WriteRawValue(NumberFormatter.Format(value, 6));
+        }
+        double printed = 0, deposited = 0;
+        var arcs = 0;
+        foreach (var move in plan.Toolpath.Moves())
+        {
+            if (move.Kind != MoveKind.Print) continue;
+            printed += move.Length;
+            deposited += plan.Toolpath.VolumeOf(move) ?? 0;
+            if (move.Arc is not null) arcs++;
+        }
+        json.WritePropertyName(inputs.Count == 1 ? "file" : "files");
+        if (inputs.Count == 1)
+        {
+            json.WriteValue(inputs[0]);
+        }
+        else
+        {
+            json.WriteStartArray();
+            foreach (var input in inputs) json.WriteValue(input);
+            json.WriteEndArray();
+        }
+        json.WritePropertyName("output");
+        json.WriteValue(output);
+        foreach (var count in counts) Number(count.Key, count.Value);
+        Number("moves", plan.Toolpath.Count);
+        Number("arcs", arcs);
+        Number("printed_mm", printed);
+        Number("deposited_mm3", deposited);
+        foreach (var value in plan.Report.ToValues()) Number(value.Key, value.Value);
+        Number("lines", written.GCode.Lines);
+        Number("bytes", written.GCode.Bytes);
+        json.WritePropertyName("findings");
+        FindingSummary.Write(json, written.Findings);
+        json.WriteEndObject();
+        json.Flush();
+        return text + "\n";
+    }
+}

@@ -1,0 +1,7 @@
+namespace Caterpillar.Cli;
+
+/// <summary>Ends the program with a message (none if everything has been reported already) and an exit code.</summary>
+internal sealed class CliException(int code, string? message = null) : Exception(LongWords.Shorten(message ?? ""))
+{
+    public int Code { get; } = code;
+}

@@ -1,0 +1,67 @@
+using System.Text.RegularExpressions;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Turns all that work may throw into a message and an exit code.</summary>
+internal static partial class Guard
+{
+    /// <summary>Does the work.</summary>
+    public static int Run(Session session, Func<int> work)
+    {
+        try
+        {
+            return work();
+        }
+        catch (CliException end)
+        {
+            if (end.Message.Length > 0) session.Messages.WriteLine(end.Message);
+            return end.Code;
+        }
+        catch (OperationCanceledException)
+        {
+            session.Messages.WriteLine("Interrupted; nothing was written.");
+            return ExitCode.Interrupted;
+        }
+        catch (Exception disk) when (disk is IOException or UnauthorizedAccessException or InvalidDataException)
+        {
+            session.Messages.WriteLine(LongWords.Shorten(Sentence(disk)));
+            return ExitCode.BadInput;
+        }
+        catch (DiagnosticException problem)
+        {
+            session.Print(problem.Diagnostics);
+            return ExitCode.BadInput;
+        }
+        catch (Exception full) when (IsOutOfMemory(full))
+        {
+            session.LacksMemory = true;
+            session.Messages.WriteLine($"This takes more memory than the limit of {MemoryLimit.Text(session.Memory.Bytes)}; nothing was written. "
+                + Session.MoreMemory);
+            return ExitCode.BadInput;
+        }
+        catch (Exception bug)
+        {
+            session.Messages.WriteLine("This is an internal error; please report it together with the input that caused it:");
+            session.Messages.WriteLine(bug.ToString());
+            return ExitCode.Bug;
+        }
+    }
+
+    private static bool IsOutOfMemory(Exception problem)
+        => problem is OutOfMemoryException || (problem is AggregateException several && several.Flatten().InnerExceptions.Any(IsOutOfMemory));
+
+    // The runtime's messages give the full path; users know the one they typed as an argument.
+    private static string Sentence(Exception disk) => disk switch
+    {
+        FileNotFoundException { FileName: { } file } => $"{Short(file)}: there is no such file.",
+        DirectoryNotFoundException when Quoted().Match(disk.Message) is { Success: true } path
+            => $"{Short(path.Groups[1].Value)}: there is no such folder.",
+        UnauthorizedAccessException when Quoted().Match(disk.Message) is { Success: true } path => $"{Short(path.Groups[1].Value)}: access is denied.",
+        _ => disk.Message,
+    };
+
+    [GeneratedRegex("'([^']*)'")]
+    private static partial Regex Quoted();
+
+    private static string Short(string file) => Path.GetRelativePath(Environment.CurrentDirectory, file) is var near && near.Length < file.Length ? near : file;
+}

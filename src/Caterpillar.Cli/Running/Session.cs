@@ -1,0 +1,214 @@
+using System.Text;
+using System.Threading;
+using Caterpillar.Checks;
+using Caterpillar.Files;
+using Caterpillar.GCode;
+using Spectre.Console;
+
+namespace Caterpillar.Cli;
+
+/// <summary>What a verb works with: streams, profiles, cancellation, progress and messages.</summary>
+internal sealed class Session
+{
+    /// <summary>The advice after what took too much.</summary>
+    public const string MoreMemory = "--memory-limit 8GB, or any other size, lets the work take more.";
+
+    /// <summary>Code of the remark about words of a file that do nothing here, such as M84.</summary>
+    public const string Harmless = "gcode.ignored";
+
+    private readonly Func<Stream> _input;
+    private readonly Func<Stream> _output;
+
+    public Session(Func<Stream> input, Func<Stream> output, TextWriter messages)
+    {
+        _input = input;
+        _output = output;
+        Messages = messages;
+    }
+
+    /// <summary>Where messages go: standard error.</summary>
+    public TextWriter Messages { get; }
+
+    public CancellationToken Cancel { get; init; }
+
+    /// <summary>Standard error is a terminal, so progress may be drawn.</summary>
+    public bool IsTerminal { get; init; }
+
+    public ProfileLibrary Profiles { get; init; } = new();
+
+    /// <summary>Only what is wrong is said.</summary>
+    public bool Quiet { get; set; }
+
+    /// <summary>The work is a part of other work, which says itself what was made.</summary>
+    public bool IsPart { get; init; }
+
+    /// <summary>The work is one of many; what it makes is wanted for a table.</summary>
+    public bool Collects { get; init; }
+
+    /// <summary>What was written, where it was asked for.</summary>
+    public WrittenFigures? Written { get; private set; }
+
+    /// <summary>The work ended because memory ran out.</summary>
+    public bool LacksMemory { get; set; }
+
+    /// <summary>The first error that was found.</summary>
+    public Diagnostic? FirstError { get; private set; }
+
+    /// <summary>How much memory the work may take.</summary>
+    public MemoryLimit Memory { get; set; } = MemoryLimit.Default;
+
+    /// <summary>Makes the runtime keep the limit where an estimate fails; null where others live in the process.</summary>
+    public Action<MemoryLimit>? EnforceMemory { get; init; }
+
+    /// <summary>The bytes of a file, or of standard input for <c>-</c>.</summary>
+    public byte[] ReadBytes(string file)
+    {
+        if (file != "-")
+        {
+            NoFolder(file);
+            return LargeFile.ReadAllBytes(file);
+        }
+        using var input = OpenRead(file);
+        using var memory = new MemoryStream();
+        input.CopyTo(memory);
+        return memory.ToArray();
+    }
+
+    /// <summary>A file as a stream, or standard input for <c>-</c>.</summary>
+    public Stream OpenRead(string file)
+    {
+        if (file == "-") return new StoppableStream(_input(), Cancel);
+        NoFolder(file);
+        return new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
+    }
+
+    /// <summary>The name of an input in messages.</summary>
+    public static string NameOf(string file) => file == "-" ? "standard input" : file;
+
+    /// <summary>The name of an output in messages.</summary>
+    public static string NameOfOutput(string file) => file == "-" ? "standard output" : file;
+
+    /// <summary>Writes a file whole or not at all, or standard output for <c>-</c>.</summary>
+    public void Write(string file, Action<Stream> write) => Write(file, (stream, _) => write(stream));
+
+    /// <summary>The same; the second argument of <paramref name="write"/> is true where what is written is thrown away if it fails.</summary>
+    public void Write(string file, Action<Stream, bool> write)
+    {
+        if (file == "-")
+        {
+            // It may be written several times.
+            var output = _output();
+            write(output, false);
+            output.Flush();
+            return;
+        }
+        NoFolder(file);
+        using var whole = new AtomicFile(file);
+        write(whole.Stream, whole.IsTemporary);
+        whole.Commit();
+    }
+
+    /// <summary>Writes text in UTF-8.</summary>
+    public void WriteText(string file, Action<TextWriter> write) => Write(file, stream =>
+    {
+        using var writer = new StreamWriter(stream, new UTF8Encoding(false), 1 << 16, leaveOpen: true) { NewLine = "\n" };
+        write(writer);
+    });
+
+    /// <summary>A line that closes the work, for whoever watches it.</summary>
+    public void Say(Func<string> line)
+    {
+        if (!Quiet) Messages.WriteLine(line());
+    }
+
+    /// <summary>Says what was written, and keeps its figures for a table.</summary>
+    public void Made(Func<PrintFigures> print, long lines, long bytes, Func<PrintFigures, string> line)
+    {
+        if (Quiet && !Collects) return;
+        var figures = print();
+        Written = new WrittenFigures(figures, lines, bytes);
+        if (!Quiet && !IsPart) Messages.WriteLine(line(figures));
+    }
+
+    /// <summary>Remarks that a verb keeps for its end.</summary>
+    public void Say(IEnumerable<Diagnostic> remarks)
+    {
+        foreach (var remark in remarks) Say(remark.ToString);
+    }
+
+    /// <summary>Keeps the first error of findings that are not printed as messages.</summary>
+    public void Found(IEnumerable<Diagnostic> findings) => FirstError ??= findings.FirstOrDefault(d => d.Severity == Severity.Error);
+
+    /// <summary>Prints diagnostics, one line each. Words without effect belong to reports about a file, and are left out.</summary>
+    public void Print(IEnumerable<Diagnostic> diagnostics)
+    {
+        foreach (var diagnostic in diagnostics)
+        {
+            Found([diagnostic]);
+            if (diagnostic.Severity == Severity.Remark && (Quiet || diagnostic.Code == Harmless)) continue;
+            Messages.WriteLine(diagnostic.ToString());
+            if (diagnostic.Code == MemoryLimit.Code) Messages.WriteLine(MoreMemory);
+        }
+    }
+
+    /// <summary>The decoded file; one that is no G-code is bad input, whatever else was noticed in it.</summary>
+    /// <exception cref="CliException">There is none.</exception>
+    public DecodedGCode GCodeOrFail(Result<DecodedGCode> result)
+        => result.Value?.NotGCode is { } none ? ValueOrFail(new Result<DecodedGCode>(null, [none])) : ValueOrFail(result);
+
+    /// <summary>The result of long work, with a progress bar on a terminal; its diagnostics are printed.</summary>
+    /// <exception cref="CliException">There is none.</exception>
+    public T Run<T>(string label, Func<IProgress<double>?, Result<T>> work)
+        where T : class
+        => ValueOrFail(WithProgress(label, work));
+
+    /// <summary>Decodes a file while it is read.</summary>
+    /// <exception cref="CliException">It is no G-code.</exception>
+    public DecodedGCode Decode(string file, DecodeOptions options)
+    {
+        using var stream = OpenRead(file);
+        return GCodeOrFail(Decode(stream, NameOf(file), options));
+    }
+
+    /// <summary>Decodes a stream while it is read.</summary>
+    public Result<DecodedGCode> Decode(Stream stream, string name, DecodeOptions options)
+        => WithProgress("Reading " + name, progress => GCodeDecoder.DecodeStream(stream, options, name, progress, Cancel));
+
+    /// <summary>What was written.</summary>
+    /// <exception cref="CliException">Nothing was.</exception>
+    public WrittenGCode WrittenOrFail(Result<WrittenGCode> result)
+        => result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
+
+    /// <summary>Prints the diagnostics and returns the value.</summary>
+    /// <exception cref="CliException">There is none.</exception>
+    public T ValueOrFail<T>(Result<T> result, int code = ExitCode.BadInput)
+        where T : class
+    {
+        Print(result.Diagnostics);
+        return result.Value ?? throw new CliException(code);
+    }
+
+    /// <summary>Runs long work, with a progress bar on a terminal.</summary>
+    public T WithProgress<T>(string label, Func<IProgress<double>?, T> work)
+    {
+        if (!IsTerminal) return work(null);
+        var console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Messages) });
+        return console.Progress().AutoClear(true).HideCompleted(true)
+            .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn())
+            .Start(context => work(new Bar(context.AddTask(Markup.Escape(label)))));
+    }
+
+    private static void NoFolder(string file)
+    {
+        if (string.IsNullOrWhiteSpace(file)) throw new CliException(ExitCode.Usage, "The name of a file is empty.");
+        if (Directory.Exists(file)) throw new CliException(ExitCode.BadInput, $"{file} is a folder, not a file.");
+    }
+
+    private sealed class Bar(ProgressTask task) : IProgress<double>
+    {
+        public void Report(double value) => task.Value = Math.Clamp(value, 0, 1) * task.MaxValue;
+    }
+}
+
+/// <summary>A G-code file that was written: its print, its lines and bytes.</summary>
+internal sealed record WrittenFigures(PrintFigures Print, long Lines, long Bytes);

@@ -1,0 +1,74 @@
+using System.CommandLine.Parsing;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Before any work begins: no output may be an input, and the ending of its name must fit what is written.</summary>
+internal static class OutputGuard
+{
+    // Options whose values are files that are read; all arguments are.
+    private static readonly string[] Inputs = ["--printer", "--material", "--settings", "--import", "--like"];
+    private static readonly string[] Outputs = ["--output", "--material-output"];
+
+    // Endings that people would take for something else than what a verb writes.
+    private static readonly Dictionary<string, string> Kinds = new(StringComparer.OrdinalIgnoreCase)
+    {
+        [".stl"] = "a mesh", [".obj"] = "a mesh", [".ply"] = "a mesh", [".3mf"] = "a mesh", [".step"] = "a model", [".stp"] = "a model", [".3dm"] = "a model",
+        [".gh"] = "a Grasshopper definition", [".ghx"] = "a Grasshopper definition", [".svg"] = "a drawing", [".csv"] = "a table", [".json"] = "JSON",
+        [".turtle"] = "a turtle program", [".png"] = "a picture", [".jpg"] = "a picture", [".jpeg"] = "a picture", [".pgm"] = "a picture",
+        [".pdf"] = "a document", [".html"] = "a page", [".gcode"] = "G-code", [".bgcode"] = "G-code", [".gco"] = "G-code", [".nc"] = "G-code",
+        [".gz"] = "a packed file", [".zip"] = "a packed file",
+    };
+
+    /// <exception cref="CliException">An output is an input, or is named as something else (wrong usage).</exception>
+    public static void Check(Verb verb, ParseResult parsed)
+    {
+        var inputs = Arguments(parsed).Concat(Inputs.SelectMany(name => Values(parsed, name))).Where(f => f != "-" && File.Exists(f)).ToArray();
+        if (verb.ReplacesInput(parsed)) return;
+        foreach (var name in Outputs)
+        {
+            foreach (var output in Values(parsed, name).Where(f => f is not "-" and not ""))
+            {
+                CheckName(name, output, name == "--output" ? verb.Writes : ["JSON"]);
+                if (inputs.FirstOrDefault(input => IsSame(input, output)) is { } input)
+                    throw new CliException(ExitCode.Usage, $"{name} {output}: this would replace the input {input}. Choose another name.");
+            }
+        }
+    }
+
+    private static void CheckName(string option, string output, string[] kinds)
+    {
+        if (kinds.Length == 0 || !Kinds.TryGetValue(Path.GetExtension(output), out var named) || kinds.Contains(named)) return;
+        throw new CliException(ExitCode.Usage, $"{option} {output}: the ending {Path.GetExtension(output)} means {named}, but this writes {kinds[0]}.");
+    }
+
+    private static IEnumerable<string> Arguments(ParseResult parsed)
+        => parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value);
+
+    private static IEnumerable<string> Values(ParseResult parsed, string option)
+        => parsed.CommandResult.Children.OfType<OptionResult>().Where(o => o.Option.Name == option).SelectMany(o => o.Tokens).Select(t => t.Value);
+
+    private static bool IsSame(string a, string b)
+        => string.Equals(Real(a), Real(b), OperatingSystem.IsLinux() ? StringComparison.Ordinal : StringComparison.OrdinalIgnoreCase);
+
+    // The path without links in any of its folders; what is not there yet has no links of its own.
+    private static string Real(string path)
+    {
+        var full = Path.GetFullPath(path);
+        for (var links = 0; links < 40 && Link(full) is { } target; links++) full = target;
+        var folder = Path.GetDirectoryName(full);
+        return folder is null ? full : Path.Combine(Real(folder), Path.GetFileName(full));
+    }
+
+    private static string? Link(string path)
+    {
+        try
+        {
+            FileSystemInfo place = Directory.Exists(path) ? new DirectoryInfo(path) : new FileInfo(path);
+            return place.LinkTarget is { } target ? Path.GetFullPath(target, Path.GetDirectoryName(path) ?? path) : null;
+        }
+        catch (IOException)
+        {
+            return null;
+        }
+    }
+}

@@ -1,0 +1,81 @@
+using Caterpillar.Checks;
+using Caterpillar.GCode;
+using Newtonsoft.Json;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Finds what a printer cannot or must not do in G-code files.</summary>
+internal sealed class CheckVerb : Verb
+{
+    private readonly Argument<string[]> _files = new("FILE")
+    {
+        Description = "G-code files, also binary (.bgcode) or packed with gzip, or - for standard input.",
+        Arity = ArgumentArity.OneOrMore,
+    };
+
+    private readonly Option<string?> _dialect = CommonOptions.Dialect();
+    private readonly Described<string?> _onto = new("--onto",
+        "An object that lies on the bed where its file says, and is printed on: strands may lie on it, and the head must not go through it.", "SCAN");
+
+    private readonly SetupOptions _setup = new();
+    private readonly Option<int> _threads = CommonOptions.Threads();
+    private readonly Described<bool> _json = new("--json", "Print the findings as a JSON array.");
+
+    public CheckVerb()
+        : base("check", "Check G-code files against a printer: where the head goes and what it would hit, strands, speeds, flow, temperatures.")
+    {
+        Arguments.Add(_files);
+        Add([.. _setup.All, _dialect, _onto, _threads, _json]);
+        AllowBatches();
+    }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("check part.gcode --printer ender3", "what a printer cannot or must not do"),
+        ("check part.gcode --json", "the same as data, with object, layer and line"),
+    ];
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var setup = _setup.Resolve(arguments, session);
+        if (arguments.GetValue(_onto) is { } onto) setup = setup with { PrintedOn = Meshes.ReadAsOne(onto, session) };
+        var options = new DecodeOptions
+        {
+            Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
+            FilamentDiameter = setup.Material.FilamentDiameter,
+            Threads = arguments.GetValue(_threads),
+            Memory = session.Memory,
+        };
+        var all = new List<Diagnostic>();
+        var harmless = new List<Diagnostic>();
+        foreach (var file in arguments.GetValue(_files)!)
+        {
+            var name = Session.NameOf(file);
+            var decoded = Decoded(file, name, options, session, harmless);
+            all.AddRange(session.WithProgress("Checking " + name, progress => PrintCheck.Run(decoded, setup, progress, session.Cancel)));
+        }
+        session.WriteText("-", text =>
+        {
+            if (arguments.GetValue(_json))
+            {
+                using var json = new JsonTextWriter(text) { Formatting = Formatting.Indented, CloseOutput = false };
+                FindingSummary.Write(json, all);
+                json.Flush();
+                text.WriteLine();
+                return;
+            }
+            foreach (var finding in all) text.WriteLine(finding.ToString());
+        });
+        session.Found(all);
+        session.Say(harmless);
+        return all.Any(d => d.Severity == Severity.Error) ? ExitCode.Refused : ExitCode.Done;
+    }
+
+    private static DecodedGCode Decoded(string file, string name, DecodeOptions options, Session session, List<Diagnostic> harmless)
+    {
+        using var stream = session.OpenRead(file);
+        var decoded = session.Decode(stream, name, options);
+        harmless.AddRange(decoded.Diagnostics.Where(d => d.Code == Session.Harmless));
+        return session.GCodeOrFail(decoded);
+    }
+}

@@ -1,0 +1,45 @@
+namespace Caterpillar.Cli;
+
+/// <summary>Writes the completions of a shell.</summary>
+internal sealed class CompletionsVerb : Verb
+{
+    private readonly Argument<string> _shell = new("SHELL") { Description = "bash, zsh, fish or powershell." };
+
+    public CompletionsVerb()
+        : base("completions", "Write what a shell needs to complete verbs, options and values.")
+    {
+        _shell.AcceptOnlyFromAmong("bash", "zsh", "fish", "powershell");
+        Arguments.Add(_shell);
+    }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("completions bash > caterpillar.bash", "to be sourced in ~/.bashrc"),
+        ("completions zsh > _caterpillar", "for a folder of $fpath"),
+        ("completions fish > caterpillar.fish", "for ~/.config/fish/completions"),
+    ];
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var table = CompletionTable.Of((Command?)Parents.OfType<Command>().FirstOrDefault() ?? this);
+        session.WriteText("-", text =>
+        {
+            switch (arguments.GetValue(_shell))
+            {
+                case "zsh":
+                    ZshCompletions.Write(text, table);
+                    break;
+                case "fish":
+                    FishCompletions.Write(text, table);
+                    break;
+                case "powershell":
+                    PowerShellCompletions.Write(text, table);
+                    break;
+                default:
+                    BashCompletions.Write(text, table);
+                    break;
+            }
+        });
+        return ExitCode.Done;
+    }
+}

@@ -1,0 +1,123 @@
+using Caterpillar.Drawings;
+using Caterpillar.Jobs;
+using Caterpillar.Planning;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Prints curves as drawn, in their order.</summary>
+internal sealed class CurvesVerb : Verb
+{
+    private readonly Argument<string> _file =
+        new("FILE") { Description = "Curves: points as CSV or JSON, lines of OBJ, paths of SVG, also gzipped; - is standard input." };
+
+    private readonly CurveSettingOptions _strand = new();
+    private readonly DivisionOptions _division = new();
+
+    private readonly Described<string> _sort = new("--sort",
+        "Order: none (as given), orient (only turned around), nearest, layer, z or tour.") { DefaultValueFactory = _ => "none" };
+
+    private readonly Described<string?> _move = new("--move", "Moves the curves by an offset in mm, or to the \"center\" of the bed.", "X,Y[,Z]|center");
+
+    private readonly Described<string[]> _map = new("--map",
+        "Maps a coordinate to another axis word, scaled: X=A*2.86 turns A by 2.86 degrees per mm of X; Y=Y*0.5 scales Y. Applied last.", "AXIS=WORD*SCALE");
+
+    private readonly Described<string> _plan = new("--plan",
+        "\"printer\": with the printer's retraction and lifts; \"drawn\": only the curves.") { DefaultValueFactory = _ => "printer" };
+
+    private readonly Described<bool> _json = new("--json", "Print what was planned and written as JSON.");
+
+    private readonly OntoOptions _onto = new(OntoOptions.Drawn, OntoOptions.DrawnPartial);
+
+    private readonly Described<string?> _maxSize = new("--max-size", "Largest file that the printer accepts, in MB; a larger one is not written.", "MB");
+
+    private readonly SetupOptions _setup = new();
+    private readonly WriteOptions _write = new();
+
+    public CurvesVerb()
+        : base("curves", "Turn user curves into G-code, as drawn and in their order.")
+    {
+        _sort.AcceptOnlyFromAmong("none", "orient", "nearest", "layer", "z", "tour");
+        _plan.AcceptOnlyFromAmong("drawn", "printer");
+        Arguments.Add(_file);
+        Add([.. _write.All, .. _strand.All, .. _division.All, _sort, _move, _map, _plan, _json, _maxSize, .. _onto.All, .. _setup.All]);
+        AllowBatches();
+    }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("curves curves.csv -o curves.gcode", "the curves of a table, in their order"),
+        ("curves drawing.svg --printer pen_plotter --move center -o drawing.gcode", "a drawing for a pen"),
+    ];
+
+    public override string[] Writes => ["G-code"];
+
+    public override string? Ending => ".gcode";
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var file = arguments.GetValue(_file)!;
+        var target = _write.FileFor(arguments, file);
+        var json = arguments.GetValue(_json);
+        if (json && target == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
+        var mappings = (arguments.GetValue(_map) ?? []).Select(AxisMappings.Parse).ToArray();
+        var limit = OptionValues.OptionalNumber(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6 ?? double.PositiveInfinity;
+        _onto.Check(arguments);
+        var setup = _setup.Resolve(arguments, session);
+        var sort = SortOf(arguments.GetValue(_sort)!);
+        // Sorting of curves is an option of this verb, not a setting as for sliced parts.
+        setup = setup with { Settings = setup.Settings with { SortPaths = sort != SortRule.None } };
+        var curves = _division.Of(arguments, _strand.Of(arguments, setup)) with
+        {
+            Memory = session.Memory,
+            Sorting = sort switch { SortRule.None => CurveSorting.None, SortRule.Layer or SortRule.Z => CurveSorting.All, _ => CurveSorting.WithinLayers },
+        };
+        var reading = CurveReadOptions.For(setup) with { Memory = session.Memory, UnitLength = _strand.UnitOf(arguments) };
+        var (steps, count) = Steps(file, reading, curves, arguments.GetValue(_move), setup, session);
+        var options = new PrintJobOptions
+        {
+            Policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn, Sort = sort, Mappings = mappings,
+            Memory = session.Memory,
+        };
+        using var job = _onto.Draw(arguments, steps, setup, options, session);
+        var written = _write.Write(arguments, session, job, target, limit);
+        if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson([file], target, [new("curves", count)], job.Plan, written)));
+        return ExitCode.Done;
+    }
+
+    // The memory of each stage is free for the next one: files can be large.
+    private static (IReadOnlyList<Step> Steps, int Count) Steps(string file, CurveReadOptions reading, CurveOptions options, string? move, PrintSetup setup,
+        Session session)
+    {
+        var curves = Moved(Curves.Read(file, reading, session), move, setup.Printer);
+        return (session.Run("Dividing", progress => CurvePaths.ToSteps(curves, options, progress, session.Cancel)), curves.Count);
+    }
+
+    private static IReadOnlyList<UserCurve> Moved(IReadOnlyList<UserCurve> curves, string? text, Printer printer)
+    {
+        if (text is null) return curves;
+        Vec3 shift;
+        if (text == "center")
+        {
+            var bounds = curves.Aggregate(Bounds.Empty, (b, c) => b.Include(c.Curve.Bounds));
+            shift = (printer.BuildBounds.Center - bounds.Center).WithZ(0);
+        }
+        else
+        {
+            var numbers = text.Split(',').Select(w => OptionValues.Number(w, "--move", double.NegativeInfinity)).ToArray();
+            if (numbers.Length is not (2 or 3)) throw new CliException(ExitCode.Usage, "--move: give X,Y or X,Y,Z in mm, or center.");
+            shift = new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
+        }
+        var map = Affine.Move(shift);
+        return curves.Select(c => c with { Curve = c.Curve.Transformed(map) }).ToArray();
+    }
+
+    private static SortRule SortOf(string word) => word switch
+    {
+        "orient" => SortRule.Orient,
+        "nearest" => SortRule.Nearest,
+        "layer" => SortRule.Layer,
+        "z" => SortRule.Z,
+        "tour" => SortRule.Tour,
+        _ => SortRule.None,
+    };
+}

@@ -1,0 +1,124 @@
+using System.Security.Cryptography;
+using Caterpillar.Files;
+using Caterpillar.GCode;
+using Caterpillar.Simulation;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Describes what G-code files do.</summary>
+internal sealed class DecodeVerb : Verb
+{
+    private readonly Argument<string[]> _files =
+        new("FILE") { Description = "G-code files, also binary (.bgcode) or packed with gzip, or - for standard input.", Arity = ArgumentArity.OneOrMore };
+    private readonly Described<bool> _json = new("--json", "Print a JSON array with one object per file.");
+    private readonly Described<bool> _csv = new("--csv", "Print a table with one row per move.");
+    private readonly Described<bool> _stats = new("--stats",
+        "Print times, material, roles, tools and layers too, by the limits of --printer; without it those of the slicer's settings in the file.");
+
+    private readonly SetupOptions _setup = new();
+    private readonly Option<string?> _dialect = CommonOptions.Dialect();
+    private readonly Described<double?> _diameter = new("--filament-diameter", "Filament diameter, if the file does not state it.", "MM");
+    private readonly Option<int> _threads = CommonOptions.Threads();
+
+    private readonly Described<string> _rule = new("--rule",
+        "When E counts as printing: beyond what was retracted (balance), or whenever it rises (rising).",
+        "balance|rising") { DefaultValueFactory = _ => "balance" };
+
+    public DecodeVerb()
+        : base("decode", "Describe what G-code files do.")
+    {
+        Arguments.Add(_files);
+        Add([_json, _csv, _stats, _dialect, _rule, _diameter, _threads, .. _setup.All]);
+        _rule.AcceptOnlyFromAmong("balance", "rising");
+        Validators.Add(result =>
+        {
+            if (result.GetValue(_json) && result.GetValue(_csv)) result.AddError("Use --json or --csv, not both.");
+            if (result.GetValue(_stats) && result.GetValue(_csv)) result.AddError("Use --stats or --csv, not both.");
+        });
+    }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("decode part.gcode", "what the file prints"),
+        ("decode part.gcode --stats", "times, material and layers"),
+        ("decode part.gcode --csv > moves.csv", "a row for each move"),
+    ];
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var options = new DecodeOptions
+        {
+            Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
+            Rule = arguments.GetValue(_rule) == "rising" ? ExtrusionRule.Rising : ExtrusionRule.Balance,
+            FilamentDiameter = Diameter(arguments, session),
+            Threads = arguments.GetValue(_threads),
+            Memory = session.Memory,
+        };
+        var json = arguments.GetValue(_json);
+        var decoded = new List<(string File, DecodedGCode DecodedGCode, DecodeReport Report)>();
+        var bad = false;
+        foreach (var file in arguments.GetValue(_files)!)
+        {
+            try
+            {
+                decoded.Add(Decode(file, options, json, session));
+            }
+            catch (CliException stop) when (stop.Message.Length == 0)
+            {
+                // Already reported; the other files are decoded as well.
+                bad = true;
+            }
+        }
+        if (bad) return ExitCode.BadInput;
+        var stats = arguments.GetValue(_stats) ? decoded.Select(d => Timed(d.DecodedGCode, d.Report.File, arguments, session)).ToArray() : [];
+        session.WriteText("-", text =>
+        {
+            if (json && stats.Length > 0)
+                text.Write(SimulationJson.Array(stats, (writer, s) => SimulationJson.Statistics(writer, s.File, s.Sums, s.Toolpath, s.Limits)));
+            else if (json) text.Write("[\n " + string.Join(",\n ", decoded.Select(d => d.Report.ToJson(" "))) + "\n]\n");
+            else if (!arguments.GetValue(_csv)) Summaries(text, decoded, stats);
+        });
+        if (arguments.GetValue(_csv))
+        {
+            session.Write("-", stream => MoveTable.Write(stream, decoded.Select(d => (d.File, d.DecodedGCode.Toolpath)).ToArray(), session.Cancel));
+        }
+        return ExitCode.Done;
+    }
+
+    // Masses need a diameter: where the file does not say, that of the material.
+    private double? Diameter(ParseResult arguments, Session session)
+        => Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter")
+            ?? (arguments.GetValue(_stats) ? _setup.Resolve(arguments, session).Material.FilamentDiameter : null);
+
+    private static void Summaries(TextWriter text, List<(string File, DecodedGCode DecodedGCode, DecodeReport Report)> decoded, Statistics[] stats)
+    {
+        for (var i = 0; i < decoded.Count; i++)
+        {
+            DecodeSummary.Write(text, decoded[i].DecodedGCode, decoded[i].Report);
+            if (stats.Length > 0) StatisticsText.Write(text, stats[i].Sums, stats[i].Limits);
+        }
+    }
+
+    private Statistics Timed(DecodedGCode decoded, string file, ParseResult arguments, Session session)
+    {
+        var motion = MotionSetup.Of(_setup, arguments, decoded, session);
+        var timeline = session.WithProgress("Planning " + file, progress => Timeline.Of(decoded.Toolpath, motion.Setup, progress, session.Cancel));
+        return new Statistics(file, PrintStatistics.Of(timeline, session.Cancel), decoded.Toolpath, motion.Limits);
+    }
+
+    private sealed record Statistics(string File, PrintStatistics Sums, Toolpath Toolpath, string Limits);
+
+    private static (string, DecodedGCode, DecodeReport) Decode(string file, DecodeOptions options, bool hash, Session session)
+    {
+        var name = Session.NameOf(file);
+        using var plain = GzipReader.Open(session.OpenRead(file));
+        using var sum = hash ? IncrementalHash.CreateHash(HashAlgorithmName.SHA256) : null;
+        using var stream = sum is null ? plain : new HashingStream(plain, sum);
+        var result = session.Decode(stream, name, options);
+        if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.packed", name)]);
+        var decoding = session.GCodeOrFail(result);
+        var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };
+        if (sum is not null) report = report with { Sha256 = Convert.ToHexStringLower(sum.GetHashAndReset()) };
+        return (name, decoding, report);
+    }
+}

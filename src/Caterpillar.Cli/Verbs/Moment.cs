@@ -1,0 +1,77 @@
+using Caterpillar.Simulation;
+
+namespace Caterpillar.Cli;
+
+/// <summary>A moment of a print in words: <c>42%</c>, <c>12m30s</c>, <c>line:1000</c>, <c>move:7</c>, <c>layer:3</c>, <c>z:1.2</c>.</summary>
+internal sealed class Moment
+{
+    private readonly string _text;
+    private readonly Func<Timeline, MachineState?> _find;
+
+    private Moment(string text, Func<Timeline, MachineState?> find)
+    {
+        _text = text;
+        _find = find;
+    }
+
+    /// <exception cref="CliException">It is no moment (wrong usage).</exception>
+    public static Moment Parse(string text)
+    {
+        var plain = text.Trim();
+        if (plain.EndsWith('%') && NumberReader.TryParse(plain[..^1], out var part) && part is >= 0 and <= 100)
+            return new(plain, t => t.AtFraction(part / 100));
+        if (After(plain, "line:") is { } line && Numbers.Whole(line) is >= 1 and var number) return new(plain, t => t.AtSource(number));
+        if (After(plain, "move:") is { } move && Numbers.Whole(move) is >= 0 and var index)
+            return new(plain, t => index <= t.Toolpath.Count ? t.AtMove(index) : null);
+        if (After(plain, "layer:") is { } layer && Numbers.Whole(layer) is >= 0 and var wanted) return new(plain, t => AtLayer(t, wanted));
+        if (After(plain, "z:") is { } height && NumberReader.TryParse(height, out var z)) return new(plain, t => t.AtHeight(z));
+        if (Seconds(plain) is { } seconds) return new(plain, t => t.At(seconds));
+        throw new CliException(ExitCode.Usage, $"--at \"{text}\": write 42%, a time such as 90s or 1h12m30s, line:N, move:N, layer:N or z:MM.");
+    }
+
+    /// <exception cref="CliException">The print has no such moment (bad input).</exception>
+    public MachineState Of(Timeline timeline)
+        => _find(timeline) ?? throw new CliException(ExitCode.BadInput, $"--at {_text}: there is no such place in the print, which has {Places(timeline)}.");
+
+    private static string Places(Timeline timeline)
+    {
+        var (moves, layers) = (timeline.Toolpath.Count, timeline.Toolpath.Layers);
+        return NumberFormatter.Format(moves) + (moves == 1 ? " move and " : " moves and ") + (layers.Count == 0 ? "no layers"
+            : $"layers {NumberFormatter.Format(layers.Min(l => l.Index))} to {NumberFormatter.Format(layers.Max(l => l.Index))}");
+    }
+
+    private static MachineState? AtLayer(Timeline timeline, int index)
+    {
+        for (var i = 0; i < timeline.Toolpath.Layers.Count; i++)
+        {
+            if (timeline.Toolpath.Layers[i].Index == index && timeline.AtLayer(i) is { } state) return state;
+        }
+        return null;
+    }
+
+    private static string? After(string text, string start) => text.StartsWith(start, StringComparison.OrdinalIgnoreCase) ? text[start.Length..] : null;
+
+    // Hours, minutes and seconds in this order, or seconds alone.
+    private static double? Seconds(string text)
+    {
+        if (NumberReader.TryParse(text, out var plain)) return plain >= 0 ? plain : null;
+        double sum = 0;
+        var units = "hms";
+        foreach (var part in Parts(text))
+        {
+            var unit = part.Length > 1 ? units.IndexOf(char.ToLowerInvariant(part[^1]), StringComparison.Ordinal) : -1;
+            if (unit < 0 || !NumberReader.TryParse(part[..^1], out var value) || value < 0) return null;
+            sum += value * (units[unit] switch { 'h' => 3600, 'm' => 60, _ => 1 });
+            units = units[(unit + 1)..];
+        }
+        return text.Length > 0 ? sum : null;
+    }
+
+    private static string[] Parts(string text)
+    {
+        var ends = Enumerable.Range(0, text.Length).Where(i => char.IsLetter(text[i])).ToArray();
+        var starts = ends.Select((_, i) => i == 0 ? 0 : ends[i - 1] + 1);
+        var parts = starts.Zip(ends, (from, to) => text[from..(to + 1)]);
+        return ends.Length > 0 && ends[^1] == text.Length - 1 ? parts.ToArray() : [text];
+    }
+}

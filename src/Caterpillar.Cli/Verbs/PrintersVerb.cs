@@ -1,0 +1,144 @@
+using System.CommandLine.Completions;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Lists the profiles, shows one as JSON with all its keys, or makes one from a header and a footer.</summary>
+internal sealed class PrintersVerb : Verb
+{
+    private readonly Argument<string?> _name = new("NAME")
+    {
+        Description = "Printer, material or settings to show as JSON; material/clay or settings/clay where both have that name.",
+        HelpName = "NAME",
+        Arity = ArgumentArity.ZeroOrOne,
+    };
+
+    private readonly Described<bool> _keys = new("--keys", "List the keys of profiles with their range and meaning.");
+
+    private readonly Described<string[]> _import = new("--import",
+        "Make a printer profile from the G-code before and after a print, such as the headers and footers of ExtruderTurtle; - for no footer.",
+        "HEADER FOOTER") { Arity = new ArgumentArity(2, 2), AllowMultipleArgumentsPerToken = true };
+
+    private readonly Described<string?> _like = new("--like", "With --import: a similar printer for all that the files do not state.", "NAME|FILE");
+
+    private readonly Described<string> _output = new("--output",
+        "File for the JSON; standard output by default.", "FILE.json", "-o") { DefaultValueFactory = _ => "-" };
+
+    private readonly Described<string?> _material = new("--material-output",
+        "With --import: a material profile with the temperatures of the header.", "FILE.json");
+
+    public PrintersVerb()
+        : base("printers", "List or make profiles of printers, materials and settings.")
+    {
+        _name.CompletionSources.Add(_ => new ProfileLibrary().PrinterNames.Select(n => new CompletionItem(n)));
+        Arguments.Add(_name);
+        Add([_keys, _import, _like, _output, _material]);
+    }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("printers", "all profiles"),
+        ("printers ender3 -o mine.json", "a profile to start from"),
+        ("printers --keys", "all keys with their range and meaning"),
+    ];
+
+    public override string[] Writes => ["JSON", "a table"];
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var name = arguments.GetValue(_name);
+        var output = arguments.GetValue(_output)!;
+        if (arguments.GetValue(_import) is { Length: 2 } files) PrinterImport.Run(files[0], files[1], arguments.GetValue(_like), output,
+            arguments.GetValue(_material), session);
+        else if (arguments.GetValue(_like) is not null
+            || arguments.GetValue(_material) is not null) throw new CliException(ExitCode.Usage, "--like and --material-output need --import.");
+        else if (arguments.GetValue(_keys)) session.WriteText(output, WriteKeys);
+        else if (name is not null) Show(name, output, session);
+        else return List(output, session);
+        return ExitCode.Done;
+    }
+
+    // Bad profiles are reported; the others are still listed.
+    private static int List(string output, Session session)
+    {
+        var good = true;
+        session.WriteText(output, text => good = WriteList(text, session));
+        return good ? ExitCode.Done : ExitCode.BadInput;
+    }
+
+    private static bool WriteList(TextWriter text, Session session)
+    {
+        var profiles = session.Profiles;
+        var good = true;
+        var rows = new List<string[]> { new[] { "PRINTER", "BUILD VOLUME", "NOZZLE", "DIALECT", "" } };
+        foreach (var name in profiles.PrinterNames)
+        {
+            if (Read(profiles.Printer(name)) is not { } printer) continue;
+            var size = printer.BuildVolume;
+            rows.Add([name, $"{Number(size.X)} × {Number(size.Y)} × {Number(size.Z)} mm", Number(printer.NozzleDiameter) + " mm", printer.Dialect.Name,
+                printer.Title]);
+        }
+        rows.Add([]);
+        rows.Add(["MATERIAL", "NOZZLE, BED", "FILAMENT", "", ""]);
+        foreach (var name in profiles.MaterialNames)
+        {
+            if (Read(profiles.Material(name)) is not { } material) continue;
+            rows.Add([name, $"{Number(material.NozzleTemperature)}, {Number(material.BedTemperature)} °C", Number(material.FilamentDiameter) + " mm", "",
+                material.Title]);
+        }
+        rows.Add([]);
+        rows.Add(["SETTINGS", "LAYER, LINE", "SPEED", "", ""]);
+        foreach (var name in profiles.SettingsNames)
+        {
+            if (Read(profiles.Settings(name)) is not { } settings) continue;
+            rows.Add([name, $"{Number(settings.LayerHeight)}, {Number(settings.LineWidth)} mm", Number(settings.PrintSpeed) + " mm/s", "", settings.Title]);
+        }
+        TextTable.Write(text, rows);
+        return good;
+
+        T? Read<T>(Result<T> result)
+            where T : class
+        {
+            session.Print(result.Diagnostics);
+            good &= result.Value is not null;
+            return result.Value;
+        }
+    }
+
+    private static void WriteKeys(TextWriter text)
+    {
+        var rows = new List<string[]>();
+        foreach (var (title, keys) in new[] { ("PRINTER", ProfileKeys.Printer), ("MATERIAL", ProfileKeys.Material), ("SETTINGS", ProfileKeys.Settings) })
+        {
+            if (rows.Count > 0) rows.Add([]);
+            rows.Add([title, ""]);
+            rows.AddRange(keys.Select(k => new[] { k.Name, k.Summary + " (" + k.Range + ")" }));
+        }
+        TextTable.Write(text, rows);
+    }
+
+    private static void Show(string name, string output, Session session)
+    {
+        var profiles = session.Profiles;
+        if (name.StartsWith("material/", System.StringComparison.Ordinal)) Material(name["material/".Length..]);
+        else if (name.StartsWith("settings/", System.StringComparison.Ordinal)) Settings(name["settings/".Length..]);
+        else if (profiles.PrinterNames.Contains(name)) Printer(name);
+        else if (profiles.MaterialNames.Contains(name)) Material(name);
+        else if (profiles.SettingsNames.Contains(name)) Settings(name);
+        else Printer(name);
+
+        void Printer(string which) => Out(profiles.Printer(which), ProfileWriter.Write, p => p.Title, which);
+        void Material(string which) => Out(profiles.Material(which), ProfileWriter.Write, m => m.Title, which);
+        void Settings(string which) => Out(profiles.Settings(which), ProfileWriter.Write, s => s.Title, which);
+        void Out<T>(Result<T> read, System.Func<T, string> write, System.Func<T, string> title, string which)
+            where T : class
+        {
+            var profile = session.ValueOrFail(read, Code(which));
+            session.WriteText(output, text => text.Write(write(profile)));
+            if (output != "-") session.Say(() => $"{output}: {title(profile)}");
+        }
+
+        int Code(string which) => File.Exists(which) ? ExitCode.BadInput : ExitCode.Usage;
+    }
+
+    private static string Number(double value) => NumberFormatter.Format(value, 3);
+}

@@ -1,0 +1,92 @@
+using Caterpillar.Files;
+using Caterpillar.GCode;
+using Caterpillar.Simulation;
+
+namespace Caterpillar.Cli;
+
+/// <summary>What the machine does at some moments of a file.</summary>
+internal sealed class SimulateVerb : Verb
+{
+    private readonly Argument<string> _file = new("FILE")
+    {
+        Description = "A G-code file, also binary (.bgcode) or packed with gzip, or - for standard input.",
+    };
+
+    private readonly Described<string[]> _at = new("--at",
+        "A moment: part of the time (42%), time (90, 90s, 12m30s, 1h5m), line:N, move:N, layer:N (from 0) or z:MM. May be given several times.",
+        "MOMENT") { Arity = ArgumentArity.OneOrMore };
+
+    private readonly Described<bool> _json = new("--json", "Print a JSON array with an object for each moment.");
+    private readonly Option<string?> _dialect = CommonOptions.Dialect();
+    private readonly SetupOptions _setup = new();
+    private readonly Option<int> _threads = CommonOptions.Threads();
+
+    public SimulateVerb()
+        : base("simulate", "Say where the machine is and what it does at a time, move, line, layer or height of a G-code file.")
+    {
+        Arguments.Add(_file);
+        Add([_at, _json, _dialect, .. _setup.All, _threads]);
+    }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("simulate part.gcode --at 42%", "the machine after 42 % of the time"),
+        ("simulate part.gcode --at line:100 --at layer:3 --json", "at a line and at a layer, as data"),
+    ];
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var moments = (arguments.GetValue(_at) is { Length: > 0 } given ? given : ["0%"]).Select(Moment.Parse).ToArray();
+        var file = arguments.GetValue(_file)!;
+        var name = Session.NameOf(file);
+        var options = new DecodeOptions
+        {
+            Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
+            FilamentDiameter = _setup.Resolve(arguments, session).Material.FilamentDiameter,
+            Threads = arguments.GetValue(_threads),
+            Memory = session.Memory,
+        };
+        using var stream = GzipReader.Open(session.OpenRead(file));
+        var decoded = session.GCodeOrFail(session.Decode(stream, name, options));
+        var motion = MotionSetup.Of(_setup, arguments, decoded, session);
+        var timeline = session.WithProgress("Planning " + name, progress => Timeline.Of(decoded.Toolpath, motion.Setup, progress, session.Cancel));
+        var states = moments.Select(m => m.Of(timeline)).ToArray();
+        session.WriteText("-", text =>
+        {
+            if (arguments.GetValue(_json)) text.Write(SimulationJson.Array(states, (json, s) => SimulationJson.State(json, s, timeline.Toolpath)));
+            else Write(text, states, timeline, motion.Limits);
+        });
+        return ExitCode.Done;
+    }
+
+    private static void Write(TextWriter text, MachineState[] states, Timeline timeline, string limits)
+    {
+        text.WriteLine($"{StatisticsText.Duration(timeline.Duration)} by the limits of {limits}");
+        foreach (var s in states)
+        {
+            text.WriteLine();
+            TextTable.Write(text, Rows(s, timeline).ToArray());
+        }
+    }
+
+    private static IEnumerable<string[]> Rows(MachineState s, Timeline timeline)
+    {
+        var toolpath = timeline.Toolpath;
+        var over = s.Move >= toolpath.Count;
+        yield return ["  Time", $"{StatisticsText.Duration(s.Time)}, {StatisticsText.Duration(s.TimeLeft)} left"];
+        var source = s.Source >= 0 ? $", line {NumberFormatter.Format(s.Source)}" : "";
+        var move = $"{NumberFormatter.Format(s.Move)} of {NumberFormatter.Format(toolpath.Count)}, {Number(100 * s.Done, 1)} % of it done";
+        yield return ["  Move", over ? $"all {NumberFormatter.Format(toolpath.Count)} are over" : move + source];
+        var role = s.Kind == Toolpaths.MoveKind.Print && s.Role != Toolpaths.Role.Unspecified ? ", " + Words.Spaced(s.Role.ToString()) : "";
+        if (!over) yield return ["  Doing", s.Waits ? "Waiting" : Words.Spaced(s.Kind.ToString()) + role];
+        yield return ["  Nozzle", $"{Number(s.Position.X, 3)}, {Number(s.Position.Y, 3)}, {Number(s.Position.Z, 3)} mm, tool {NumberFormatter.Format(s.Tool)}"];
+        yield return ["  Speed", $"{Number(s.Speed, 2)} mm/s" + (s.Flow is { } flow ? $", {Number(flow, 3)} mm³/s" : "")];
+        if (s.Layer >= 0) yield return ["  Layer", $"{NumberFormatter.Format(toolpath.Layers[s.Layer].Index)}, Z {Number(toolpath.Layers[s.Layer].Z, 3)} mm"];
+        var nozzle = $"nozzle {Number(s.NozzleTemperature, 1)} of {Number(s.NozzleTarget, 1)} °C";
+        yield return ["  Heat", $"{nozzle}, bed {Number(s.BedTemperature, 1)} of {Number(s.BedTarget, 1)} °C, fan {Number(100 * s.Fan, 0)} %"];
+        var volume = s.Volume is { } known ? $", {Number(known / 1000, 3)} cm³" : "";
+        yield return ["  So far", $"{Number(s.Length / 1000, 3)} m of path, {Number(s.Filament, 2)} of E{volume}"];
+    }
+
+    private static string Number(double value, int decimals) => NumberFormatter.Format(value, decimals);
+}

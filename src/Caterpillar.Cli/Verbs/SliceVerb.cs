@@ -1,0 +1,90 @@
+using Caterpillar.Jobs;
+using Caterpillar.Slicing;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Slices meshes into G-code, by planar layers or along a surface.</summary>
+internal sealed class SliceVerb : Verb
+{
+    private readonly Argument<string[]> _models = new("MODEL")
+    {
+        Description = "Mesh files (STL, OBJ, PLY, 3MF, also packed with gzip), or - for standard input. Several files are parts of one print and keep their "
+            + "places relative to each other.",
+        Arity = ArgumentArity.OneOrMore,
+    };
+
+    private readonly ModelOptions _placing = new();
+    private readonly ModelSettingOptions _own = new();
+    private readonly InfillCurveOptions _infill = new();
+    private readonly CurvedOptionValues _curved = new();
+    private readonly Described<bool> _json = new("--json", "Print what was planned and written as JSON.");
+    private readonly SetupOptions _setup = new();
+    private readonly WriteOptions _write = new();
+    private readonly Option<int> _threads = CommonOptions.Threads();
+
+    public SliceVerb()
+        : base("slice", "Slice meshes into G-code.")
+    {
+        Arguments.Add(_models);
+        Add([.. _write.All, .. _setup.All, .. _placing.All, .. _own.All, .. _infill.All, .. _curved.All, _threads, _json]);
+        AllowBatches();
+    }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("slice part.stl --printer ender3 -o part.gcode", "a part for a printer"),
+        ("slice part.stl --set layer_height_mm=0.15 --set infill_percent=35 --set support=tree", "with other settings"),
+        ("slice a.stl b.stl --arrange --copies 2 -o plate.gcode", "two of each, arranged on the bed"),
+        ("slice part.stl --surface roof.stl -o curved.gcode", "layers that follow a surface"),
+        ("slice --each 'models/*.stl' -o 'out/{name}.gcode' --summary summary.csv", "each model of a folder"),
+    ];
+
+    public override string[] Writes => ["G-code"];
+
+    public override string? Ending => ".gcode";
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        var files = arguments.GetValue(_models)!;
+        var output = _write.FileFor(arguments, files[0]);
+        var json = arguments.GetValue(_json);
+        if (json && output == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
+        _placing.Check(arguments);
+        _curved.Check(arguments);
+        using var job = Planned(files, arguments, session);
+        var written = _write.Write(arguments, session, job, output);
+        if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson(files, output, [new("layers", job.Layers)], job.Plan, written)));
+        return ExitCode.Done;
+    }
+
+    private PrintJob Planned(string[] files, ParseResult arguments, Session session)
+    {
+        var setup = _setup.Resolve(arguments, session);
+        var (read, models) = Models(files, arguments, ref setup, session);
+        var options = new PrintJobOptions { Threads = arguments.GetValue(_threads), Memory = session.Memory };
+        if (_curved.IsGiven(arguments)) return CurvedSlicing.Run(_curved, arguments, read, models, setup, options, session);
+        if (!_write.Overrides(arguments) && ModelCheck.IsTooLarge([.. models.Where(m => m.Settings.ModelUse == ModelUse.Part).Select(m => m.Mesh)], setup))
+        {
+            session.Print([new Diagnostic(Severity.Error, "write.refused",
+                $"Nothing was sliced: it would not fit. --override slices it all the same.{_placing.ScaleAdvice(arguments)}")]);
+            throw new CliException(ExitCode.Refused);
+        }
+        return session.Run("Slicing", progress => PrintJob.Slice(models, setup, options, progress, session.Cancel));
+    }
+
+    private (IReadOnlyList<NamedMesh> Read, SliceModel[] Models) Models(string[] files, ParseResult arguments, ref PrintSetup setup, Session session)
+    {
+        setup = _infill.Resolve(arguments, setup);
+        var own = _own.Resolve(arguments, setup, session);
+        var curves = _infill.Read(arguments, setup, session);
+        if (curves is not null && _placing.Turns(arguments) is { } option)
+            throw new CliException(ExitCode.Usage, $"{option} does not change the curves of --infill-curves: scale and turn model and curves beforehand.");
+        var sources = new List<string>();
+        var read = session.Run("Reading", progress => Meshes.Read(files, session, progress, sources));
+        var settings = own.For(read, sources);
+        var placed = _placing.Placed(read, settings.Select(s => s.ModelUse == ModelUse.Part).ToArray(), arguments, setup, session);
+        settings = InfillCurveOptions.With(settings, curves, placed[0].Mesh.Bounds.Min - read[0].Mesh.Bounds.Min);
+        // Copies follow in the order of the originals.
+        return (read, placed.Select((m, i) => new SliceModel(m, settings[i % settings.Count])).ToArray());
+    }
+}

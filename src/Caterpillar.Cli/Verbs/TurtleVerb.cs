@@ -1,0 +1,104 @@
+using System.Text;
+using Caterpillar.Jobs;
+using Caterpillar.Planning;
+using Caterpillar.Turtles;
+
+namespace Caterpillar.Cli;
+
+/// <summary>Runs a turtle program and writes its G-code.</summary>
+internal sealed class TurtleVerb : Verb
+{
+    private readonly Argument<string> _script =
+        new("SCRIPT") { Description = "Turtle program (the language is in docs/turtle.md); - is standard input." };
+
+    private readonly Described<string[]> _values = new("--var", "Value for a parameter of the script (param NAME = …).", "NAME=VALUE");
+
+    private readonly Described<int> _seed = new("--seed", "Seed of random().") { DefaultValueFactory = _ => 0 };
+
+    private readonly Described<string> _plan = new("--plan",
+        "\"drawn\": exactly what the turtle does; \"printer\": with the printer's retraction and lifts.") { DefaultValueFactory = _ => "drawn" };
+
+    private readonly Described<string[]> _folders = new("--include",
+        "A folder whose files the script may include or read as images, besides its own.", "FOLDER");
+
+    private readonly OntoOptions _onto = new(OntoOptions.Drawn, OntoOptions.DrawnPartial);
+
+    private readonly Described<bool> _commands = new("--commands", "List the commands of the language.");
+
+    private readonly WriteOptions _write = new();
+
+    private readonly SetupOptions _setup = new();
+
+    public TurtleVerb()
+        : base("turtle", "Turn a turtle program or L-system into G-code.")
+    {
+        _script.Arity = ArgumentArity.ZeroOrOne;
+        _plan.AcceptOnlyFromAmong("drawn", "printer");
+        Arguments.Add(_script);
+        Add([.. _write.All, _values, _seed, _plan, _folders, _commands, .. _onto.All, .. _setup.All]);
+        AllowBatches();
+    }
+
+    public override IReadOnlyList<(string Line, string Does)> Examples =>
+    [
+        ("turtle star.turtle -o star.gcode", "a turtle program"),
+        ("turtle star.turtle --var layers=4 --plan printer -o star4.gcode", "with a value of a parameter, retraction and lifts"),
+        ("turtle star.turtle --table values.csv -o 'out/{row}.gcode' --summary study.csv", "a study: one print for each row of a table"),
+        ("turtle --commands", "the commands of the language"),
+    ];
+
+    public override string[] Writes => ["G-code"];
+
+    public override string? Ending => ".gcode";
+
+    public override int Run(ParseResult arguments, Session session)
+    {
+        if (arguments.GetValue(_commands))
+        {
+            session.WriteText("-", text => TextTable.Write(text,
+                TurtleCommands.All.Select(c => new[] { c.Usage, c.Help, string.Join(" ", c.Aliases) }).ToList()));
+            return ExitCode.Done;
+        }
+        var file = arguments.GetValue(_script) ?? throw new CliException(ExitCode.Usage, "A script is missing. See: caterpillar turtle --help");
+        _onto.Check(arguments);
+        var target = _write.FileFor(arguments, file);
+        var variables = Variables(arguments.GetValue(_values) ?? []);
+        var text = Encoding.UTF8.GetString(session.ReadBytes(file));
+        var script = session.ValueOrFail(TurtleScript.Compile(text, Session.NameOf(file), Files(file, arguments.GetValue(_folders) ?? [])));
+        var setup = _setup.Resolve(arguments, session, script.Profiles);
+        var limits = new TurtleLimits { Memory = session.Memory };
+        var run = session.WithProgress("Turtle",
+            progress => script.Run(TurtleOptions.For(setup), variables, arguments.GetValue(_seed), limits, progress, session.Cancel));
+        foreach (var line in run.Diagnostics.Where(d => d.Code == TurtleScript.PrintCode)) session.Messages.WriteLine(line.Message);
+        var turtle = session.ValueOrFail(new Result<Turtle>(run.Value, [.. run.Diagnostics.Where(d => d.Code != TurtleScript.PrintCode)]));
+        var options = new PrintJobOptions
+        {
+            Policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn, Memory = session.Memory,
+        };
+        using var job = _onto.Draw(arguments, turtle.ToSteps(), setup, options, session);
+        if (job.Toolpath.Count == 0) throw new CliException(ExitCode.BadInput, $"{Session.NameOf(file)}: the program draws nothing.");
+        _write.Write(arguments, session, job, target);
+        return ExitCode.Done;
+    }
+
+    private static ScriptFiles Files(string script, string[] more)
+    {
+        foreach (var folder in more.Where(f => !Directory.Exists(f))) throw new CliException(ExitCode.Usage, $"--include {folder}: there is no such folder.");
+        return new ScriptFiles([script == "-" ? "." : Path.GetDirectoryName(Path.GetFullPath(script))!, .. more]);
+    }
+
+    private static Dictionary<string, double> Variables(IEnumerable<string> values)
+    {
+        var variables = new Dictionary<string, double>();
+        foreach (var text in values)
+        {
+            var cut = text.IndexOf('=');
+            if (cut < 1 || !NumberReader.TryParse(text[(cut + 1)..].Trim(), out var value))
+            {
+                throw new CliException(ExitCode.Usage, $"--var {text}: expected NAME=VALUE with a number.");
+            }
+            if (!variables.TryAdd(text[..cut].Trim(), value)) throw new CliException(ExitCode.Usage, $"--var {text}: this name already has a value.");
+        }
+        return variables;
+    }
+}

@@ -1,0 +1,24 @@
+namespace Caterpillar.Cli;
+
+/// <summary>The verbs in the order of the help.</summary>
+internal static class Verbs
+{
+    public static IEnumerable<Verb> All() =>
+    [
+        new SliceVerb(),
+        new DecodeVerb(),
+        new SimulateVerb(),
+        new ConvertVerb(),
+        new SectionsVerb(),
+        new TurtleVerb(),
+        new CurvesVerb(),
+        new PictureVerb(),
+        new ViewVerb(),
+        new CheckVerb(),
+        new PrintersVerb(),
+        new CompletionsVerb(),
+    ];
+
+    /// <summary>A new verb of a name that is one.</summary>
+    public static Verb Named(string name) => All().First(v => v.Name == name);
+}

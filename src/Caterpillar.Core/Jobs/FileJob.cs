@@ -1,0 +1,130 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Dialects;
+using Caterpillar.Files;
+using Caterpillar.GCode;
+using Caterpillar.Machines;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Jobs;
+
+/// <summary>A G-code file that is edited, converted and written again. Lines that no change touches keep their bytes. Immutable.</summary>
+public sealed record FileJob
+{
+    private readonly DecodeOptions _reading;
+
+    /// <param name="file">A file that was decoded with its document.</param>
+    /// <param name="reading">How it was decoded: what was written of it is read by the same options.</param>
+    /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
+    public FileJob(DecodedGCode file, DecodeOptions? reading = null)
+    {
+        File = file ?? throw new ArgumentNullException(nameof(file));
+        if (file.Document is null) throw new ArgumentException("Writing a file again needs its document.", nameof(file));
+        _reading = reading ?? new DecodeOptions();
+        Toolpath = file.Toolpath;
+    }
+
+    /// <summary>The file as it was read.</summary>
+    public DecodedGCode File { get; }
+
+    /// <summary>What the file does after all edits so far; they keep the order of its moves.</summary>
+    public Toolpath Toolpath { get; init; }
+
+    /// <summary>Other start and end code.</summary>
+    public EditOptions Code { get; init; } = new();
+
+    /// <summary>What the edited file is converted to; null where it keeps firmware and notation.</summary>
+    public ConvertOptions? Target { get; init; }
+
+    /// <summary>The firmware for which it is written.</summary>
+    public DialectRules Dialect => Target?.Dialect ?? File.Dialect;
+
+    /// <summary>Reads a file: plain, packed with gzip, or binary G-code. One without a command is no G-code and an error.</summary>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public static Result<FileJob> Open(string path, DecodeOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        var read = GCodeDecoder.DecodeFile(path, options, progress, cancel);
+        if (read.Value?.NotGCode is { } none) return new Result<FileJob>(null, [none]);
+        return new Result<FileJob>(read.Value is { } file ? new FileJob(file, options) : null, read.Diagnostics);
+    }
+
+    /// <summary>The job with edits.</summary>
+    /// <inheritdoc cref="FileEdits.Apply" path="/returns"/>
+    public Result<FileJob> Edit(FileEdits edits)
+    {
+        var edited = (edits ?? throw new ArgumentNullException(nameof(edits))).Apply(Toolpath);
+        return new Result<FileJob>(edited.Value is { } toolpath ? this with { Toolpath = toolpath } : null, edited.Diagnostics);
+    }
+
+    /// <summary>Writes the file, whole or not at all.</summary>
+    /// <param name="path">The file, binary where its name ends in .bgcode; an older one is replaced.</param>
+    /// <param name="setup">What the result is checked against, before anyone gets it. Null where the printer it was made for is not known: then nothing is
+    /// checked.</param>
+    /// <param name="reason">Why findings of the checks are to be ignored, in words that stay in the file; null where they are not.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels; no part of the file is left.</param>
+    /// <returns>What was written, or none and what is wrong: with <see cref="SafeWriter.Refused"/> where a check found it.</returns>
+    /// <exception cref="IOException">The disk failed.</exception>
+    public Result<WrittenGCode> WriteFile(
+        string path, PrintSetup? setup, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        using var file = new AtomicFile(path);
+        var written = Write(file.Stream, path, setup, reason, progress, cancel);
+        if (written.Value is not null) file.Commit();
+        return written;
+    }
+
+    /// <summary>Writes the file to a stream; where there is no value, what was written must be thrown away.</summary>
+    /// <param name="stream">Where to write.</param>
+    /// <param name="name">The name for the result, which says whether it is binary.</param>
+    /// <param name="setup">What the result is checked against; null where nothing is checked.</param>
+    /// <param name="reason">Why findings of the checks are to be ignored; null where they are not.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <inheritdoc cref="WriteFile" path="/returns"/>
+    public Result<WrittenGCode> Write(
+        Stream stream, string name, PrintSetup? setup, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        var source = Edited(progress.Part(0, Target is null ? 0 : 0.4), cancel);
+        if (source.Value is not { } file) return new Result<WrittenGCode>(null, source.Diagnostics);
+        var rest = progress.Part(Target is null ? 0 : 0.4, setup is null ? 1 : 0.6);
+        // Straight into the stream, unless the whole is needed before: to be checked, to become binary.
+        if (IsChanged && setup is null && !BinaryGCode.IsName(name))
+        {
+            using var counted = new CountingStream(stream);
+            var problems = new Result<WrittenGCode>(null, Target is { } target ? GCodeConverter.Convert(file, target, counted, rest, cancel)
+                : GCodeEditor.Write(file, Toolpath, Code, counted, rest, cancel));
+            return Written(problems.HasErrors ? null : new WrittenGCode(counted.Bytes, counted.Lines, 0), source.Diagnostics, problems.Diagnostics);
+        }
+        var text = !IsChanged ? new Result<GCodeDocument>(file.Document, []) : Target is not null ? GCodeConverter.ToDocument(file, Target, rest, cancel)
+            : GCodeEditor.ToDocument(file, Toolpath, Code, rest, cancel);
+        if (text.Value is null) return Written(null, source.Diagnostics, text.Diagnostics);
+        var reading = _reading with { Dialect = Dialect };
+        var (document, overridden) = setup is null ? (new Result<GCodeDocument>(text.Value, []), 0)
+            : SafeWriter.Check(text.Value, reading, setup, reason, progress.Part(0.6, 1), cancel);
+        if (document.Value is { } written) BinaryGCode.WriteAs(name, written, stream, null, cancel);
+        return Written(document.Value is { } done ? new WrittenGCode(done.Length, done.LineCount, overridden) : null,
+            source.Diagnostics, [.. text.Diagnostics, .. document.Diagnostics]);
+    }
+
+    private bool IsEdited => !ReferenceEquals(Toolpath, File.Toolpath) || Code.Start is not null || Code.End is not null;
+
+    private bool IsChanged => IsEdited || Target is not null;
+
+    // The file to convert, whose lines are those of the edited text; else the file as it was read.
+    private Result<DecodedGCode> Edited(IProgress<double>? progress, CancellationToken cancel)
+    {
+        if (Target is null || !IsEdited) return new Result<DecodedGCode>(File, []);
+        var edited = GCodeEditor.ToDocument(File, Toolpath, Code, progress, cancel);
+        return new Result<DecodedGCode>(
+            edited.Value is { } text ? GCodeDecoder.Decode(text, _reading with { Dialect = File.Dialect }, null, cancel).Value : null, edited.Diagnostics);
+    }
+
+    private static Result<WrittenGCode> Written(WrittenGCode? written, IReadOnlyList<Diagnostic> first, IReadOnlyList<Diagnostic> then)
+        => new(written, [.. first, .. then]);
+}

@@ -1,0 +1,283 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Curved;
+using Caterpillar.Drawings;
+using Caterpillar.Files;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Slicing;
+using Caterpillar.Toolpaths;
+using Caterpillar.Turtles;
+
+namespace Caterpillar.Jobs;
+
+/// <summary>
+/// A print from models, paths, a turtle program or curves: planned, and ready to be checked and written. Models are planned and checked while higher layers are
+/// still being sliced; a job that is not written has to be disposed.
+/// </summary>
+public sealed class PrintJob : IDisposable
+{
+    private readonly Overlap? _overlap;
+
+    private PrintJob(Plan plan, Toolpath toolpath, PrintSetup setup, int layers, Overlap? overlap)
+        => (Plan, Toolpath, Setup, Layers, _overlap) = (plan, toolpath, setup, layers, overlap);
+
+    /// <summary>The plan, and how often each of its rules had an effect.</summary>
+    public Plan Plan { get; }
+
+    /// <summary>What is written: the plan, with its tool tilted and its axes mapped where that was asked for.</summary>
+    public Toolpath Toolpath { get; }
+
+    /// <summary>What it is checked against and written for: the setup it was made with, and the object that is printed on.</summary>
+    public PrintSetup Setup { get; }
+
+    /// <summary>Number of sliced layers; 0 for drawings.</summary>
+    public int Layers { get; }
+
+    /// <summary>Slices a mesh file (STL, OBJ, PLY, 3MF) in the middle of the bed.</summary>
+    /// <inheritdoc cref="Slice(IReadOnlyList{string}, PrintSetup, ModelPlacing?, PrintJobOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
+    public static Result<PrintJob> Slice(
+        string model, PrintSetup setup, PrintJobOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+        => Slice([model], setup, null, options, progress, cancel);
+
+    /// <summary>Slices mesh files; those of one print keep their places to each other unless they are arranged.</summary>
+    /// <exception cref="IOException">A file cannot be read.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public static Result<PrintJob> Slice(
+        IReadOnlyList<string> models, PrintSetup setup, ModelPlacing? placing = null, PrintJobOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        var memory = (options ?? new PrintJobOptions()).Memory;
+        var found = new List<Diagnostic>();
+        var meshes = new List<NamedMesh>();
+        for (var i = 0; i < models.Count; i++)
+        {
+            var part = progress.Part(0.1 * i / models.Count, 0.1 * (i + 1) / models.Count);
+            var read = MeshReader.Read(File.ReadAllBytes(models[i]), models[i], new MeshReadOptions { Memory = memory }, part, cancel);
+            found.AddRange(read.Diagnostics);
+            if (read.Value is null) return new Result<PrintJob>(null, found);
+            meshes.AddRange(read.Value);
+        }
+        var placed = (placing ?? new ModelPlacing()).Place(meshes, setup, null, cancel);
+        found.AddRange(placed.Diagnostics);
+        if (placed.Value is null) return new Result<PrintJob>(null, found);
+        var parts = placed.Value.Select(m => new SliceModel(m, setup.Settings)).ToArray();
+        return After(found, Slice(parts, setup, options, progress.Part(0.1, 1), cancel));
+    }
+
+    /// <summary>Slices models that have settings of their own at the positions where they are printed (Z = 0 is the bed), or onto an object.</summary>
+    /// <inheritdoc cref="Slice(IReadOnlyList{string}, PrintSetup, ModelPlacing?, PrintJobOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
+    public static Result<PrintJob> Slice(
+        IReadOnlyList<SliceModel> models, PrintSetup setup, PrintJobOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        if (models is null) throw new ArgumentNullException(nameof(models));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        options ??= new PrintJobOptions();
+        if (options.Onto is not null) return SliceOnto(models, setup, options, progress, cancel);
+        var overlap = new Overlap(setup, options.Planning, cancel);
+        try
+        {
+            var slicing = new SliceOptions
+            {
+                Threads = options.Threads, Memory = options.Memory, InfillLines = options.InfillLines,
+                Follow = layers => overlap.Pipeline.Add([.. layers.SelectMany(l => l.Steps)]),
+            };
+            var sliced = PlanarSlicer.SliceEach(models, setup.Settings, slicing, progress, cancel);
+            if (sliced.Value is not { } layers) return new Result<PrintJob>(null, sliced.Diagnostics);
+            var job = After(sliced.Diagnostics, Planned(overlap.Pipeline.Finish(), setup, options, layers.Layers.Count, overlap, null, cancel));
+            // What was mapped is another toolpath than the one that has been checked so far.
+            if (job.Value?._overlap is not null) overlap = null;
+            return job;
+        }
+        finally
+        {
+            overlap?.Dispose();
+        }
+    }
+
+    /// <summary>Slices models along the level sets of a field, on the bed or on an object.</summary>
+    /// <inheritdoc cref="Slice(IReadOnlyList{string}, PrintSetup, ModelPlacing?, PrintJobOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
+    public static Result<PrintJob> Slice(
+        IReadOnlyList<SliceModel> models, LayerField field, PrintSetup setup, PrintJobOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        options ??= new PrintJobOptions();
+        var curved = new CurvedOptions
+        {
+            Threads = options.Threads, Memory = options.Memory, InfillLines = options.InfillLines,
+            Onto = options.Onto is { } below ? PlanSurface.OnBed(below) : null, Partial = options.Partial, MaxTilt = options.Tilt?.MaxTilt ?? 0,
+        };
+        var sliced = CurvedSlicer.SliceEach(models, field, setup, curved, progress.Part(0, 0.7), cancel);
+        if (sliced.Value is not { } layers) return new Result<PrintJob>(null, sliced.Diagnostics);
+        var over = OverObjects(setup) with { PrintedOn = options.Onto };
+        var plan = Planner.PlanWithReport(layers.ToSteps(), over, options.Planning, progress.Part(0.7, 1), cancel);
+        return After(sliced.Diagnostics, Planned(plan, over, options, layers.Layers.Count, null, layers.Field, cancel));
+    }
+
+    /// <summary>Plans a drawing: what a turtle, a trace or curves give as steps, or paths of any points (<see cref="PathSteps.ToSteps"/>).</summary>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public static Result<PrintJob> Draw(
+        IReadOnlyList<Step> steps, PrintSetup setup, PrintJobOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+        => Draw(steps, setup, options ?? new PrintJobOptions(), 0, progress, cancel);
+
+    /// <summary>Runs a turtle program of a file and draws what it does as it is, which adds nothing to it, unless the options say otherwise.</summary>
+    /// <param name="script">The file; it may include others of its folder.</param>
+    /// <param name="setup">The printer, material and settings.</param>
+    /// <param name="variables">Values of the program's parameters; their own where they are missing.</param>
+    /// <param name="options">What planning may add, and what is printed on.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <inheritdoc cref="Slice(IReadOnlyList{string}, PrintSetup, ModelPlacing?, PrintJobOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
+    public static Result<PrintJob> Turtle(
+        string script, PrintSetup setup, IReadOnlyDictionary<string, double>? variables = null, PrintJobOptions? options = null,
+        IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        options ??= new PrintJobOptions { Policy = PlanPolicy.AsDrawn };
+        var compiled = TurtleScript.Compile(File.ReadAllText(script), script, new ScriptFiles(Path.GetDirectoryName(Path.GetFullPath(script))!));
+        if (compiled.Value is null) return new Result<PrintJob>(null, compiled.Diagnostics);
+        var run = compiled.Value.Run(TurtleOptions.For(setup), variables, 0, new TurtleLimits { Memory = options.Memory }, null, cancel);
+        return run.Value is null ? new Result<PrintJob>(null, run.Diagnostics)
+            : After(run.Diagnostics, Draw(run.Value.ToSteps(), setup, options, progress, cancel));
+    }
+
+    /// <summary>Draws the curves of a file (CSV, JSON, SVG, lines of OBJ) in their order.</summary>
+    /// <param name="file">The file.</param>
+    /// <param name="setup">The printer, material and settings.</param>
+    /// <param name="curves">Strands and division of the curves; null for those of the settings.</param>
+    /// <param name="options">What planning may add, and what is printed on.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <inheritdoc cref="Slice(IReadOnlyList{string}, PrintSetup, ModelPlacing?, PrintJobOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
+    public static Result<PrintJob> Curves(
+        string file, PrintSetup setup, CurveOptions? curves = null, PrintJobOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        options ??= new PrintJobOptions();
+        var read = CurveReader.Read(file, CurveReadOptions.For(setup) with { Memory = options.Memory }, progress.Part(0, 0.2), cancel);
+        if (read.Value is null) return new Result<PrintJob>(null, read.Diagnostics);
+        var steps = CurvePaths.ToSteps(read.Value, curves ?? CurveOptions.From(setup.Settings), progress.Part(0.2, 0.5), cancel);
+        Diagnostic[] found = [.. read.Diagnostics, .. steps.Diagnostics];
+        return steps.Value is null ? new Result<PrintJob>(null, found) : After(found, Draw(steps.Value, setup, options, progress.Part(0.5, 1), cancel));
+    }
+
+    /// <summary>Checks the print and writes it as a file, whole or not at all.</summary>
+    /// <param name="path">The file, binary where its name ends in .bgcode; an older one is replaced.</param>
+    /// <param name="reason">Why findings of the checks are to be ignored, in words that stay in the file; null where they are not.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels; no part of the file is left.</param>
+    /// <returns>What was written, or none with the findings and <see cref="SafeWriter.Refused"/>.</returns>
+    /// <exception cref="IOException">The disk failed.</exception>
+    public Result<WrittenGCode> WriteFile(string path, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        using var file = new AtomicFile(path);
+        var written = Write(file.Stream, path, file.IsTemporary, reason, progress, cancel);
+        if (written.Value is not null) file.Commit();
+        return written;
+    }
+
+    /// <summary>Checks the print and writes it to a stream.</summary>
+    /// <param name="stream">Where to write.</param>
+    /// <param name="name">The name for the result, which says whether it is binary.</param>
+    /// <param name="isDraft">True where what was written is thrown away if it is refused: then it is checked while it is written. Otherwise nothing is
+    /// written where it is refused.</param>
+    /// <param name="reason">Why findings of the checks are to be ignored; null where they are not.</param>
+    /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
+    /// <inheritdoc cref="WriteFile" path="/returns"/>
+    public Result<WrittenGCode> Write(
+        Stream stream, string name, bool isDraft = false, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        Result<WrittenGCode>? written = null;
+        BinaryGCode.WriteAs(name, stream, text => written = Text(text), cancel);
+        return written!;
+
+        Result<WrittenGCode> Text(Stream text) => _overlap is not null ? _overlap.Write(text, isDraft, reason, progress, cancel)
+            : isDraft ? SafeWriter.WriteDraft(Toolpath, Setup, text, reason, progress, cancel)
+            : SafeWriter.Write(Toolpath, Setup, text, reason, progress, cancel);
+    }
+
+    /// <summary>Stops checks that are still going on.</summary>
+    public void Dispose() => _overlap?.Dispose();
+
+    private static Result<PrintJob> Draw(
+        IReadOnlyList<Step> steps, PrintSetup setup, PrintJobOptions options, int layers, IProgress<double>? progress, CancellationToken cancel)
+    {
+        if (steps is null) throw new ArgumentNullException(nameof(steps));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        IReadOnlyList<Diagnostic> found = [];
+        if (options.Onto is { } below)
+        {
+            var surface = PlanSurface.Of(below);
+            var projected = SurfaceProjection.Project(steps, surface, setup, options.Squeeze, options.Partial, progress.Part(0, 0.5), cancel);
+            if (projected.Value is null) return new Result<PrintJob>(null, projected.Diagnostics);
+            (steps, found, setup) = (projected.Value, projected.Diagnostics, OverObjects(setup) with { PrintedOn = below });
+            progress = progress.Part(0.5, 1);
+        }
+        var plan = Planner.PlanWithReport(steps, setup, options.Planning, progress, cancel);
+        return After(found, Planned(plan, setup, options, layers, null, null, cancel));
+    }
+
+    // Loops around the part and rafts are for beds.
+    private static Result<PrintJob> SliceOnto(
+        IReadOnlyList<SliceModel> models, PrintSetup setup, PrintJobOptions options, IProgress<double>? progress, CancellationToken cancel)
+    {
+        static PrintSettings Plain(PrintSettings settings) => settings with { SkirtLoops = 0, BrimWidth = 0, RaftLayers = 0 };
+        var plain = models.Select(m => new SliceModel(m.Mesh, Plain(m.Settings))).ToArray();
+        var slicing = new SliceOptions { Threads = options.Threads, Memory = options.Memory };
+        var flat = PlanarSlicer.SliceEach(plain, Plain(setup.Settings), slicing, progress.Part(0, 0.6), cancel);
+        return flat.Value is not { } layers ? new Result<PrintJob>(null, flat.Diagnostics)
+            : After(flat.Diagnostics, Draw(layers.ToSteps(), setup, options, layers.Layers.Count, progress.Part(0.6, 1), cancel));
+    }
+
+    private static Result<PrintJob> Planned(
+        Result<Plan> planned, PrintSetup setup, PrintJobOptions options, int layers, Overlap? overlap, LayerField? field, CancellationToken cancel)
+    {
+        if (planned.Value is not { } plan) return new Result<PrintJob>(null, planned.Diagnostics);
+        var toolpath = plan.Toolpath;
+        if (options.Tilt is { } tilt && field is not null) toolpath = tilt.Apply(toolpath, field.Normal, null, cancel);
+        foreach (var mapping in options.Mappings) toolpath = mapping.Apply(toolpath, null, cancel);
+        return new Result<PrintJob>(
+            new PrintJob(plan, toolpath, setup, layers, ReferenceEquals(toolpath, plan.Toolpath) ? overlap : null), planned.Diagnostics);
+    }
+
+    // Over objects and curved layers the head is lifted by what lies under its course, unless travels are not lifted at all.
+    private static PrintSetup OverObjects(PrintSetup setup) => setup.Settings.TravelLift != TravelLift.PrintedTop ? setup
+        : setup with { Settings = setup.Settings with { TravelLift = TravelLift.Corridor } };
+
+    private static Result<PrintJob> After(IReadOnlyList<Diagnostic> earlier, Result<PrintJob> job) => new(job.Value, [.. earlier, .. job.Diagnostics]);
+
+    /// <summary>Planning and checks that go on beside slicing, stopped by either of two calls: the one that slices and the one that writes.</summary>
+    private sealed class Overlap : IDisposable
+    {
+        private readonly CancellationTokenSource _stop;
+
+        public Overlap(PrintSetup setup, PlanOptions options, CancellationToken cancel)
+        {
+            _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
+            Pipeline = new PrintPipeline(setup, options, _stop.Token);
+        }
+
+        public PrintPipeline Pipeline { get; }
+
+        public Result<WrittenGCode> Write(Stream stream, bool isDraft, string? reason, IProgress<double>? progress, CancellationToken cancel)
+        {
+            using var canceled = cancel.Register(_stop.Cancel);
+            return Pipeline.Write(stream, isDraft, reason, progress);
+        }
+
+        public void Dispose()
+        {
+            Pipeline.Dispose();
+            _stop.Dispose();
+        }
+    }
+}
