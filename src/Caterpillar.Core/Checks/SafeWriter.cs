@@ -184,7 +184,7 @@ public static class SafeWriter
     {
         var file = GCodeDecoder.Decode(text, reading with { FilamentDiameter = setup.Material.FilamentDiameter }, null, cancel).OrThrow();
         var read = PrintCheck.WithVolumes(file.Toolpath, setup);
-        var findings = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), () => new Findings(setup.Printer, read), progress, cancel);
+        var findings = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), progress, cancel);
         var guard = new WriteGuard(findings, reason);
         if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), 0);
         var commented = new Result<GCodeDocument>(text, []);

@@ -89,7 +89,7 @@ public sealed class PrintJob : IDisposable
             var slicing = new SliceOptions
             {
                 Threads = options.Threads, Memory = options.Memory, InfillLines = options.InfillLines,
-                Follow = layers => overlap.Pipeline.Add([.. layers.SelectMany(l => l.Steps)]),
+                Take = layers => overlap.Pipeline.Add([.. layers.SelectMany(l => l.Steps)]),
             };
             var sliced = PlanarSlicer.SliceEach(models, setup.Settings, slicing, progress, cancel);
             if (sliced.Value is not { } layers) return new Result<PrintJob>(null, sliced.Diagnostics);

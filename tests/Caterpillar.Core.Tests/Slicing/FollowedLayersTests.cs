@@ -41,7 +41,7 @@ public sealed class FollowedLayersTests
             var options = new SliceOptions
             {
                 Threads = threads,
-                Follow = layers =>
+                Take = layers =>
                 {
                     Assert.That(layers.Select(l => l.Layer.Z).Distinct().Count(), Is.EqualTo(1));
                     Assert.That(followed.Count == 0 || layers[0].Layer.Z != followed[followed.Count - 1].Layer.Z, "a height is complete");

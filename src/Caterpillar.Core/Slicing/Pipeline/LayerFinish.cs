@@ -17,7 +17,7 @@ internal sealed class LayerFinish
     private readonly LayerWork[] _works;
     private readonly PrintSettings _settings;
     private readonly DiagnosticList _problems;
-    private readonly Action<IReadOnlyList<SlicedLayer>>? _follow;
+    private readonly Action<IReadOnlyList<SlicedLayer>>? _take;
     private readonly Dictionary<Body, (VaseSpiral Spiral, int Last)> _vases = [];
     private readonly Dictionary<Body, SeamPlacer> _seams = [];
     private readonly LayerCooling _cooling;
@@ -41,17 +41,17 @@ internal sealed class LayerFinish
     /// <param name="settings">The settings of the print.</param>
     /// <param name="supports">Adds supports; null where nobody wants them.</param>
     /// <param name="problems">Gets what is noticed.</param>
-    /// <param name="follow">Gets finished layers; null for nobody.</param>
+    /// <param name="take">Gets finished layers; null for nobody.</param>
     public LayerFinish(
         LayerWork[] works, IReadOnlyList<Body> bodies, PrintSettings settings, PrintSupports? supports, DiagnosticList problems,
-        Action<IReadOnlyList<SlicedLayer>>? follow)
+        Action<IReadOnlyList<SlicedLayer>>? take)
     {
-        (_works, _settings, _supports, _problems, _follow) = (works, settings, supports, problems, follow);
+        (_works, _settings, _supports, _problems, _take) = (works, settings, supports, problems, take);
         _cooling = new LayerCooling(settings);
         // The skirt goes around all that stands on the bed.
         _isByObject = bodies.Count > 1 && settings.PrintSequence == PrintSequence.ByObject;
         _takesTurns = bodies.Count > 1 && !_isByObject;
-        _waits = follow is null || _isByObject;
+        _waits = take is null || _isByObject;
     }
 
     /// <summary>The next layer.</summary>
@@ -121,8 +121,8 @@ internal sealed class LayerFinish
     private void GiveOn(SlicedLayer[] level)
     {
         _cooling.Apply(level);
-        _follow?.Invoke(level);
-        foreach (var layer in level) _finished.Add(_follow is null ? layer : layer with { Steps = [] });
+        _take?.Invoke(level);
+        foreach (var layer in level) _finished.Add(_take is null ? layer : layer with { Steps = [] });
     }
 
     // All objects that stand as low as the first layer, which are those that the loops go around together.
