@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 
 namespace Caterpillar.Basics;
@@ -8,6 +9,10 @@ public static class Words
     /// <summary>A name in words: <c>OuterWall</c> is "Outer wall".</summary>
     public static string Spaced(string name)
         => string.Concat(name.Select((c, i) => i > 0 && char.IsUpper(c) ? " " + char.ToLowerInvariant(c) : c.ToString()));
+
+    /// <summary>Names of which one is meant: "a, b or c".</summary>
+    internal static string Either(IReadOnlyList<string> names)
+        => names.Count == 1 ? names[0] : string.Join(", ", names.Take(names.Count - 1)) + " or " + names[names.Count - 1];
 
     /// <summary>A name as keys and options have it, also one in words: <c>OuterWall</c> and "Outer wall" are <c>outer_wall</c>.</summary>
     public static string Snake(string name)

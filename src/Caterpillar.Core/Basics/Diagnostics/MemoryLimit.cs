@@ -34,7 +34,7 @@ public sealed record MemoryLimit
     /// <param name="what">What takes it, as the beginning of a sentence: "An array of 3 numbers".</param>
     /// <param name="source">Where that is asked for.</param>
     /// <param name="remedy">A sentence that says what to change, or null.</param>
-    public Diagnostic? Refuse(double bytes, string what, SourceLocation? source = null, string? remedy = null)
+    internal Diagnostic? Refuse(double bytes, string what, SourceLocation? source = null, string? remedy = null)
     {
         if (bytes <= Bytes) return null;
         var message = $"{what} would take {About(bytes)} of memory; the limit is {Text(Bytes)}.";

@@ -12,7 +12,7 @@ namespace Caterpillar.Basics;
 public static class NumberFormatter
 {
     /// <summary>The maximum number of decimals.</summary>
-    public const int MaxDecimals = 15;
+    internal const int MaxDecimals = 15;
 
     private const double ExactLimit = 9e15;
 
@@ -34,7 +34,7 @@ public static class NumberFormatter
     }
 
     /// <summary>The double nearest to <paramref name="units"/> of the last decimal; the inverse of <see cref="ToUnits"/>.</summary>
-    public static double FromUnits(long units, int decimals) => units / PowersOfTen[CheckDecimals(decimals)];
+    internal static double FromUnits(long units, int decimals) => units / PowersOfTen[CheckDecimals(decimals)];
 
     /// <summary>Formats a number with at most <paramref name="decimals"/> decimals.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or decimals are not 0 to 15.</exception>
@@ -51,7 +51,7 @@ public static class NumberFormatter
     }
 
     /// <summary>The shortest decimal text that reads back as the same number, or the number rounded to 15 decimals.</summary>
-    public static string Shortest(double value)
+    internal static string Shortest(double value)
     {
         for (var decimals = 0; decimals < MaxDecimals; decimals++)
         {

@@ -4,12 +4,12 @@ using Caterpillar.Basics;
 namespace Caterpillar.Machines;
 
 /// <summary>How the value of a key is read, written and limited.</summary>
-internal abstract class KeyFormat
+internal abstract class KeyFormat(KeyKind kind, string expected)
 {
-    public abstract KeyKind Kind { get; }
+    public KeyKind Kind => kind;
 
     /// <summary>What is expected, for messages: <c>a number</c>.</summary>
-    public abstract string Expected { get; }
+    public string Expected => expected;
 
     public abstract string Range { get; }
 
@@ -33,7 +33,7 @@ internal abstract class KeyFormat
 }
 
 /// <inheritdoc/>
-internal abstract class KeyFormat<TValue> : KeyFormat
+internal abstract class KeyFormat<TValue>(KeyKind kind, string expected) : KeyFormat(kind, expected)
 {
     public abstract bool TryRead(object raw, out TValue? value);
 

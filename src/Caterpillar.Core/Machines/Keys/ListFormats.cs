@@ -7,12 +7,8 @@ namespace Caterpillar.Machines;
 
 /// <summary>A value made of a list of numbers of fixed length.</summary>
 internal sealed class NumbersFormat<TValue>(string[] parts, double min, double max, Func<double[], TValue> make, Func<TValue, double[]> take)
-    : KeyFormat<TValue>
+    : KeyFormat<TValue>(KeyKind.Numbers, $"a list of {parts.Length} numbers [{string.Join(", ", parts)}]")
 {
-    public override KeyKind Kind => KeyKind.Numbers;
-
-    public override string Expected => $"a list of {parts.Length} numbers [{string.Join(", ", parts)}]";
-
     public override string Range => "[" + string.Join(", ", parts) + "], each " + RawValues.Range(min, max);
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => ListSchema(parts.Length, min, max);
@@ -43,15 +39,11 @@ internal sealed class NumbersFormat<TValue>(string[] parts, double min, double m
 /// <summary>A list of rows of numbers.</summary>
 internal sealed class RowsFormat<TItem>(
     string[] parts, int most, double min, double max, Func<double[], TItem?> make, Func<TItem, double[]> take, Func<ValueList<TItem>, string?>? check = null)
-    : KeyFormat<ValueList<TItem>>
+    : KeyFormat<ValueList<TItem>>(KeyKind.Rows, $"a list of lists [{string.Join(", ", parts)}]")
     where TItem : struct
 {
     /// <summary>How many rows there must be.</summary>
     public int Fewest { get; init; }
-
-    public override KeyKind Kind => KeyKind.Rows;
-
-    public override string Expected => $"a list of lists [{string.Join(", ", parts)}]";
 
     public override string Range => $"{NumberFormatter.Format(Fewest)} to {NumberFormatter.Format(most)} lists [{string.Join(", ", parts)}]";
 

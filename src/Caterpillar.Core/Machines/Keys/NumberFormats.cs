@@ -5,12 +5,8 @@ using Caterpillar.Basics;
 namespace Caterpillar.Machines;
 
 /// <summary>A number in a range.</summary>
-internal sealed class NumberFormat(double min, double max, double leastAboveZero = 0) : KeyFormat<double>
+internal sealed class NumberFormat(double min, double max, double leastAboveZero = 0) : KeyFormat<double>(KeyKind.Number, "a number")
 {
-    public override KeyKind Kind => KeyKind.Number;
-
-    public override string Expected => "a number";
-
     public override string Range => RawValues.Range(min, max);
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "number"), new("minimum", min), new("maximum", max)];
@@ -35,12 +31,8 @@ internal sealed class NumberFormat(double min, double max, double leastAboveZero
 }
 
 /// <summary>An integer in a range.</summary>
-internal sealed class IntegerFormat(int min, int max) : KeyFormat<int>
+internal sealed class IntegerFormat(int min, int max) : KeyFormat<int>(KeyKind.Integer, "an integer")
 {
-    public override KeyKind Kind => KeyKind.Integer;
-
-    public override string Expected => "an integer";
-
     public override string Range => RawValues.Range(min, max);
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "integer"), new("minimum", (double)min), new("maximum", (double)max)];

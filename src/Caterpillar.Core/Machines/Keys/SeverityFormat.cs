@@ -5,13 +5,9 @@ using System.Linq;
 namespace Caterpillar.Machines;
 
 /// <summary>How serious findings are: a list of texts such as <c>limit.flow=warning</c>.</summary>
-internal sealed class SeverityFormat : KeyFormat<ValueList<CheckSeverity>>
+internal sealed class SeverityFormat() : KeyFormat<ValueList<CheckSeverity>>(KeyKind.Lines, "a list of texts such as \"limit.flow=warning\"")
 {
     private const char Wrong = '!';
-
-    public override KeyKind Kind => KeyKind.Lines;
-
-    public override string Expected => "a list of texts such as \"limit.flow=warning\"";
 
     public override string Range => "a list of code=off, remark, warning or error";
 

@@ -1,17 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Expressions;
 
 namespace Caterpillar.Machines;
 
 /// <summary>True or false.</summary>
-internal sealed class BooleanFormat : KeyFormat<bool>
+internal sealed class BooleanFormat() : KeyFormat<bool>(KeyKind.Boolean, "true or false")
 {
-    public override KeyKind Kind => KeyKind.Boolean;
-
-    public override string Expected => "true or false";
-
     public override string Range => Expected;
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "boolean")];
@@ -35,12 +32,8 @@ internal sealed class BooleanFormat : KeyFormat<bool>
 }
 
 /// <summary>Text on one line.</summary>
-internal sealed class TextFormat : KeyFormat<string>
+internal class TextFormat(string expected = "text") : KeyFormat<string>(KeyKind.Text, expected)
 {
-    public override KeyKind Kind => KeyKind.Text;
-
-    public override string Expected => "text";
-
     public override string Range => "text on one line";
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "string"), new("minLength", 1.0)];
@@ -60,25 +53,11 @@ internal sealed class TextFormat : KeyFormat<string>
 }
 
 /// <summary>A formula in some variables, or nothing.</summary>
-internal sealed class FormulaFormat(params string[] variables) : KeyFormat<string>
+internal sealed class FormulaFormat(params string[] variables) : TextFormat("a formula")
 {
-    public override KeyKind Kind => KeyKind.Text;
-
-    public override string Expected => "a formula";
-
     public override string Range => "a formula in " + string.Join(", ", variables) + ", or empty";
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "string")];
-
-    public override object? Parse(string text) => text.Trim();
-
-    public override bool TryRead(object raw, out string? value)
-    {
-        value = raw as string;
-        return value is not null;
-    }
-
-    public override object Write(string value) => value;
 
     public override string? Problem(string value)
     {
@@ -89,15 +68,10 @@ internal sealed class FormulaFormat(params string[] variables) : KeyFormat<strin
 }
 
 /// <summary>One of several words.</summary>
-internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] choices) : KeyFormat<TValue>
+internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] choices)
+    : KeyFormat<TValue>(KeyKind.Choice, Words.Either([.. choices.Select(c => c.Word)]))
 {
-    public override KeyKind Kind => KeyKind.Choice;
-
-    public override string Expected => Range;
-
-    public override string Range => choices.Length == 1
-        ? choices[0].Word
-        : string.Join(", ", choices.Take(choices.Length - 1).Select(c => c.Word)) + " or " + choices[choices.Length - 1].Word;
+    public override string Range => Expected;
 
     public override string Hint(string word) => SpellingSuggestion.Hint(word, choices.Select(c => c.Word));
 
@@ -131,12 +105,8 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
 }
 
 /// <summary>Lines of a template.</summary>
-internal sealed class LinesFormat(Func<ValueList<string>, string?> check) : KeyFormat<ValueList<string>>
+internal sealed class LinesFormat(Func<ValueList<string>, string?> check) : KeyFormat<ValueList<string>>(KeyKind.Lines, "a list of lines")
 {
-    public override KeyKind Kind => KeyKind.Lines;
-
-    public override string Expected => "a list of lines";
-
     public override string Range => "a list of lines of text";
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema

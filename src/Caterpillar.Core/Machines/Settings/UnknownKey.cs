@@ -25,14 +25,11 @@ internal static class UnknownKey
         }
         var message = $"{key} is not a key of {(noun == "settings" ? "settings" : "a " + noun)}";
         if (ProfileKinds.KindOf(key) is { } kind && !names.Contains(key)) message += $"; it belongs to {kind}";
-        else if (group.Count > 0) message += $"; did you mean {Listed(group)}?";
+        else if (group.Count > 0) message += $"; did you mean {Words.Either(group)}?";
         else if (SpellingSuggestion.Nearest(key, names) is { } near) message += $"; did you mean {near}?";
-        else if (KeyAdvice.Alike(key, names, whole: false) is { Count: > 0 } alike) message += $"; did you mean {Listed(alike)}?";
+        else if (KeyAdvice.Alike(key, names, whole: false) is { Count: > 0 } alike) message += $"; did you mean {Words.Either(alike)}?";
         return new Diagnostic(Severity.Error, "profile.unknown_key", message.EndsWith("?", StringComparison.Ordinal) ? message : message + ".", place);
     }
-
-    private static string Listed(IReadOnlyList<string> names)
-        => names.Count == 1 ? names[0] : string.Join(", ", names.Take(names.Count - 1)) + " or " + names[names.Count - 1];
 
     private static string Spoken(string unit) => unit switch
     {

@@ -41,7 +41,7 @@ public sealed record ExtrusionModel
     public double FilamentArea => FilamentAreaOf(FilamentDiameter);
 
     /// <summary>mm³ that the machine feeds per unit of E; null if there is no E.</summary>
-    public double? FedVolumePerE => Unit switch
+    internal double? FedVolumePerE => Unit switch
     {
         ExtrusionUnit.Mm => FilamentArea,
         ExtrusionUnit.Mm3 => 1,
