@@ -8,10 +8,10 @@ namespace Caterpillar.Expressions;
 /// <summary>
 /// A formula in text, compiled once to delegates. It has numbers, variables, <c>+ - * / % ^</c>, comparisons, <c>and or not</c>, <c>a ? b : c</c>, the
 /// constants <c>pi</c> and <c>tau</c> and
-/// the functions of <see cref="Functions"/>. Angles are degrees. True is 1, false is 0. The same text gives the same bits on every runtime.
+/// the functions of <see cref="FormulaFunctions"/>. Angles are degrees. True is 1, false is 0. The same text gives the same bits on every runtime.
 /// Division by zero and the like give infinities or NaN, as in all double arithmetic; the caller checks the value.
 /// </summary>
-public sealed class Formula
+internal sealed class Formula
 {
     private readonly Evaluator _evaluate;
 
@@ -35,9 +35,6 @@ public sealed class Formula
 
     /// <summary>True if it draws from <see cref="FormulaContext.Random"/>, so that the order of evaluations matters.</summary>
     public bool UsesRandom { get; }
-
-    /// <summary>Names of all functions, in the order of the manual.</summary>
-    public static IReadOnlyList<string> Functions => FormulaFunctions.Names;
 
     /// <summary>Compiles a formula.</summary>
     /// <param name="text">For example <c>10 + 2 * sin(3 * t)</c>.</param>

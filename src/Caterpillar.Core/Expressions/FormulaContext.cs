@@ -6,7 +6,7 @@ namespace Caterpillar.Expressions;
 /// What a formula reads while it is evaluated: the values of its variables by slot, and the random numbers. One context serves one thread at a time; its values
 /// may be changed between evaluations.
 /// </summary>
-public sealed class FormulaContext
+internal sealed class FormulaContext
 {
     /// <param name="values">Values of the variables in the order in which they were named to <see cref="Formula.Compile"/>; kept, not copied.</param>
     /// <param name="random">Source of <c>random()</c>; a new one with seed 0 when missing.</param>
@@ -17,16 +17,16 @@ public sealed class FormulaContext
     }
 
     /// <summary>Values by slot.</summary>
-    public double[] Values { get; internal set; }
+    public double[] Values { get; set; }
 
     /// <summary>Source of <c>random()</c>, <c>random(a, b)</c> and <c>randint(a, b)</c>.</summary>
     public SeededRandom Random { get; set; }
 
     // First slot of the procedure that runs; scripts only.
-    internal int Base { get; set; }
+    public int Base { get; set; }
 
     // The runner of a script; scripts only.
-    internal object? Host { get; set; }
+    public object? Host { get; set; }
 
-    internal double[]?[] Arrays { get; set; } = [];
+    public double[]?[] Arrays { get; set; } = [];
 }

@@ -6,9 +6,10 @@ namespace Caterpillar.Expressions;
 /// A random generator with a seed that gives the same numbers on every runtime and in every version (SplitMix64: Steele, Lea, Flood, "Fast splittable
 /// pseudorandom number generators", OOPSLA 2014). Not thread-safe.
 /// </summary>
-public sealed class SeededRandom
+internal sealed class SeededRandom
 {
-    private const ulong Golden = 0x9E3779B97F4A7C15;
+    /// <summary>The step from one state to the next: 2⁶⁴ divided by the golden ratio.</summary>
+    public const ulong Golden = 0x9E3779B97F4A7C15;
 
     private ulong _state;
 
@@ -43,7 +44,7 @@ public sealed class SeededRandom
     private static double ToUnit(ulong bits) => (bits >> 11) * (1.0 / 9007199254740992.0);
 
     /// <summary>Scrambles bits.</summary>
-    internal static ulong Mix(ulong z)
+    public static ulong Mix(ulong z)
     {
         unchecked
         {

@@ -9,7 +9,7 @@ namespace Caterpillar.Geometry;
 /// </summary>
 public readonly struct Frame : IEquatable<Frame>
 {
-    /// <summary>mm.</summary>
+    /// <summary>Where its axes meet, mm.</summary>
     public Vec3 Origin { get; }
 
     /// <summary>A unit vector.</summary>

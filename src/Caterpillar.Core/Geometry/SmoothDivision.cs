@@ -25,36 +25,38 @@ internal static class SmoothDivision
     /// <param name="points">Receives the points, before the mapping.</param>
     /// <param name="shares">Receives the shares, whose sum is 1; null if not needed.</param>
     public static void Divide(Vec3 start, Vec3 end, Arc? arc, double tolerance, Func<Vec3[], Vec3[]> map, List<Vec3> points, List<double>? shares = null)
-        => Split(new Piece(start, end, arc), 0, 1, tolerance, map, 0, points, shares);
+        => new Division(new Piece(start, end, arc), tolerance, map, points, shares).Split(0, 1, 0);
 
-    private static void Split(Piece piece, double from, double to, double tolerance, Func<Vec3[], Vec3[]> map, int depth, List<Vec3> points,
-        List<double>? shares)
+    private sealed class Division(Piece piece, double tolerance, Func<Vec3[], Vec3[]> map, List<Vec3> points, List<double>? shares)
     {
-        if (depth < MaxDepth && !IsSmooth(piece, from, to, tolerance, map))
+        public void Split(double from, double to, int depth)
         {
-            var middle = (from + to) / 2;
-            Split(piece, from, middle, tolerance, map, depth + 1, points, shares);
-            Split(piece, middle, to, tolerance, map, depth + 1, points, shares);
-            return;
+            if (depth < MaxDepth && !IsSmooth(from, to))
+            {
+                var middle = (from + to) / 2;
+                Split(from, middle, depth + 1);
+                Split(middle, to, depth + 1);
+                return;
+            }
+            points.Add(to == 1 ? piece.End : piece.At(to));
+            shares?.Add(to - from);
         }
-        points.Add(to == 1 ? piece.End : piece.At(to));
-        shares?.Add(to - from);
-    }
 
-    private static bool IsSmooth(Piece piece, double from, double to, double tolerance, Func<Vec3[], Vec3[]> map)
-    {
-        var samples = new Vec3[Tests.Length + 2];
-        samples[0] = piece.At(from);
-        for (var i = 0; i < Tests.Length; i++) samples[i + 1] = piece.At(from + (to - from) * Tests[i]);
-        samples[samples.Length - 1] = piece.At(to);
-        var mapped = map(samples);
-        Vec3 a = mapped[0], b = mapped[mapped.Length - 1];
-        for (var i = 1; i < mapped.Length - 1; i++)
+        private bool IsSmooth(double from, double to)
         {
-            // Points that are not finite are reported where the segment is mapped, not here.
-            if (mapped[i].DistanceToSegment(a, b) > tolerance) return false;
+            var samples = new Vec3[Tests.Length + 2];
+            samples[0] = piece.At(from);
+            for (var i = 0; i < Tests.Length; i++) samples[i + 1] = piece.At(from + (to - from) * Tests[i]);
+            samples[samples.Length - 1] = piece.At(to);
+            var mapped = map(samples);
+            Vec3 a = mapped[0], b = mapped[mapped.Length - 1];
+            for (var i = 1; i < mapped.Length - 1; i++)
+            {
+                // Points that are not finite are reported where the segment is mapped, not here.
+                if (mapped[i].DistanceToSegment(a, b) > tolerance) return false;
+            }
+            return true;
         }
-        return true;
     }
 
     private readonly struct Piece(Vec3 start, Vec3 end, Arc? arc)

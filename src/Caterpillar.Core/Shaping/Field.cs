@@ -1,5 +1,6 @@
 using System;
 using Caterpillar.Basics;
+using Caterpillar.Expressions;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -22,23 +23,9 @@ public delegate double Field(PathSample place);
 /// </summary>
 public delegate (double U, double V) ImageMapping(PathSample place);
 
-/// <summary>Fields from images, functions and other fields.</summary>
+/// <summary>Fields from images, and masks; any other function of a <see cref="PathSample"/> is a field, too.</summary>
 public static class Fields
 {
-    /// <summary>The same value everywhere.</summary>
-    public static Field Constant(double value) => _ => value;
-
-    /// <summary>A field from a function of the position in mm.</summary>
-    public static Field Function(Func<Vec3, double> function) => place => function(place.Position);
-
-    /// <summary>A field from a function of radius (mm), angle (degrees, −180 to 180) and height (mm) about a vertical axis.</summary>
-    public static Field Cylindrical(Func<Vec3, double> function, Vec3 axis = default)
-        => place =>
-        {
-            var d = place.Position - axis;
-            return function(new Vec3(d.LengthXY, Angle.Atan2(d.Y, d.X), place.Position.Z));
-        };
-
     /// <summary>The brightness of an image, 0 (black) to 1 (white): of the nearest pixel, or between pixels where <paramref name="smooth"/> is set.</summary>
     public static Field Image(GrayImage image, ImageMapping mapping, bool smooth = false)
     {
@@ -50,9 +37,6 @@ public static class Fields
             return smooth ? image.Between(u, v) : image.Nearest(u, v);
         };
     }
-
-    /// <summary>1 where the other field is 0, and vice versa.</summary>
-    public static Field Inverted(Field field) => place => 1 - field(place);
 
     /// <summary>1 for the given roles, 0 for others; for masks.</summary>
     public static Field OfRole(params Role[] roles) => place => Array.IndexOf(roles, place.Role) >= 0 ? 1 : 0;
@@ -69,25 +53,15 @@ public static class Fields
             unchecked
             {
                 var hash = (ulong)seed * 0x9E3779B97F4A7C15UL;
-                hash = Mix(hash ^ (ulong)(long)Math.Floor(place.Position.X / cell));
-                hash = Mix(hash ^ (ulong)(long)Math.Floor(place.Position.Y / cell));
-                hash = Mix(hash ^ (ulong)(long)Math.Floor(place.Position.Z / cell));
+                hash = Next(hash ^ (ulong)(long)Math.Floor(place.Position.X / cell));
+                hash = Next(hash ^ (ulong)(long)Math.Floor(place.Position.Y / cell));
+                hash = Next(hash ^ (ulong)(long)Math.Floor(place.Position.Z / cell));
                 return (hash >> 11) * (1.0 / (1UL << 53));
             }
         };
     }
 
-    // splitmix64
-    private static ulong Mix(ulong x)
-    {
-        unchecked
-        {
-            x += 0x9E3779B97F4A7C15UL;
-            x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9UL;
-            x = (x ^ (x >> 27)) * 0x94D049BB133111EBUL;
-            return x ^ (x >> 31);
-        }
-    }
+    private static ulong Next(ulong state) => SeededRandom.Mix(unchecked(state + SeededRandom.Golden));
 }
 
 /// <summary>Mappings of an image onto paths.</summary>

@@ -97,7 +97,13 @@ public sealed record GapBead
                 var to = k == parts ? end : At((double)k / parts);
                 var middle = At((k - 0.5) / parts);
                 var piece = arc is { } turn ? turn with { Sweep = turn.Sweep / parts } : (Arc?)null;
-                var own = bead.Area > 0 ? Measure(from, middle, to, piece, bead, width, probe, number, problems) : bead;
+                var own = bead;
+                if (bead.Area > 0)
+                {
+                    var gap = (probe.Gap(from, width) + 4 * probe.Gap(middle, width) + probe.Gap(to, width)) / 6;
+                    var length = piece?.Length(from, to) ?? from.DistanceTo(to);
+                    own = Filling(gap, length, to.Z - from.Z, width, bead, number, problems);
+                }
                 probe.Print(from, to, own, piece);
                 if (beads.Count > first && Same(beads[beads.Count - 1], own))
                 {
@@ -120,9 +126,9 @@ public sealed record GapBead
         return path.WithGeometry(points, beads, path.IsClosed, arcs);
     }
 
-    private Bead Measure(Vec3 from, Vec3 middle, Vec3 to, Arc? arc, Bead bead, double width, GapProbe probe, int number, DiagnosticList problems)
+    // The bead that fills a gap under a piece of a length and a rise.
+    private Bead Filling(double gap, double length, double rise, double width, Bead bead, int number, DiagnosticList problems)
     {
-        var gap = (probe.Gap(from, width) + 4 * probe.Gap(middle, width) + probe.Gap(to, width)) / 6;
         if (!(gap <= AirGap))
         {
             problems.Add(Severity.Remark, "gap.air", "There is nothing underneath a piece of a path: its bead stays as it is.",
@@ -142,8 +148,6 @@ public sealed record GapBead
                     new SourceLocation(Step: number));
         }
         gap = Math.Min(MaxGap, Math.Max(MinGap, gap));
-        var length = arc is { } turn ? turn.Length(from, to) : from.DistanceTo(to);
-        var rise = to.Z - from.Z;
         // A vertical piece has no gap below: its bead stays.
         var share = length > 0 ? Math.Sqrt(Math.Max(0, 1 - rise / length * (rise / length))) : 0;
         return share < UprightShare ? bead : new Bead(gap * share * width, gap * share, bead.Speed);

@@ -66,19 +66,6 @@ public sealed class Trace
     /// <summary>Adds a string to a point.</summary>
     public Trace Draw(Vec3 to) => Draw(to, Area);
 
-    /// <summary>Adds strings along a polyline: moves to its first point, draws to the others.</summary>
-    public Trace Draw(Polyline curve)
-    {
-        if (curve is null) throw new ArgumentNullException(nameof(curve));
-        for (var i = 0; i < curve.Count; i++)
-        {
-            if (i == 0) Reach(curve[0]);
-            else Draw(curve[i]);
-        }
-        if (curve.IsClosed && curve.Count > 2) Draw(curve[0]);
-        return this;
-    }
-
     /// <summary>
     /// A closed polygon of equal strings on a circle about the vertical through the center, counterclockwise from <paramref name="from"/> degrees. It closes
     /// exactly.

@@ -8,7 +8,7 @@ namespace Caterpillar.Turtles;
 /// The direction of a turtle as three angles in degrees: starting from the world axes: yaw, then pitch, then roll, each about the turtle's own axes.
 /// Positive yaw turns left, positive pitch raises the nose, positive roll lifts the left side.
 /// </summary>
-public readonly record struct Heading(double Yaw, double Pitch, double Roll)
+internal readonly record struct Heading(double Yaw, double Pitch, double Roll)
 {
     // Closer to vertical than this, yaw and roll are the same rotation.
     private const double Pole = 1e-9;

@@ -45,16 +45,16 @@ public sealed partial class Turtle
     /// <summary>Position and axes: X is forward, Y left, Z up.</summary>
     public Frame Pose => _state.Pose;
 
-    /// <summary>mm.</summary>
+    /// <summary>Where the turtle stands, mm.</summary>
     public Vec3 Position => _state.Pose.Origin;
 
-    /// <summary>mm.</summary>
+    /// <summary>X of the position, mm.</summary>
     public double X => Position.X;
 
-    /// <summary>mm.</summary>
+    /// <summary>Y of the position, mm.</summary>
     public double Y => Position.Y;
 
-    /// <summary>mm.</summary>
+    /// <summary>Z of the position, mm.</summary>
     public double Z => Position.Z;
 
     /// <summary>Angle of the heading in the XY plane from +X, −180° to 180°; straight up or down it includes the roll.</summary>

@@ -24,7 +24,7 @@ public sealed record TurtleOptions
     /// <summary>Shape of strands that are given by width and height; for a print that of its settings.</summary>
     public BeadShape Shape { get; init; } = BeadShape.Rectangle;
 
-    /// <summary>mm/min.</summary>
+    /// <summary>Initial speed of moves with the pen down, mm/min.</summary>
     public double Rate { get; init; } = 1000;
 
     /// <summary>The most mm/s of a move straight up or down that lays nothing, as the printer's Z axis allows; infinite for no limit.</summary>
@@ -55,9 +55,9 @@ public sealed record TurtleOptions
 /// <summary>Unit of angles.</summary>
 public enum AngleUnit : byte
 {
-    /// <summary>Degrees.</summary>
+    /// <summary>360 to a full turn.</summary>
     Degrees,
 
-    /// <summary>Radians.</summary>
+    /// <summary>2π to a full turn.</summary>
     Radians,
 }

@@ -30,7 +30,7 @@ public class ModulationTests
     [Test]
     public void Flow_changes_at_a_constant_speed_and_a_mask_limits_it()
     {
-        var modulation = new Modulation(ModulationMode.Flow, Fields.Constant(1), 1, 1.5) { Resolution = 2,
+        var modulation = new Modulation(ModulationMode.Flow, _ => 1, 1, 1.5) { Resolution = 2,
             Mask = Fields.Inside(new Bounds(new Vec3(-1, -1, -1), new Vec3(10, 1, 1))) };
         var path = modulation.Apply([Line]).Value!.Single();
         Assert.That(Enumerable.Range(0, 5).Select(i => path.BeadOf(i).Area), Is.All.EqualTo(0.6).Within(1e-12));
@@ -40,9 +40,9 @@ public class ModulationTests
     [Test]
     public void Displacement_moves_to_the_left_or_up()
     {
-        var left = new Modulation(ModulationMode.DisplaceLeft, Fields.Function(p => p.X / 20), 0, 2) { Resolution = 5 }.Apply([Line]).Value!.Single();
+        var left = new Modulation(ModulationMode.DisplaceLeft, place => place.Position.X / 20, 0, 2) { Resolution = 5 }.Apply([Line]).Value!.Single();
         Assert.That(left.Points, Is.EqualTo(new[] { Vec3.Zero, new Vec3(5, 0.5), new Vec3(10, 1), new Vec3(15, 1.5), new Vec3(20, 2) }));
-        var up = new Modulation(ModulationMode.DisplaceUp, Fields.Constant(1), 0, 0.3).Apply([Line]).Value!.Single();
+        var up = new Modulation(ModulationMode.DisplaceUp, _ => 1, 0, 0.3).Apply([Line]).Value!.Single();
         Assert.That(up.Points.Select(p => p.Z), Is.All.EqualTo(0.3));
     }
 
@@ -52,7 +52,7 @@ public class ModulationTests
         // Counterclockwise: left is inward. The vertices of a regular polygon move along their radius.
         var points = Enumerable.Range(0, 36).Select(i => new Vec3(10 * Basics(i).Cos, 10 * Basics(i).Sin));
         var circle = new PrintPath(points, new Bead(1), closed: true);
-        var smaller = new Modulation(ModulationMode.DisplaceLeft, Fields.Constant(1), 0, 1).Apply([circle]).Value!.Single();
+        var smaller = new Modulation(ModulationMode.DisplaceLeft, _ => 1, 0, 1).Apply([circle]).Value!.Single();
         Assert.That(smaller.IsClosed, Is.True);
         Assert.That(smaller.Points.Select(p => p.Length), Is.All.EqualTo(9).Within(1e-12));
 
@@ -104,19 +104,19 @@ public class ModulationTests
     [Test]
     public void Fields_without_a_value_and_paths_without_a_speed_are_errors()
     {
-        var nan = new Modulation(ModulationMode.Flow, Fields.Constant(double.NaN), 1, 2).Apply([Line]);
+        var nan = new Modulation(ModulationMode.Flow, _ => double.NaN, 1, 2).Apply([Line]);
         Assert.That((nan.Value, nan.Diagnostics.Single().Code), Is.EqualTo(((object?)null, "shape.field")));
-        var slow = new Modulation(ModulationMode.Speed, Fields.Constant(1), 1, 0.8).Apply([new PrintPath([Vec3.Zero, new Vec3(1, 0)], new Bead(1))]);
+        var slow = new Modulation(ModulationMode.Speed, _ => 1, 1, 0.8).Apply([new PrintPath([Vec3.Zero, new Vec3(1, 0)], new Bead(1))]);
         Assert.That(slow.Diagnostics.Single().Code, Is.EqualTo("shape.no_speed"));
-        var zero = new Modulation(ModulationMode.Speed, Fields.Constant(1), 1, 0).Apply([Line]);
+        var zero = new Modulation(ModulationMode.Speed, _ => 1, 1, 0).Apply([Line]);
         Assert.That(zero.Diagnostics.Single().Code, Is.EqualTo("shape.modulation"));
     }
 
     [Test]
     public void Fields_and_masks_count_from_0_to_1()
     {
-        Bead Of(double field, double? mask = null) => new Modulation(ModulationMode.Flow, Fields.Constant(field), 0.5, 1.5)
-            { Mask = mask is { } m ? Fields.Constant(m) : null }.Apply([Line]).Value!.Single().BeadOf(0);
+        Bead Of(double field, double? mask = null) => new Modulation(ModulationMode.Flow, _ => field, 0.5, 1.5)
+            { Mask = mask is { } m ? new Field(_ => m) : null }.Apply([Line]).Value!.Single().BeadOf(0);
         Assert.That(Of(-3).Area, Is.EqualTo(0.4 * 0.5).Within(1e-12));
         Assert.That(Of(1.7).Area, Is.EqualTo(0.4 * 1.5).Within(1e-12));
         Assert.That(Of(1, 0.5).Area, Is.EqualTo(0.4 * 1.25).Within(1e-12));
@@ -128,7 +128,7 @@ public class ModulationTests
     [TestCase(ModulationMode.Speed, 0, false)]
     [TestCase(ModulationMode.Speed, 0.1, true)]
     public void A_flow_may_stop_and_a_speed_may_not(ModulationMode mode, double factor, bool works)
-        => Assert.That(new Modulation(mode, Fields.Constant(0), factor, 1).Apply([Line]).Value is not null, Is.EqualTo(works));
+        => Assert.That(new Modulation(mode, _ => 0, factor, 1).Apply([Line]).Value is not null, Is.EqualTo(works));
 
     [Test]
     public void Rows_along_paths_repeat_and_a_path_without_length_is_at_its_beginning()
@@ -147,7 +147,6 @@ public class ModulationTests
         PathSample Of(Role role) => new(Vec3.Zero, 0, 1, 0, role);
         var walls = Fields.OfRole(Role.OuterWall, Role.InnerWall);
         Assert.That(new[] { Role.OuterWall, Role.InnerWall, Role.Infill }.Select(r => walls(Of(r))), Is.EqualTo(new[] { 1.0, 1, 0 }));
-        Assert.That(Fields.Inverted(walls)(Of(Role.Infill)), Is.EqualTo(1));
     }
 
     [Test]

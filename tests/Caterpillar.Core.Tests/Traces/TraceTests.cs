@@ -135,17 +135,6 @@ public class TraceTests
     }
 
     [Test]
-    public void A_polyline_is_moved_to_and_drawn_and_closed_where_it_is_closed()
-    {
-        Vec3[] points = [new(5, 0, 0), new(9, 0, 0), new(9, 4, 0)];
-        var open = new Trace(0.2).Draw(new Polyline(points)).Strings;
-        Assert.That(open.Select(s => (s.Start, s.End)), Is.EqualTo(new[] { (points[0], points[1]), (points[1], points[2]) }));
-        var closed = new Trace(0.2).Draw(new Polyline(points, true)).Strings;
-        Assert.That(closed.Select(s => s.End), Is.EqualTo(new[] { points[1], points[2], points[0] }));
-        Assert.That(new Trace(0.2).Draw(new Polyline(points.Take(2), true)).Strings, Has.Count.EqualTo(1), "Nothing goes back over a line.");
-    }
-
-    [Test]
     public void A_trace_begins_where_it_is_told_to()
         => Assert.That(new Trace(0.2, new Vec3(3, 4, 5)).Draw(new Vec3(3, 4, 9)).Strings.Single().Start, Is.EqualTo(new Vec3(3, 4, 5)));
 

@@ -127,7 +127,7 @@ internal sealed class ScriptShapingTests
     [Test]
     public void Modulate_changes_speed_flow_or_position()
     {
-        var field = Fields.Cylindrical(p => 0.5 + 0.5 * Angle.SinCos(6 * p.Y).Sin);
+        Field field = place => 0.5 + 0.5 * Angle.SinCos(6 * Angle.Atan2(place.Position.Y, place.Position.X)).Sin;
         Same(Paths("modulate speed field = 0.5 + 0.5 * sin(6 * theta), low = 1, high = 0.7 [ helix_trace 10 2 0.4 ]"),
             Shaped(t => t.Helix(Vec3.Zero, 10, 2, 0.4), p => new Modulation(ModulationMode.Speed, field, 1, 0.7).Apply(p)));
         var u = new Field(s => s.Distance / s.Length);

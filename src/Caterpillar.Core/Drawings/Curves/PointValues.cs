@@ -29,15 +29,15 @@ public sealed class PointValues
     /// <summary>Values in each column; 0 without columns.</summary>
     public int Count { get; }
 
-    /// <summary>mm².</summary>
+    /// <summary>Cross-sections of the strand, mm².</summary>
     public IReadOnlyList<double>? Areas => _columns[0];
 
-    /// <summary>mm.</summary>
+    /// <summary>Widths of the strand, mm.</summary>
     public IReadOnlyList<double>? Widths => _columns[1];
 
-    /// <summary>mm.</summary>
+    /// <summary>Heights of the strand, mm.</summary>
     public IReadOnlyList<double>? Heights => _columns[2];
 
-    /// <summary>mm/s.</summary>
+    /// <summary>Speeds of the head, mm/s.</summary>
     public IReadOnlyList<double>? Speeds => _columns[3];
 }

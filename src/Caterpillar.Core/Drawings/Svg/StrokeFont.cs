@@ -8,7 +8,7 @@ namespace Caterpillar.Drawings;
 /// Letters of single strokes, for pens, nozzles and engraving: ASCII and the Latin letters with accents. They are drawn on a grid on which capitals are 12
 /// units high, small letters 8, and descenders reach 4 below the line.
 /// </summary>
-public static class StrokeFont
+internal static class StrokeFont
 {
     private const double CapHeight = 12;
     private const double SmallHeight = 8;

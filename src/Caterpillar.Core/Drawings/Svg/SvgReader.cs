@@ -1,13 +1,12 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
+using System.Globalization;
 using System.Linq;
 using System.Text;
 using System.Xml;
 using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Drawings;
 
@@ -18,7 +17,7 @@ namespace Caterpillar.Drawings;
 /// Elements that refer to others (<c>use</c>, <c>symbol</c>) are followed, text is written in letters of single strokes (<see cref="StrokeFont"/>). Hidden
 /// elements and definitions are ignored.
 /// </summary>
-internal sealed partial class SvgReader
+internal sealed class SvgReader
 {
     private const int MaxDepth = 512;
 
@@ -28,24 +27,28 @@ internal sealed partial class SvgReader
 
     private static readonly HashSet<string> Shapes = ["path", "line", "polyline", "polygon", "rect", "circle", "ellipse"];
 
-    private readonly CurveSource _source;
-    private readonly string _text;
-    private readonly int[] _lines;
-    private XmlReader _xml;
-    private double _pageHeight = double.NaN;
+    // Capitals of common fonts, in sizes of the font.
+    private const double CapHeight = 0.7;
+    private const double UsualSize = 16;
 
-    private SvgReader(CurveSource source, string text, XmlReader xml)
+    private const int MaxUses = 100_000;
+    private const int MaxUseDepth = 32;
+    private const double BytesPerCurve = 400;
+
+    private readonly CurveSource _source;
+    private readonly SvgXml _xml;
+    private double _pageHeight = double.NaN;
+    private (double Width, double Height)? _viewport;
+    private int _uses;
+    private int _useDepth;
+
+    private SvgReader(CurveSource source, SvgXml xml)
     {
         _source = source;
-        _text = text;
         _xml = xml;
-        var starts = new List<int> { 0 };
-        for (var i = 0; i < text.Length; i++)
-        {
-            if (text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.Length || text[i + 1] != '\n'))) starts.Add(i + 1);
-        }
-        _lines = starts.ToArray();
     }
+
+    private XmlReader Xml => _xml.Reader;
 
     public static void Read(CurveSource source)
     {
@@ -54,10 +57,10 @@ internal sealed partial class SvgReader
         var text = bytes.Length >= 2 && bytes[0] == 0xFF && bytes[1] == 0xFE ? Encoding.Unicode.GetString(bytes, 2, bytes.Length - 2)
             : bytes.Length >= 2 && bytes[0] == 0xFE && bytes[1] == 0xFF ? Encoding.BigEndianUnicode.GetString(bytes, 2, bytes.Length - 2)
             : Encoding.UTF8.GetString(bytes, at, bytes.Length - at);
-        using var xml = XmlReader.Create(new StringReader(text), Settings());
+        using var xml = SvgXml.Open(text);
         try
         {
-            new SvgReader(source, text, xml).ReadAll();
+            new SvgReader(source, new SvgXml(source, text, xml)).ReadAll();
         }
         catch (XmlException e)
         {
@@ -72,19 +75,13 @@ internal sealed partial class SvgReader
         }
     }
 
-    private static XmlReaderSettings Settings() => new() { DtdProcessing = DtdProcessing.Ignore, XmlResolver = null, CheckCharacters = false };
-
-    private sealed record Scope(Affine Map, UserCurveSettings Settings, double Width, double Height);
-
-    private sealed record UserCurveSettings(double?[] Values, double Z, int Tool, int? Layer, string Name);
-
     private void ReadAll()
     {
-        var page = new Scope(Affine.Identity, new UserCurveSettings(new double?[5], 0, 0, null, ""), 0, 0);
-        while (_xml.Read())
+        var page = new Scope(Affine.Identity, SvgSettings.None, 0, 0);
+        while (Xml.Read())
         {
-            if (_xml.NodeType != XmlNodeType.Element) continue;
-            if (_xml.LocalName != "svg") _source.Error("curves.svg", "An SVG file must begin with an svg element.", Here());
+            if (Xml.NodeType != XmlNodeType.Element) continue;
+            if (Xml.LocalName != "svg") _source.Error("curves.svg", "An SVG file must begin with an svg element.", _xml.Here());
             else if (!Hides()) ReadContent(page, true);
             return;
         }
@@ -93,9 +90,9 @@ internal sealed partial class SvgReader
     // What an element "use" refers to; false after an error.
     private bool ReadInside(Scope outer)
     {
-        while (_xml.Read())
+        while (Xml.Read())
         {
-            if (_xml.NodeType == XmlNodeType.Element) return Hides() || ReadContent(outer, false);
+            if (Xml.NodeType == XmlNodeType.Element) return Hides() || ReadContent(outer, false);
         }
         return true;
     }
@@ -105,14 +102,14 @@ internal sealed partial class SvgReader
     {
         var scopes = new Stack<Scope>();
         if (!Element(first, isRoot, scopes)) return false;
-        while (scopes.Count > 0 && _xml.Read())
+        while (scopes.Count > 0 && Xml.Read())
         {
-            if (_xml.NodeType == XmlNodeType.EndElement) scopes.Pop();
-            if (_xml.NodeType != XmlNodeType.Element) continue;
-            _source.Pulse(LineStart(Line.LineNumber), _text.Length);
+            if (Xml.NodeType == XmlNodeType.EndElement) scopes.Pop();
+            if (Xml.NodeType != XmlNodeType.Element) continue;
+            _xml.Pulse();
             if (scopes.Count > MaxDepth)
             {
-                _source.Error("curves.svg", "Elements are nested too deeply.", Here());
+                _source.Error("curves.svg", "Elements are nested too deeply.", _xml.Here());
                 return false;
             }
             if (!Hides() && !Element(scopes.Peek(), false, scopes)) return false;
@@ -122,39 +119,39 @@ internal sealed partial class SvgReader
 
     private bool Hides()
     {
-        if (!Hidden()) return false;
-        _source.Diagnostics.Add(Severity.Remark, "curves.hidden", "Hidden elements are ignored.", Here());
-        SkipContent();
+        if (!_xml.IsHidden()) return false;
+        _source.Diagnostics.Add(Severity.Remark, "curves.hidden", "Hidden elements are ignored.", _xml.Here());
+        _xml.SkipContent();
         return true;
     }
 
     // False after an error.
     private bool Element(Scope outer, bool isRoot, Stack<Scope> scopes)
     {
-        var name = _xml.LocalName;
+        var name = Xml.LocalName;
         var isSymbol = name == "symbol" && _viewport is not null;
         if (name == "use") return Use(outer);
         if (name == "text") return Text(outer);
         if (Definitions.Contains(name) && !isSymbol)
         {
-            SkipContent();
+            _xml.SkipContent();
             return true;
         }
         if (name is not ("svg" or "symbol" or "g" or "a" or "switch") && !Shapes.Contains(name))
         {
             if (name is "image")
             {
-                _source.Diagnostics.Add(Severity.Warning, "curves.svg_" + name, $"Elements \"{name}\" are ignored; convert them to paths.", Here());
+                _source.Diagnostics.Add(Severity.Warning, "curves.svg_" + name, $"Elements \"{name}\" are ignored; convert them to paths.", _xml.Here());
             }
-            else if (_xml.NamespaceURI is "" or "http://www.w3.org/2000/svg")
+            else if (Xml.NamespaceURI is "" or "http://www.w3.org/2000/svg")
             {
                 _source.Diagnostics.Add(Severity.Remark, "curves.ignored",
-                    $"Elements without curves are ignored, the first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", Here());
+                    $"Elements without curves are ignored, the first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", _xml.Here());
             }
-            SkipContent();
+            _xml.SkipContent();
             return true;
         }
-        var empty = _xml.IsEmptyElement;
+        var empty = Xml.IsEmptyElement;
         if (Enter(outer, name is "svg" or "symbol", isRoot) is not { } scope) return false;
         if (Shapes.Contains(name) && !Shape(name, scope)) return false;
         _viewport = null;
@@ -162,22 +159,13 @@ internal sealed partial class SvgReader
         return true;
     }
 
-    private void SkipContent()
-    {
-        if (_xml.IsEmptyElement) return;
-        var depth = _xml.Depth;
-        while (_xml.Read() && !(_xml.NodeType == XmlNodeType.EndElement && _xml.Depth == depth))
-        {
-        }
-    }
-
     private Scope? Enter(Scope outer, bool isSvg, bool isRoot)
     {
         var map = outer.Map;
         var (width, height) = (outer.Width, outer.Height);
-        if (_xml.GetAttribute("transform") is { } transform && !isRoot)
+        if (_xml.Attribute("transform") is { } transform && !isRoot)
         {
-            if (SvgValues.Transform(transform) is not { } own) return Fail<Scope>("transform", "This is not a list of transforms.");
+            if (SvgValues.Transform(transform) is not { } own) return _xml.Fail<Scope>("transform", "This is not a list of transforms.");
             map = own.Then(map);
         }
         if (isSvg)
@@ -185,43 +173,43 @@ internal sealed partial class SvgReader
             if (View(isRoot, ref width, ref height) is not { } view) return null;
             map = view.Then(isRoot ? ToMm() : map);
         }
-        return Settings(outer.Settings) is { } settings ? new Scope(map, settings, width, height) : null;
+        return outer.Settings.Inside(_xml, _source.Options) is { } settings ? new Scope(map, settings, width, height) : null;
     }
 
     private Affine? View(bool isRoot, ref double width, ref double height)
     {
         double[]? box = null;
-        if (_xml.GetAttribute("viewBox") is { } text)
+        if (_xml.Attribute("viewBox") is { } text)
         {
             box = SvgValues.Numbers(text);
             if (box is not { Length: 4 } || !(box[2] > 0 && box[3] > 0))
             {
-                return FailValue<Affine>("viewBox", "A viewBox needs four numbers, the last two positive.");
+                return _xml.FailValue<Affine>("viewBox", "A viewBox needs four numbers, the last two positive.");
             }
         }
         var ownWidth = Extent("width", box is null ? (isRoot ? 0 : width) : box[2], width, isRoot, out var badWidth);
         var ownHeight = Extent("height", box is null ? (isRoot ? 0 : height) : box[3], height, isRoot, out var badHeight);
         if (_viewport is { } used) (ownWidth, ownHeight, badWidth, badHeight) = (used.Width, used.Height, false, false);
-        if (badWidth || badHeight) return FailValue<Affine>(badWidth ? "width" : "height", "This is not a length.");
+        if (badWidth || badHeight) return _xml.FailValue<Affine>(badWidth ? "width" : "height", "This is not a length.");
         double x = 0, y = 0;
         if (!isRoot)
         {
-            x = SvgValues.Length(_xml.GetAttribute("x"), width) ?? 0;
-            y = SvgValues.Length(_xml.GetAttribute("y"), height) ?? 0;
+            x = SvgValues.Length(_xml.Attribute("x"), width) ?? 0;
+            y = SvgValues.Length(_xml.Attribute("y"), height) ?? 0;
         }
         else
         {
             _pageHeight = ownHeight;
         }
         (width, height) = box is null ? (ownWidth, ownHeight) : (box[2], box[3]);
-        return box is null ? Affine.Move(new Vec3(x, y)) : SvgValues.ViewBox(box, x, y, ownWidth, ownHeight, _xml.GetAttribute("preserveAspectRatio"));
+        return box is null ? Affine.Move(new Vec3(x, y)) : SvgValues.ViewBox(box, x, y, ownWidth, ownHeight, _xml.Attribute("preserveAspectRatio"));
     }
 
     // For the root, a percentage of the unknown window means the size of its viewBox.
     private double Extent(string name, double missing, double whole, bool isRoot, out bool bad)
     {
         bad = false;
-        var text = _xml.GetAttribute(name);
+        var text = _xml.Attribute(name);
         if (text is null || text.Trim() == "auto" || (isRoot && text.Trim().EndsWith("%", StringComparison.Ordinal))) return missing;
         var value = SvgValues.Length(text, whole);
         bad = value is not > 0;
@@ -234,60 +222,18 @@ internal sealed partial class SvgReader
         const double S = 1 / SvgValues.PixelsPerMm;
         if (_pageHeight == 0)
         {
-            _source.Diagnostics.Add(Severity.Remark, "curves.svg_page", "The file states no page height: curves lie below the X axis as drawn.", Here());
+            _source.Diagnostics.Add(Severity.Remark, "curves.svg_page", "The file states no page height: curves lie below the X axis as drawn.", _xml.Here());
         }
         return new Affine(new Vec3(S, 0), new Vec3(0, -S), Vec3.UnitZ, new Vec3(0, _pageHeight * S));
     }
 
-    private UserCurveSettings? Settings(UserCurveSettings outer)
-    {
-        var values = (double?[])outer.Values.Clone();
-        string[] names = ["data-area", "data-width", "data-height", "data-speed", "data-multiplier"];
-        for (var i = 0; i < names.Length; i++)
-        {
-            if (_xml.GetAttribute(names[i]) is not { } text) continue;
-            if (Value(text, CurveColumns.Whole(CurveColumn.Area + i, _source.Options)) is not (>= 0 and var value))
-            {
-                return Fail<UserCurveSettings>(names[i], "Settings of a strand must be numbers of 0 or more, or percentages of something known.");
-            }
-            values[i] = value;
-        }
-        var (z, tool, layer) = (outer.Z, outer.Tool, outer.Layer);
-        if (_xml.GetAttribute("data-z") is { } height)
-        {
-            if (Value(height, 0) is not { } value) return Fail<UserCurveSettings>("data-z", "A height must be a number in mm.");
-            z = value;
-        }
-        if (_xml.GetAttribute("data-tool") is { } toolText)
-        {
-            if (!NumberReader.TryParseInt(toolText.Trim(), out tool)
-                || tool is < 0 or > 1000)
-            {
-                return Fail<UserCurveSettings>("data-tool", "A tool must be a number from 0 to 1000.");
-            }
-        }
-        if (_xml.GetAttribute("data-layer") is { } layerText)
-        {
-            if (!NumberReader.TryParseInt(layerText.Trim(), out var number)) return Fail<UserCurveSettings>("data-layer", "A layer must be a whole number.");
-            layer = number;
-        }
-        return new UserCurveSettings(values, z, tool, layer, _xml.GetAttribute("data-name") ?? _xml.GetAttribute("id") ?? "");
-    }
-
-    private static double? Value(string text, double reference)
-    {
-        text = text.Trim();
-        if (!text.EndsWith("%", StringComparison.Ordinal)) return NumberReader.TryParse(text, out var plain) && Math.Abs(plain) <= 1e9 ? plain : null;
-        return reference > 0 && NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent) ? percent / 100 * reference : null;
-    }
-
     private bool Shape(string name, Scope scope)
     {
-        var place = Here();
+        var place = _xml.Here();
         var diagonal = Math.Sqrt((scope.Width * scope.Width + scope.Height * scope.Height) / 2);
         double? Length(string attribute)
         {
-            var text = _xml.GetAttribute(attribute);
+            var text = _xml.Attribute(attribute);
             var whole = attribute is "r" ? diagonal : attribute[0] is 'y' || attribute is "cy" or "ry" or "height" ? scope.Height : scope.Width;
             return text is null || text.Trim() == "auto" ? 0 : SvgValues.Length(text, whole);
         }
@@ -296,11 +242,11 @@ internal sealed partial class SvgReader
         switch (name)
         {
             case "path":
-                var data = _xml.GetAttribute("d") ?? "";
+                var data = _xml.Attribute("d") ?? "";
                 var (subpaths, without, error, at) = SvgPath.Parse(data);
                 if (error is not null)
                 {
-                    _source.Error("curves.svg_path", error, InAttribute("d", at));
+                    _source.Error("curves.svg_path", error, _xml.InAttribute("d", at));
                     return false;
                 }
                 (curves, empty) = (subpaths, without);
@@ -309,7 +255,7 @@ internal sealed partial class SvgReader
                 curves = SvgShapes.Line(Length);
                 break;
             case "polyline" or "polygon":
-                curves = SvgShapes.Polyline(_xml.GetAttribute("points") ?? "", name == "polygon");
+                curves = SvgShapes.Polyline(_xml.Attribute("points") ?? "", name == "polygon");
                 break;
             case "circle":
                 curves = SvgShapes.Ellipse(Length("cx"), Length("cy"), Length("r"), Length("r"));
@@ -318,7 +264,7 @@ internal sealed partial class SvgReader
                 curves = SvgShapes.Ellipse(Length("cx"), Length("cy"), Length("rx"), Length("ry"));
                 break;
             default:
-                curves = SvgShapes.Rectangle(Length, _xml.GetAttribute("rx") is { } rx && rx != "auto", _xml.GetAttribute("ry") is { } ry && ry != "auto");
+                curves = SvgShapes.Rectangle(Length, _xml.Attribute("rx") is { } rx && rx != "auto", _xml.Attribute("ry") is { } ry && ry != "auto");
                 break;
         }
         if (curves is null)
@@ -349,27 +295,104 @@ internal sealed partial class SvgReader
             _source.Error("curves.not_finite", "Coordinates must be finite.", place);
             return;
         }
-        var s = scope.Settings;
-        _source.Curves.Add(new UserCurve(placed)
-        {
-            Name = s.Name,
-            Area = s.Values[0],
-            Width = s.Values[1],
-            Height = s.Values[2],
-            Speed = s.Values[3],
-            Multiplier = s.Values[4],
-            Tool = s.Tool,
-            Layer = s.Layer is { } layer ? new Layer(layer, placed.Bounds.Max.Z) : null,
-            Source = place,
-        });
+        _source.Curves.Add(scope.Settings.Of(placed, place));
     }
 
-    private bool Hidden()
+    // False after an error.
+    private bool Use(Scope outer)
     {
-        if (_xml.GetAttribute("display") == "none" || _xml.GetAttribute("visibility") == "hidden") return true;
-        var style = _xml.GetAttribute("style");
-        if (style is null) return false;
-        var plain = string.Concat(style.Where(c => c > ' '));
-        return plain.IndexOf("display:none", StringComparison.Ordinal) >= 0 || plain.IndexOf("visibility:hidden", StringComparison.Ordinal) >= 0;
+        if (Enter(outer, false, false) is not { } scope) return false;
+        var place = _xml.Here();
+        var href = (_xml.Attribute("href") ?? Xml.GetAttribute("href", "http://www.w3.org/1999/xlink") ?? "").Trim();
+        double Length(string name, double whole, double missing) => SvgValues.Length(_xml.Attribute(name), whole) ?? missing;
+        var move = Affine.Move(new Vec3(Length("x", scope.Width, 0), Length("y", scope.Height, 0)));
+        var viewport = (Length("width", scope.Width, scope.Width), Length("height", scope.Height, scope.Height));
+        _xml.SkipContent();
+        if (href.Length < 2 || href[0] != '#' || !_xml.Named().TryGetValue(href.Substring(1), out var target))
+        {
+            _source.Diagnostics.Add(Severity.Warning, "curves.svg_use", "What an element \"use\" refers to is not in the file; it is ignored.", place);
+            return true;
+        }
+        if (++_uses > MaxUses || _useDepth == MaxUseDepth)
+        {
+            _source.Error("curves.svg", "Elements \"use\" refer to each other, or there are too many.", place);
+            return false;
+        }
+        if (_source.Options.Memory.Refuse(_source.Curves.Count * BytesPerCurve, "What elements \"use\" repeat", place) is { } tooMuch)
+        {
+            _source.Diagnostics.Add(tooMuch);
+            return false;
+        }
+        var kept = _xml.Reader;
+        _useDepth++;
+        _xml.Reader = target.CreateReader();
+        _viewport = viewport;
+        var good = ReadInside(scope with { Map = move.Then(scope.Map) });
+        _viewport = null;
+        _xml.Reader = kept;
+        _useDepth--;
+        return good;
     }
+
+    // False after an error.
+    private bool Text(Scope outer)
+    {
+        if (Enter(outer, false, false) is not { } scope) return false;
+        var place = _xml.Here();
+        var cap = FontSize() * CapHeight;
+        var anchor = _xml.Attribute("text-anchor") ?? _xml.Style("text-anchor") ?? "start";
+        var (x, y) = (0.0, 0.0);
+        Place(scope, ref x, ref y);
+        if (Xml.IsEmptyElement) return true;
+        var depth = Xml.Depth;
+        while (Xml.Read() && !(Xml.NodeType == XmlNodeType.EndElement && Xml.Depth == depth))
+        {
+            if (Xml.NodeType == XmlNodeType.Element) Place(scope, ref x, ref y);
+            if (Xml.NodeType is not (XmlNodeType.Text or XmlNodeType.CDATA) || !(cap > 0)) continue;
+            var line = OneLine(Xml.Value);
+            if (line.Any(c => !StrokeFont.Has(c)))
+                _source.Diagnostics.Add(Severity.Warning, "curves.svg_letters", "Characters that the font of single strokes lacks are drawn as boxes.", place);
+            var width = StrokeFont.Advance(line, cap);
+            var start = anchor == "middle" ? x - width / 2 : anchor == "end" ? x - width : x;
+            foreach (var stroke in StrokeFont.Strokes(line, cap))
+                Add(new PolylineCurve(Array.ConvertAll(stroke, p => new Vec3(start + p.X, y - p.Y)), false), scope, place);
+            x += width;
+        }
+        return true;
+    }
+
+    // Where an element of text begins; what it does not say goes on from before.
+    private void Place(Scope scope, ref double x, ref double y)
+    {
+        double? First(string name, double whole) => _xml.Attribute(name) is { } list
+            ? SvgValues.Length(list.Trim().Split(' ', ',')[0], whole) : null;
+        x = (First("x", scope.Width) ?? x) + (First("dx", scope.Width) ?? 0);
+        y = (First("y", scope.Height) ?? y) + (First("dy", scope.Height) ?? 0);
+    }
+
+    private double FontSize()
+    {
+        var text = _xml.Attribute("font-size") ?? _xml.Style("font-size");
+        return SvgValues.Length(text, UsualSize) is { } size && size <= 1e6 ? size : UsualSize;
+    }
+
+    // Runs of spaces and line ends are one space, as in browsers; letters of two are written as two.
+    private static string OneLine(string text)
+    {
+        var line = new StringBuilder(text.Length);
+        foreach (var c in text)
+        {
+            if (c is ' ' or '\t' or '\n' or '\r')
+            {
+                if (line.Length > 0 && line[line.Length - 1] != ' ') line.Append(' ');
+            }
+            else
+            {
+                line.Append(c switch { '\u00E6' => "ae", '\u00C6' => "AE", '\u0153' => "oe", '\u0152' => "OE", _ => c.ToString(CultureInfo.InvariantCulture) });
+            }
+        }
+        return line.ToString().TrimEnd(' ');
+    }
+
+    private sealed record Scope(Affine Map, SvgSettings Settings, double Width, double Height);
 }

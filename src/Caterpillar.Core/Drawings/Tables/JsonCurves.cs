@@ -87,7 +87,7 @@ internal sealed class JsonCurves
                 Curve(whole, []);
                 break;
             default:
-                Fail("curves.json", "Expected a list of points, a list of curves, or an object with \"curves\".", root);
+                Report(new CurveException("curves.json", "Expected a list of points, a list of curves, or an object with \"curves\".", root));
                 break;
         }
     }
@@ -104,7 +104,7 @@ internal sealed class JsonCurves
             "in" or "inch" => Basics.Units.MmPerInch,
             _ => 0,
         };
-        if (length == 0) Fail("curves.json", "Units must be \"mm\", \"cm\", \"m\" or \"in\".", token);
+        if (length == 0) Report(new CurveException("curves.json", "Units must be \"mm\", \"cm\", \"m\" or \"in\".", token));
         else _unit = length;
     }
 
@@ -117,34 +117,35 @@ internal sealed class JsonCurves
         }
     }
 
+    // False where nothing more is to be read.
     private bool Curve(JToken token, JObject[] outer)
     {
-        var place = Place(token);
-        var values = new double[]?[CurveColumns.Settings];
-        var problems = _source.Diagnostics.HasErrors;
-        var curve = Shape(token, values, 0);
-        if (_source.Diagnostics.HasErrors && !problems) return false;
-        if (curve is null) return true;
-        var user = new UserCurve(curve) { Source = place };
-        // From the outside in: inner settings win.
-        foreach (var holder in token is JObject own ? outer.Concat([own]) : outer)
+        var goesOn = _source.Diagnostics.HasErrors;
+        try
         {
-            if (Apply(user, holder) is not { } applied) return false;
-            user = applied;
+            var values = new double[]?[CurveColumns.Settings];
+            if (Shape(token, values, 0) is not { } curve) return true;
+            goesOn = false;
+            var user = new UserCurve(curve) { Source = Place(token) };
+            // From the outside in: inner settings win.
+            foreach (var holder in token is JObject own ? outer.Concat([own]) : outer) user = Apply(user, holder);
+            _source.Curves.Add(CurveColumns.WithValues(user, values));
+            return true;
         }
-        _source.Curves.Add(CurveColumns.WithValues(user, values));
-        return true;
+        catch (CurveException problem)
+        {
+            Report(problem);
+            return goesOn;
+        }
     }
 
-    private UserCurve? Apply(UserCurve user, JObject holder)
+    private UserCurve Apply(UserCurve user, JObject holder)
     {
         Unknown(holder);
         var found = new double?[Settings.Length];
         for (var i = 0; i < Settings.Length; i++)
         {
-            if (holder[Settings[i]] is not { } token) continue;
-            if (Setting(token, Settings[i]) is not { } value) return null;
-            found[i] = value;
+            if (holder[Settings[i]] is { } token) found[i] = Setting(token, Settings[i]);
         }
         user = user with
         {
@@ -157,17 +158,17 @@ internal sealed class JsonCurves
         if (holder["name"] is { Type: JTokenType.String } name) user = user with { Name = (string)name! };
         if (holder["tool"] is { } tool)
         {
-            if (Number(tool) is not (>= 0 and <= 1000 and var number)) return Fail<UserCurve>("curves.json", "A tool must be a number from 0 to 1000.", tool);
+            if (Number(tool) is not (>= 0 and <= 1000 and var number)) throw new CurveException("curves.json", "A tool must be a number from 0 to 1000.", tool);
             user = user with { Tool = (int)number };
         }
         if (holder["dot"] is { } dot)
         {
-            if (Number(dot) is not (>= 0 and var volume)) return Fail<UserCurve>("curves.json", "A dot must be a volume of 0 mm³ or more.", dot);
+            if (Number(dot) is not (>= 0 and var volume)) throw new CurveException("curves.json", "A dot must be a volume of 0 mm³ or more.", dot);
             user = user with { Dot = volume };
         }
         if (holder["layer"] is { } layer)
         {
-            if (Number(layer) is not (>= -1e8 and <= 1e8 and var number)) return Fail<UserCurve>("curves.json", "A layer must be a whole number.", layer);
+            if (Number(layer) is not (>= -1e8 and <= 1e8 and var number)) throw new CurveException("curves.json", "A layer must be a whole number.", layer);
             user = user with { Layer = new Toolpaths.Layer((int)number, user.Curve.Bounds.Max.Z) };
         }
         return user;
@@ -176,23 +177,24 @@ internal sealed class JsonCurves
     private Curve? Shape(JToken token, double[]?[]? values, int depth)
     {
         if (token is JArray list) return Polyline(list, false, values, token);
-        if (token is not JObject curve) return Fail<Curve>("curves.json", "A curve must be a list of points or an object.", token);
+        if (token is not JObject curve) throw new CurveException("curves.json", "A curve must be a list of points or an object.", token);
         try
         {
-            if (curve["pieces"] is JArray pieces) return depth > 8 ? Fail<Curve>("curves.json", "Pieces are nested too deeply.", token) : Joined(pieces, depth);
+            if (curve["pieces"] is JArray pieces) return Joined(pieces, depth, token);
             if (curve["center"] is { } center) return ArcOf(curve, center);
-            if (curve["points"] is not JArray points) return Fail<Curve>("curves.json", "A curve needs \"points\", \"center\" or \"pieces\".", token);
+            if (curve["points"] is not JArray points) throw new CurveException("curves.json", "A curve needs \"points\", \"center\" or \"pieces\".", token);
             if (curve["degree"] is { } degree) return Nurbs(curve, points, degree);
-            return Polyline(points, curve["closed"] is { Type: JTokenType.Boolean } closed && (bool)closed, values, token);
+            return Polyline(points, Flag(curve["closed"]), values, token);
         }
         catch (ArgumentException e)
         {
-            return Fail<Curve>("curves.json", FirstSentence(e.Message), token);
+            throw new CurveException("curves.json", FirstSentence(e.Message), token);
         }
     }
 
-    private Curve? Joined(JArray pieces, int depth)
+    private Curve? Joined(JArray pieces, int depth, JToken token)
     {
+        if (depth > 8) throw new CurveException("curves.json", "Pieces are nested too deeply.", token);
         var curves = new List<Curve>();
         foreach (var piece in pieces)
         {
@@ -202,30 +204,23 @@ internal sealed class JsonCurves
         return new PolyCurve(curves);
     }
 
-    private Curve? ArcOf(JObject curve, JToken center)
+    private ArcCurve ArcOf(JObject curve, JToken center)
     {
-        if (Point(center, null) is not { } origin) return null;
-        if (Numbers(curve["radius"], "radius", center) is not { } radius) return null;
-        double start = 0, sweep = 360;
-        if (curve["start"] is { } from && Read(from, out start) is null) return null;
-        if (curve["sweep"] is { } turn && Read(turn, out sweep) is null) return null;
+        var origin = Point(center, null);
+        var radius = Read(curve["radius"] ?? throw new CurveException("curves.json", "There is no \"radius\".", center));
+        var start = curve["start"] is { } from ? Read(from) : 0;
+        var sweep = curve["sweep"] is { } turn ? Read(turn) : 360;
         var (sin, cos) = Angle.SinCos(start);
         return new ArcCurve(Frame.FromAxes(origin, new Vec3(cos, sin), new Vec3(-sin, cos)), radius * _unit, sweep);
     }
 
-    private Curve? Nurbs(JObject curve, JArray list, JToken degreeToken)
+    private NurbsCurve Nurbs(JObject curve, JArray list, JToken degreeToken)
     {
-        if (Number(degreeToken) is not (>= 1 and <= 64 and var degree)) return Fail<Curve>("curves.json", "The degree must be 1 to 64.", degreeToken);
-        var points = new List<Vec3>();
-        foreach (var item in list)
-        {
-            if (Point(item, null) is not { } point) return null;
-            points.Add(point);
-        }
-        double[]? weights = null, knots = null;
-        if (curve["weights"] is { } w && (weights = List(w)) is null) return null;
-        if (curve["knots"] is { } k && (knots = List(k)) is null) return null;
-        if (curve["periodic"] is { Type: JTokenType.Boolean } periodic && (bool)periodic) return NurbsCurve.Periodic((int)degree, points, weights);
+        if (Number(degreeToken) is not (>= 1 and <= 64 and var degree)) throw new CurveException("curves.json", "The degree must be 1 to 64.", degreeToken);
+        var points = list.Select(item => Point(item, null)).ToList();
+        var weights = curve["weights"] is { } w ? List(w) : null;
+        var knots = curve["knots"] is { } k ? List(k) : null;
+        if (Flag(curve["periodic"])) return NurbsCurve.Periodic((int)degree, points, weights);
         return knots is null ? NurbsCurve.Clamped((int)degree, points, weights) : new NurbsCurve((int)degree, points, knots, weights);
     }
 
@@ -236,8 +231,7 @@ internal sealed class JsonCurves
         for (var i = 0; i < points.Length; i++)
         {
             rows[i] = new double?[CurveColumns.Settings];
-            if (Point(list[i], rows[i]) is not { } point) return null;
-            points[i] = point;
+            points[i] = Point(list[i], rows[i]);
         }
         if (points.Length == 1 && token is JObject { } holder && holder["dot"] is not null) return new PolylineCurve([points[0], points[0]]);
         var curve = _source.Polyline(points, closed, Place(token), out var endDropped);
@@ -249,7 +243,7 @@ internal sealed class JsonCurves
             if (given == 0) continue;
             if (given < rows.Length)
             {
-                return Fail<Curve>("curves.json", $"Either all points of a curve have \"{Settings[c]}\" or none.",
+                throw new CurveException("curves.json", $"Either all points of a curve have \"{Settings[c]}\" or none.",
                     list[Array.FindIndex(rows, r => r[column] is null)]);
             }
             values[c] = rows.Take(rows.Length - (endDropped ? 1 : 0)).Select(r => r[column]!.Value).ToArray();
@@ -260,83 +254,55 @@ internal sealed class JsonCurves
     private static bool IsPoint(JToken token)
         => token is JArray { Count: 2 or 3 } list ? list[0].Type is JTokenType.Integer or JTokenType.Float : token is JObject point && point["x"] is not null;
 
-    private Vec3? Point(JToken token, double?[]? settings)
+    private Vec3 Point(JToken token, double?[]? settings)
     {
         double x, y, z = 0;
         if (token is JArray { Count: 2 or 3 } list)
         {
-            if (Read(list[0], out x) is null || Read(list[1], out y) is null || (list.Count == 3 && Read(list[2], out z) is null)) return null;
+            (x, y) = (Read(list[0]), Read(list[1]));
+            if (list.Count == 3) z = Read(list[2]);
         }
         else if (token is JObject point && point["x"] is { } tx && point["y"] is { } ty)
         {
-            if (Read(tx, out x) is null || Read(ty, out y) is null || (point["z"] is { } tz && Read(tz, out z) is null)) return null;
+            (x, y) = (Read(tx), Read(ty));
+            if (point["z"] is { } tz) z = Read(tz);
             for (var c = 0; c < CurveColumns.Settings && settings is not null; c++)
             {
-                if (point[Settings[c]] is not { } value) continue;
-                settings[c] = Setting(value, Settings[c]);
-                if (settings[c] is null) return null;
+                if (point[Settings[c]] is { } value) settings[c] = Setting(value, Settings[c]);
             }
         }
         else
         {
-            Fail("curves.json", "A point must be a list of two or three numbers, or an object with x and y.", token);
-            return null;
+            throw new CurveException("curves.json", "A point must be a list of two or three numbers, or an object with x and y.", token);
         }
         var placed = new Vec3(x * _unit, y * _unit, z * _unit);
-        if (placed.IsFinite) return placed;
-        Fail("curves.not_finite", "Coordinates must be finite.", token);
-        return null;
+        return placed.IsFinite ? placed : throw new CurveException("curves.not_finite", "Coordinates must be finite.", token);
     }
 
-    private double[]? List(JToken token)
-    {
-        if (token is not JArray list) return Fail<double[]>("curves.json", "Expected a list of numbers.", token);
-        var values = new double[list.Count];
-        for (var i = 0; i < values.Length; i++)
-        {
-            if (Read(list[i], out values[i]) is null) return null;
-        }
-        return values;
-    }
+    private static double[] List(JToken token)
+        => token is JArray list ? list.Select(Read).ToArray() : throw new CurveException("curves.json", "Expected a list of numbers.", token);
 
-    private double? Numbers(JToken? token, string key, JToken holder)
+    private double Setting(JToken token, string key)
     {
-        if (token is not null) return Read(token, out var value) is null ? null : value;
-        Fail("curves.json", $"There is no \"{key}\".", holder);
-        return null;
-    }
-
-    private double? Setting(JToken token, string key)
-    {
-        var column = CurveColumns.Of(key);
         double value;
         if (token.Type == JTokenType.String && ((string)token!).Trim() is { Length: > 1 } text && text[text.Length - 1] == '%'
             && NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent))
         {
-            var reference = CurveColumns.Whole(column, _source.Options);
-            if (!(reference > 0))
-            {
-                Fail("curves.percent", "A percentage is not possible here, or there is no value it refers to.", token);
-                return null;
-            }
+            var reference = CurveColumns.Whole(CurveColumns.Of(key), _source.Options);
+            if (!(reference > 0)) throw new CurveException("curves.percent", "A percentage is not possible here, or there is no value it refers to.", token);
             value = percent / 100 * reference;
         }
-        else if (Read(token, out value) is null)
+        else
         {
-            return null;
+            value = Read(token);
         }
-        if (value >= 0) return value;
-        Fail("curves.bead", "Settings of a strand must be 0 or more.", token);
-        return null;
+        return value >= 0 ? value : throw new CurveException("curves.bead", "Settings of a strand must be 0 or more.", token);
     }
 
-    private double? Read(JToken token, out double value)
-    {
-        value = Number(token) ?? double.NaN;
-        if (!double.IsNaN(value)) return value;
-        Fail("curves.number", "Expected a finite number.", token);
-        return null;
-    }
+    private static bool Flag(JToken? token) => token is { Type: JTokenType.Boolean } flag && (bool)flag;
+
+    private static double Read(JToken token)
+        => Number(token) is { } value && !double.IsNaN(value) ? value : throw new CurveException("curves.number", "Expected a finite number.", token);
 
     // Through text, so that the value is the same on every runtime.
     private static double? Number(JToken token)
@@ -359,14 +325,7 @@ internal sealed class JsonCurves
     private SourceLocation Place(JToken token)
         => token is IJsonLineInfo info && info.HasLineInfo() ? _source.Place(info.LineNumber, info.LinePosition) : new SourceLocation(_source.Name);
 
-    private void Fail(string code, string message, JToken token) => _source.Error(code, message, Place(token));
-
-    private T? Fail<T>(string code, string message, JToken token)
-        where T : class
-    {
-        Fail(code, message, token);
-        return null;
-    }
+    private void Report(CurveException problem) => _source.Error(problem.Code, problem.Message, Place(problem.Token));
 
     private static string FirstSentence(string message)
     {
@@ -376,5 +335,13 @@ internal sealed class JsonCurves
         if (parameter < 0) parameter = text.IndexOf("\nParameter", StringComparison.Ordinal);
         text = parameter > 0 ? text.Substring(0, parameter) : text;
         return text.Trim();
+    }
+
+    // Ends the curve at hand.
+    private sealed class CurveException(string code, string message, JToken token) : Exception(message)
+    {
+        public string Code { get; } = code;
+
+        public JToken Token { get; } = token;
     }
 }

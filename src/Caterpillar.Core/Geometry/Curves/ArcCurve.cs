@@ -26,10 +26,10 @@ public sealed class ArcCurve : Curve
     /// <summary>Center and plane; the arc starts in the direction of X.</summary>
     public Frame Frame { get; }
 
-    /// <summary>mm.</summary>
+    /// <summary>Middle of the circle, mm.</summary>
     public Vec3 Center => Frame.Origin;
 
-    /// <summary>mm.</summary>
+    /// <summary>Distance from the center, mm.</summary>
     public double Radius { get; }
 
     /// <summary>Degrees, positive from the frame's X toward its Y.</summary>

@@ -159,9 +159,7 @@ internal sealed class CurvedRun
             const int Parts = 8;
             for (var k = 0; k < Parts; k++)
             {
-                var a = from + (to - from) * k / Parts;
-                var b = from + (to - from) * (k + 1) / Parts;
-                Integrate(span, a, b, Density(span, a), Density(span, b), SpeedAt(span, a), SpeedAt(span, b), 0);
+                Integrate(span, SampleAt(span, from + (to - from) * k / Parts), SampleAt(span, from + (to - from) * (k + 1) / Parts), 0);
             }
             // Lengths of the table follow the trapezoids; the leaf ends exactly.
             _table[_table.Count - 1] = (start + length, _table[_table.Count - 1].Amount);
@@ -174,28 +172,26 @@ internal sealed class CurvedRun
         if ((++_pulse & 0xFFF) == 0) _cancel.ThrowIfCancellationRequested();
     }
 
-    private void Integrate(CurveSpan span, double a, double b, double densityA, double densityB, double speedA, double speedB, int depth)
+    private void Integrate(CurveSpan span, Sample a, Sample b, int depth)
     {
         Pulse();
-        var middle = 0.5 * (a + b);
-        var density = Density(span, middle);
-        var speed = SpeedAt(span, middle);
-        var mean = 0.5 * (densityA + densityB);
-        if (depth < 10 && Math.Abs(density - mean) > 0.02 * (density + mean) && (b - a) * speed * density > 0.01)
+        var middle = SampleAt(span, 0.5 * (a.U + b.U));
+        var mean = 0.5 * (a.Density + b.Density);
+        if (depth < 10 && Math.Abs(middle.Density - mean) > 0.02 * (middle.Density + mean) && (b.U - a.U) * middle.Speed * middle.Density > 0.01)
         {
-            Integrate(span, a, middle, densityA, density, speedA, speed, depth + 1);
-            Integrate(span, middle, b, density, densityB, speed, speedB, depth + 1);
+            Integrate(span, a, middle, depth + 1);
+            Integrate(span, middle, b, depth + 1);
             return;
         }
         // Simpson's rule for the length and for the amount of each half.
-        var half = 0.5 * (b - a);
-        Append(Last + half * 0.5 * (speedA + speed), half * 0.5 * (speedA * densityA + speed * density));
-        Append(Last + half * 0.5 * (speed + speedB), half * 0.5 * (speed * density + speedB * densityB));
+        var half = 0.5 * (b.U - a.U);
+        Append(Last + half * 0.5 * (a.Speed + middle.Speed), half * 0.5 * (a.Speed * a.Density + middle.Speed * middle.Density));
+        Append(Last + half * 0.5 * (middle.Speed + b.Speed), half * 0.5 * (middle.Speed * middle.Density + b.Speed * b.Density));
     }
 
     private double Last => _table[_table.Count - 1].S;
 
-    private static double SpeedAt(CurveSpan span, double u) => span.Derivatives(u).First.Length;
+    private Sample SampleAt(CurveSpan span, double u) => new(u, Density(span, u), span.Derivatives(u).First.Length);
 
     private void Append(double s, double amount)
     {
@@ -312,6 +308,9 @@ internal sealed class CurvedRun
     private static Vec3 Tangent(CurveSpan span, double u) => u <= 0 ? span.StartTangent : u >= 1 ? span.EndTangent : span.Derivatives(u).First.Unit();
 
     private Vec3 PointOf(Station station) => _length.Spans[_length.LeafAt(station.Leaf).Span].Point(station.U);
+
+    // Density of segments and speed at a parameter of a span.
+    private readonly record struct Sample(double U, double Density, double Speed);
 
     private readonly record struct Station(double S, int Leaf, double U);
 }

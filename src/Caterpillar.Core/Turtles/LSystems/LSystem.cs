@@ -21,16 +21,12 @@ public sealed class LSystem
     private readonly Module[] _axiom;
     private readonly Dictionary<char, LSystemRule[]> _rules;
 
-    private LSystem(string axiom, Module[] modules, LSystemRule[] rules, LSystemNames variables)
+    private LSystem(Module[] axiom, LSystemRule[] rules, LSystemNames variables)
     {
         Variables = variables;
-        Axiom = axiom;
-        _axiom = modules;
+        _axiom = axiom;
         _rules = rules.GroupBy(r => r.Symbol).ToDictionary(g => g.Key, g => g.ToArray());
     }
-
-    /// <summary>The word of generation 0.</summary>
-    public string Axiom { get; }
 
     /// <summary>Variables from outside.</summary>
     internal LSystemNames Variables { get; }
@@ -48,7 +44,7 @@ public sealed class LSystem
         {
             var read = rules.Where(r => !string.IsNullOrWhiteSpace(r)).Select((r, i) => LSystemRule.Parse(r, i + 1, names)).ToArray();
             CheckWeights(read);
-            return new Result<LSystem>(new LSystem(axiom, LSystemRule.Word(axiom, 0, [], 0, names), read, names), []);
+            return new Result<LSystem>(new LSystem(LSystemRule.Word(axiom, 0, [], 0, names), read, names), []);
         }
         catch (FormulaException e)
         {

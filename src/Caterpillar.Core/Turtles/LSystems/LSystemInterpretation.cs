@@ -50,9 +50,6 @@ public sealed class LSystemInterpretation
         => new(_table.Where(e => e.Key != letter).Select(e => new KeyValuePair<char, IReadOnlyList<TurtleCommand>>(e.Key, e.Value))
             .Concat([new KeyValuePair<char, IReadOnlyList<TurtleCommand>>(letter, commands)]));
 
-    /// <summary>The commands of a letter; empty when it does nothing.</summary>
-    public IReadOnlyList<TurtleCommand> Of(char letter) => _table.TryGetValue(letter, out var commands) ? commands : [];
-
     internal void Apply(Turtle turtle, LSystemWord word, int index)
     {
         var letter = word[index];

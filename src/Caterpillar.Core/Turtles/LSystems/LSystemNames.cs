@@ -9,8 +9,6 @@ internal sealed class LSystemNames(IReadOnlyList<string> names)
 {
     private readonly HashSet<string> _used = new(System.StringComparer.Ordinal);
 
-    public int Count => names.Count;
-
     public bool Uses(string name) => _used.Contains(name);
 
     /// <summary>The names of values, then the variables, those of the same name hidden.</summary>

@@ -79,13 +79,11 @@ internal sealed class Argument(FormulaNode node, Token at)
 }
 
 /// <summary>A procedure of a script.</summary>
-internal sealed class Procedure(string name, IReadOnlyList<string> parameters, Token at)
+internal sealed class Procedure(string name, IReadOnlyList<string> parameters)
 {
     public string Name { get; } = name;
 
     public IReadOnlyList<string> Parameters { get; } = parameters;
-
-    public Token At { get; } = at;
 
     public int Start { get; set; } = -1;
 

@@ -1,78 +1,62 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Expressions;
+using static Caterpillar.Turtles.ScriptCursor;
 
 namespace Caterpillar.Turtles;
 
 /// <summary>Reads a script once and turns it into instructions.</summary>
-internal sealed partial class ScriptCompiler
+internal sealed class ScriptCompiler
 {
-    private const int MaxNesting = 200;
-
-    private static readonly string[] Keywords =
-    [
-        "repeat", "for", "to", "step", "if", "else", "while", "break", "let", "param", "array", "seed", "def", "return", "stop", "lsystem", "use", "keep",
-        "and", "or", "not", "print", "include", "image", "deform", "modulate", "gap_bead", "cool_layers",
-    ];
-
-    private readonly List<Instruction> _code = [];
-    private readonly Dictionary<string, Procedure> _procedures = new(StringComparer.Ordinal);
+    private readonly ScriptCursor _cursor;
+    private readonly ScriptNames _names;
     private readonly ScriptScope _scope;
+    private readonly ScriptValues _values;
+    private readonly ScriptFlow _flow;
     private readonly List<string> _parameters = [];
-    private readonly Stack<Leaving> _breaks = new();
     private readonly List<string> _profiles = [];
-    private ScriptSource _source;
-    private List<Token> _tokens;
-    private int _at;
-    private int _nesting;
     private int _outermost = 1;
 
     private ScriptCompiler(ScriptSource source)
     {
-        _scope = new ScriptScope(_procedures);
-        _source = source;
-        _tokens = source.Tokens;
+        _cursor = new ScriptCursor(source);
+        _names = new ScriptNames(_cursor);
+        _scope = _names.Scope;
+        _values = new ScriptValues(_cursor, _names);
+        _flow = new ScriptFlow(_cursor, _values, _scope, Block);
     }
 
-    private Token Next => _tokens[_at];
+    private Token Next => _cursor.Next;
 
     /// <exception cref="FormulaException">The text is not a program.</exception>
-    public static ScriptCode Compile(string text, string? file, ScriptFiles files)
+    public static ScriptCode Compile(string text, string? file, ScriptFiles files) => new ScriptCompiler(ScriptSource.Read(text, file, files)).Compile();
+
+    private ScriptCode Compile()
     {
-        var compiler = new ScriptCompiler(ScriptSource.Read(text, file, files));
-        compiler.Declare();
-        compiler.Statements(end: null);
-        compiler._code.Add(new Instruction(ScriptOp.Stop, compiler.Next));
+        Statements(end: null);
+        _flow.Emit(new Instruction(ScriptOp.Stop, Next));
         return new ScriptCode
         {
-            Instructions = compiler._code.ToArray(),
-            GlobalCount = compiler._scope.GlobalCount,
-            ArrayCount = compiler._scope.ArrayCount,
-            CallsFunctions = compiler._scope.CallsFunctions,
-            Parameters = compiler._parameters,
-            Profiles = compiler._profiles,
-            Letters = compiler._procedures.Values.Where(p => p.Name.Length == 1).ToDictionary(p => p.Name[0]),
-            StepSlot = compiler._scope.GlobalSlot("step_length"),
-            AngleSlot = compiler._scope.GlobalSlot("turn_angle"),
+            Instructions = _flow.ToArray(),
+            GlobalCount = _scope.GlobalCount,
+            ArrayCount = _scope.ArrayCount,
+            CallsFunctions = _scope.CallsFunctions,
+            Parameters = _parameters,
+            Profiles = _profiles,
+            Letters = _names.Procedures.Values.Where(p => p.Name.Length == 1).ToDictionary(p => p.Name[0]),
+            StepSlot = _scope.GlobalSlot("step_length"),
+            AngleSlot = _scope.GlobalSlot("turn_angle"),
         };
-    }
-
-    private static void NewName(Token name, string kind)
-    {
-        if (Keywords.Contains(name.Text)
-            || ScriptScope.IsState(name.Text))
-        {
-            throw Error("turtle.name", $"'{name.Text}' is a reserved name; choose another name for the {kind}.", name);
-        }
     }
 
     private void Statements(Token? end)
     {
-        if (++_nesting > MaxNesting) throw Error("turtle.nesting", $"Blocks are nested more than {Basics.NumberFormatter.Format(MaxNesting)} deep.", Next);
+        if (++_flow.Nesting > ScriptFlow.MaxNesting)
+            throw Error("turtle.nesting", $"Blocks are nested more than {NumberFormatter.Format(ScriptFlow.MaxNesting)} deep.", Next);
         while (true)
         {
-            while (Next.Kind == TokenKind.NewLine || Next.Is(";")) _at++;
+            while (Next.Kind == TokenKind.NewLine || Next.Is(";")) _cursor.At++;
             if (Next.Kind == TokenKind.End)
             {
                 if (end is { } open) throw Error("turtle.bracket", "'[' is never closed by ']'.", open);
@@ -81,20 +65,19 @@ internal sealed partial class ScriptCompiler
             if (Next.Is("]"))
             {
                 if (end is null) throw Error("turtle.bracket", "']' has no matching '['.", Next);
-                _at++;
+                _cursor.At++;
                 break;
             }
             Statement();
         }
-        _nesting--;
+        _flow.Nesting--;
     }
 
     private void Block()
     {
-        SkipLines();
+        _cursor.SkipLines();
         var open = Next;
-        if (!open.Is("[")) throw Error("turtle.syntax", $"Found {open}, expected '['.", open);
-        _at++;
+        _cursor.Expect("[");
         Statements(open);
     }
 
@@ -102,174 +85,230 @@ internal sealed partial class ScriptCompiler
     {
         var token = Next;
         if (token.Kind != TokenKind.Name) throw Error("turtle.syntax", $"Found {token}, expected a command.", token);
-        _at++;
+        _cursor.At++;
         switch (token.Text)
         {
-            case "repeat": Repeat(token); return;
-            case "for": For(token); return;
-            case "if": If(token); return;
-            case "while": While(token); return;
-            case "break": Break(token); return;
+            case "repeat": _flow.Repeat(token); return;
+            case "for": _flow.For(token); return;
+            case "if": _flow.If(token); return;
+            case "while": _flow.While(token); return;
+            case "break": _flow.Break(token); return;
             case "def": Define(token); return;
-            case "let": Let(token); return;
+            case "let": Let(); return;
             case "param": Param(token); return;
             case "array": NewArray(token); return;
-            case "seed": Emit(new Instruction(ScriptOp.Seed, token) { Arguments = [Value("seed", "a number")] }); return;
+            case "seed": _flow.Emit(new Instruction(ScriptOp.Seed, token) { Arguments = [_values.Value("seed", "a number")] }); return;
             case "return": Return(token); return;
-            case "stop": Emit(new Instruction(ScriptOp.Stop, token)); return;
+            case "stop": _flow.Emit(new Instruction(ScriptOp.Stop, token)); return;
             case "print": Print(token); return;
             case "include": Include(token); return;
             case "image": Image(token); return;
-            case "deform" or "modulate" or "gap_bead" or "cool_layers": Shape(token); return;
+            case "deform" or "modulate" or "gap_bead" or "cool_layers": _flow.Shape(token); return;
             case "lsystem": Grow(token); return;
             case "use": Use(token); return;
         }
         if (Next.Kind == TokenKind.Symbol && Next.Text is "=" or "+=" or "-=" or "*=" or "/=") Assign(token, declare: false);
         else if (Next.Is("[") && !Next.SpaceBefore && _scope.IsArray(token.Text)) SetElement(token);
-        else if (_procedures.TryGetValue(token.Text, out var procedure)) Call(token, procedure);
+        else if (_names.Procedures.TryGetValue(token.Text, out var procedure)) Call(token, procedure);
         else if (TurtleCommands.Find(token.Text) is { } info) Command(token, info);
-        else throw Unknown(token);
-    }
-
-    private FormulaException Unknown(Token token)
-    {
-        if (_scope.Variable(token.Text, token) is not null)
-        {
-            return Error("turtle.syntax", $"'{token.Text}' is a variable; expected a command or '{token.Text} = …'.", token);
-        }
-        var names = _procedures.Keys.Concat(TurtleCommands.Names)
-            .Concat(Keywords.Where(k => k is not ("to" or "step" or "else" or "keep" or "and" or "or" or "not")));
-        return Error("turtle.unknown", $"There is no command '{token.Text}'.{SpellingSuggestion.Hint(token.Text, names)}", token);
+        else throw _names.Unknown(token);
     }
 
     private void Call(Token token, Procedure procedure)
     {
-        var count = procedure.Parameters.Count;
         var usage = $"'{string.Join(" ", new[] { procedure.Name }.Concat(procedure.Parameters))}'";
-        var arguments = IsList() ? List(count, token, usage) : Values(count, count, false, token, usage);
-        Emit(new Instruction(ScriptOp.Call, token) { Procedure = procedure, Arguments = arguments });
-    }
-
-    // name(1, 2) or name(), as in a formula; name (1 + 2) has one value in brackets.
-    private bool IsList()
-    {
-        if (!Next.Is("(") || Next.SpaceBefore) return false;
-        if (_tokens[_at + 1].Is(")")) return true;
-        var depth = 0;
-        for (var i = _at; i < _tokens.Count && _tokens[i].Kind is not (TokenKind.NewLine or TokenKind.End); i++)
-        {
-            if (_tokens[i].Is("(")) depth++;
-            else if (_tokens[i].Is(")") && --depth == 0) break;
-            else if (_tokens[i].Is(",") && depth == 1) return true;
-        }
-        return false;
-    }
-
-    private Argument?[] List(int count, Token name, string usage)
-    {
-        var open = Next;
-        var values = new List<Argument?>();
-        do
-        {
-            _at++;
-            if (Next.Is(")") && values.Count == 0) break;
-            values.Add(Formula(name.Text));
-        }
-        while (Next.Is(","));
-        if (!Next.Is(")")) throw Error("formula.bracket", $"Found {Next}, expected ')'.", open);
-        _at++;
-        if (values.Count != count) throw Error("turtle.values", $"'{name.Text}' needs {Count(count)}: {usage}.", name);
-        return values.ToArray();
+        var arguments = _values.OfCall(procedure.Parameters.Count, token, usage);
+        _flow.Emit(new Instruction(ScriptOp.Call, token) { Procedure = procedure, Arguments = arguments });
     }
 
     private void Command(Token token, TurtleCommandInfo info)
     {
         TextTemplate? text = null;
-        if (info.Text is not null && Next.Kind == TokenKind.Text) text = Template(_tokens[_at++]);
-        else if (info.Text is not null && !info.Text.StartsWith("[", StringComparison.Ordinal))
+        if (info.Text is not null && Next.Kind == TokenKind.Text) text = _values.Template(_cursor.Tokens[_cursor.At++]);
+        else if (info.Text is not null && !info.Text.StartsWith("[", System.StringComparison.Ordinal))
             throw Error("turtle.values", $"'{token.Text}' needs a text: {info.Usage}.", EndsStatement(Next) ? token : Next);
-        var arguments = Values(text is null ? info.Required : 0, info.Values.Count, info.MayKeep, token, $"'{info.Usage}'");
-        Emit(new Instruction(ScriptOp.Command, token) { Action = info.Action, Arguments = arguments, Text = text, Name = token.Text });
+        var arguments = _values.Values(text is null ? info.Required : 0, info.Values.Count, info.MayKeep, token, $"'{info.Usage}'");
+        _flow.Emit(new Instruction(ScriptOp.Command, token) { Action = info.Action, Arguments = arguments, Text = text, Name = token.Text });
     }
 
-    // Values up to the end of the statement or the next command; separated by spaces or commas.
-    private Argument?[] Values(int required, int max, bool mayKeep, Token command, string usage)
+    private void Define(Token token)
     {
-        var values = new List<Argument?>();
-        while (values.Count < max)
+        if (IsInBlock) throw Error("turtle.syntax", "Procedures must be defined outside of blocks.", token);
+        var procedure = _names.Procedures[_cursor.TakeName("'def' needs a name: def square side [ … ].").Text];
+        while (Next.Kind == TokenKind.Name || Next.Is(",")) _cursor.At++;
+        var over = _flow.Emit(new Instruction(ScriptOp.Jump, token));
+        procedure.Start = _flow.Count;
+        _scope.Enter(procedure.Parameters);
+        Block();
+        procedure.FrameSize = _scope.LocalCount;
+        _scope.Leave();
+        _flow.Emit(new Instruction(ScriptOp.Return, token));
+        over.Target = _flow.Count;
+    }
+
+    private void Return(Token token)
+    {
+        var hasValue = _names.IsValueAfterReturn(_cursor.At);
+        if (hasValue && !_scope.InProcedure) throw Error("turtle.syntax", "'return' with a value is only for procedures.", token);
+        Argument[] value = hasValue ? [_values.Formula("return")] : [];
+        if (hasValue && !EndsStatement(Next)) throw Error("turtle.values", $"Found {Next}, expected the end of the value.", Next);
+        _flow.CloseShapings(0, token);
+        _flow.Emit(new Instruction(_scope.InProcedure ? ScriptOp.Return : ScriptOp.Stop, token) { Arguments = value });
+    }
+
+    private void Let()
+    {
+        var name = _cursor.TakeName("'let' needs a name: let side = 10.");
+        if (!Next.Is("=")) throw Error("turtle.syntax", $"Found {Next}, expected '=': let {name.Text} = 10.", Next);
+        Assign(name, declare: true);
+    }
+
+    private void Assign(Token name, bool declare)
+    {
+        var op = Next;
+        _cursor.At++;
+        if (_scope.IsArray(name.Text)) throw Error("turtle.name", $"'{name.Text}' is an array; use {name.Text}[index] = ….", name);
+        if (_names.Procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"'{name.Text}' is a procedure.", name);
+        var before = op.Text == "=" ? null : _scope.Variable(name.Text, name)
+            ?? throw Error("turtle.unknown", $"There is no variable '{name.Text}'.{SpellingSuggestion.Hint(name.Text, _scope.Names)}", name);
+        var value = _values.Formula(op.Text);
+        if (before is not null)
         {
-            if (Next.Is(",") && values.Count > 0) _at++;
-            else if (!BeginsValue(Next)) break;
-            if (Next.IsWord("keep"))
+            var node = FormulaNode.Binary(op.Text.Substring(0, 1), before, new FormulaNode(value.Evaluate, 2));
+            value = new Argument(node, name);
+        }
+        var (slot, local) = declare ? _scope.DeclareHere(name.Text) : _scope.ForAssignment(name.Text);
+        _flow.Emit(new Instruction(ScriptOp.Set, name) { Slot = slot, Local = local, Arguments = [value], Name = name.Text });
+    }
+
+    // param side = 10: a value set from outside takes precedence.
+    private void Param(Token token)
+    {
+        const string Usage = "'param' needs a name and must be outside of procedures: param side = 10.";
+        if (_scope.InProcedure) throw Error("turtle.syntax", Usage, Next);
+        var name = _cursor.TakeName(Usage);
+        _cursor.Expect("=", $"param {name.Text} = 10");
+        var value = _values.Formula("=");
+        if (!_parameters.Contains(name.Text)) _parameters.Add(name.Text);
+        _flow.Emit(new Instruction(ScriptOp.Parameter, token) { Slot = _scope.DeclareGlobal(name.Text), Arguments = [value], Name = name.Text });
+    }
+
+    private void NewArray(Token token)
+    {
+        var name = _cursor.TakeName("'array' needs a name and a size: array cells 50.");
+        var slot = _scope.ArraySlot(name.Text);
+        _flow.Emit(new Instruction(ScriptOp.NewArray, token) { Slot = slot, Arguments = [_values.Formula(name.Text)], Name = name.Text });
+    }
+
+    private void SetElement(Token name)
+    {
+        _cursor.At++;
+        var index = _values.Formula("[");
+        _cursor.Expect("]", code: "turtle.bracket");
+        _cursor.Expect("=");
+        var slot = _scope.ArraySlot(name.Text);
+        _flow.Emit(new Instruction(ScriptOp.SetElement, name) { Slot = slot, Arguments = [index, _values.Formula("=")], Name = name.Text });
+    }
+
+    // print "text" value …: texts and values, separated by spaces.
+    private void Print(Token token)
+    {
+        const string Usage = "print \"text\" value …";
+        var texts = new List<string> { "" };
+        var values = new List<Argument>();
+        var first = true;
+        while (!EndsStatement(Next))
+        {
+            if (Next.Is(",") && !first) _cursor.At++;
+            if (Next.Kind != TokenKind.Text && !_values.BeginsValue(Next)) break;
+            if (!first) texts[texts.Count - 1] += " ";
+            first = false;
+            if (Next.Kind != TokenKind.Text)
             {
-                if (!mayKeep || values.Count >= 3) throw Error("turtle.values", "'keep' is only for coordinates of position and jump.", Next);
-                values.Add(null);
-                _at++;
+                values.Add(_values.Value("print", Usage));
+                texts.Add("");
                 continue;
             }
-            values.Add(Value(command.Text, usage));
+            var template = _values.Template(_cursor.Tokens[_cursor.At++]);
+            texts[texts.Count - 1] += template.Texts[0];
+            values.AddRange(template.Values);
+            texts.AddRange(template.Texts.Skip(1));
         }
-        if (values.Count < required)
+        if (!EndsStatement(Next) && Next.Kind != TokenKind.Name)
         {
-            if (Next.Kind == TokenKind.Name && !Next.IsWord("keep") && (!BeginsStatement(Next) || IsBeforeBracket(_at))) Value(command.Text, usage);
-            throw Error("turtle.values", $"'{command.Text}' needs {Count(required)}: {usage}.", command);
+            throw Error("turtle.values", $"Found {Next}, expected a text, a value or the end of the line.", Next);
         }
-        if (!EndsStatement(Next) && Next.Kind != TokenKind.Name) throw Error("turtle.values", $"Found {Next}, expected the end of the command: {usage}.", Next);
-        return values.ToArray();
+        if (first && !EndsStatement(Next) && !_names.BeginsStatement(Next)) _values.Value("print", Usage);
+        _flow.Emit(new Instruction(ScriptOp.Print, token) { Text = new TextTemplate(texts, values) });
     }
 
-    private Argument Value(string command, string usage)
+    // include "file": its statements run here, the first time that a file is included.
+    private void Include(Token token)
     {
-        var at = Next;
-        if (EndsStatement(at)) throw Error("turtle.values", $"'{command}' needs a value: {usage}.", at);
-        var parser = new FormulaParser(_tokens, _at, _scope);
-        var node = parser.ParseArgument();
-        _at = parser.At;
-        return new Argument(node, at);
+        const string Usage = "include \"file\"";
+        if (Next.Kind != TokenKind.Text) throw Error("turtle.values", $"'include' needs the name of a file: {Usage}.", token);
+        NotInBlock(token);
+        var name = _cursor.At++;
+        _cursor.ExpectEnd(Usage);
+        if (!_cursor.Source.Includes.TryGetValue(name, out var source) || source is null) return;
+        var outermost = _outermost;
+        _outermost = _flow.Nesting + 1;
+        _cursor.Within(source, () => Statements(end: null));
+        _outermost = outermost;
     }
 
-    private Argument Formula(string after)
+    // image name "file" [smooth]: a function of two numbers, which is declared already.
+    private void Image(Token token)
     {
-        var at = Next;
-        if (EndsStatement(at)) throw Error("turtle.values", $"'{after}' needs a value.", at);
-        var parser = new FormulaParser(_tokens, _at, _scope);
-        var node = parser.Parse();
-        _at = parser.At;
-        return new Argument(node, at);
+        const string Usage = "image name \"file\" [smooth]";
+        NotInBlock(token);
+        if (Next.Kind != TokenKind.Name || !_cursor.Source.Images.ContainsKey(_cursor.At + 1))
+            throw Error("turtle.values", $"'image' needs a name and the name of a file: {Usage}.", token);
+        _cursor.At += 2;
+        if (_names.IsSmooth(_cursor.At)) _cursor.At++;
+        _cursor.ExpectEnd(Usage);
     }
 
-    private bool BeginsValue(Token t) => t.Kind switch
+    // use "printer" ["material"] ["settings"]
+    private void Use(Token token)
     {
-        TokenKind.Number => true,
-        TokenKind.Symbol => t.Text is "(" or "-" or "+" or "!",
-        TokenKind.Name => t.Text is "keep" or "not" or "pi" or "tau" || _scope.Variable(t.Text, t) is not null || _scope.IsArray(t.Text)
-            || (FormulaFunctions.Knows(t.Text) && !BeginsStatement(t)) || IsCall(t),
-        _ => false,
-    };
-
-    // A function directly before its '('; with a space it is a statement.
-    private bool IsCall(Token t) => _scope.IsFunction(t.Text) && IsBeforeBracket(_at);
-
-    private bool IsBeforeBracket(int at) => _tokens[at + 1].Is("(") && !_tokens[at + 1].SpaceBefore;
-
-    private bool BeginsStatement(Token t)
-        => _procedures.ContainsKey(t.Text) || TurtleCommands.Find(t.Text) is not null || (Keywords.Contains(t.Text) && t.Text is not ("keep" or "not"));
-
-    private static bool EndsStatement(Token t) => t.Kind is TokenKind.End or TokenKind.NewLine || t.Is(";") || t.Is("]");
-
-    private void SkipLines()
-    {
-        while (Next.Kind == TokenKind.NewLine) _at++;
+        const string Usage = "use \"printer\" [\"material\"] [\"settings\"]";
+        NotInBlock(token);
+        if (_profiles.Count > 0) throw Error("turtle.syntax", "There is a 'use' already; a script is for one printer.", token);
+        for (; Next.Kind == TokenKind.Text && _profiles.Count < 3; _cursor.At++) _profiles.Add(Next.Text);
+        if (_profiles.Count == 0 || !EndsStatement(Next)) throw Error("turtle.values", $"'use' needs one to three texts: {Usage}.", token);
     }
 
-    private Instruction Emit(Instruction instruction)
+    // lsystem generations "axiom" "rule" …
+    private void Grow(Token token)
     {
-        instruction.File = _source.File;
-        _code.Add(instruction);
-        return instruction;
+        var generations = _values.Value("lsystem", "lsystem generations \"axiom\" \"rule\" …");
+        var texts = new List<Token>();
+        while (Next.Kind is TokenKind.Text or TokenKind.NewLine or TokenKind.Symbol)
+        {
+            if (Next.Kind == TokenKind.Text) texts.Add(Next);
+            // Rules may be on lines of their own.
+            else if (Next.Kind != TokenKind.NewLine || _cursor.Tokens[_cursor.At + 1].Kind is not (TokenKind.Text or TokenKind.NewLine)) break;
+            _cursor.At++;
+        }
+        if (texts.Count == 0) throw Error("turtle.values", "'lsystem' needs an axiom: lsystem 5 \"F\" \"F -> F+F--F+F\".", token);
+        var variables = _scope.Variables;
+        var system = LSystem.Parse(texts[0].Text, texts.Skip(1).Select(t => t.Text), variables.Select(v => v.Name).ToArray());
+        if (system.Value is null)
+        {
+            var problem = system.Diagnostics[0];
+            var text = texts[problem.Source?.Line ?? 0];
+            throw new FormulaException(problem.Code, problem.Message, text.Line, text.Column + (problem.Source?.Column ?? 1));
+        }
+        var grow = _flow.Emit(new Instruction(ScriptOp.Grow, token) { System = system.Value, Variables = variables, Arguments = [generations] });
+        _flow.Emit(new Instruction(ScriptOp.NextLetter, token));
+        grow.Target = _flow.Count;
     }
 
-    private static string Count(int n) => n == 1 ? "one value" : $"{Basics.NumberFormatter.Format(n)} values";
+    private bool IsInBlock => _flow.Nesting > _outermost || _scope.InProcedure;
 
-    private static FormulaException Error(string code, string message, Token at) => new(code, message, at.Line, at.Column);
+    private void NotInBlock(Token token)
+    {
+        if (IsInBlock) throw Error("turtle.syntax", $"'{token.Text}' must not be inside a block.", token);
+    }
 }

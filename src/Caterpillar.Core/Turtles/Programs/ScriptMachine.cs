@@ -1,27 +1,41 @@
 using System;
 using System.Collections.Generic;
+using System.Runtime.CompilerServices;
 using System.Text;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Expressions;
+using Caterpillar.Geometry;
 
 namespace Caterpillar.Turtles;
 
 /// <summary>Runs a compiled script with a stack of its own, so that deep recursion ends at a limit and does not overflow the thread's stack.</summary>
-internal sealed partial class ScriptMachine
+internal sealed class ScriptMachine
 {
+    /// <summary>Greatest nesting depth of functions that formulas call.</summary>
+    public const int MaxFunctionDepth = 1000;
+
     // Steps and moves between two looks at the clock and at the memory.
     private const int Pulse = 2048;
 
     // Numbers of an array that count as one step.
     private const int NumbersPerStep = 64;
 
+    // A letter with a value, in two generations.
+    private const int LetterBytes = 64;
+
+    // Where a function that a formula has called returns to.
+    private const int ToFormula = -1;
+
     private readonly ScriptCode _code;
     private readonly string? _file;
     private readonly TurtleLimits _limits;
     private readonly IReadOnlyDictionary<string, double> _given;
     private readonly FormulaContext _context;
-    private readonly List<Letters> _words = [];
+    private readonly ScriptFrames _frames;
+    private readonly ScriptWords _words;
+    private readonly ScriptPrints _prints = new();
+    private readonly Stack<Open> _open = new();
     private readonly double[] _numbers = new double[TurtleCommand.MaxValues];
     private readonly CancellationToken _cancel;
     private Instruction _current;
@@ -29,6 +43,8 @@ internal sealed partial class ScriptMachine
     private long _pulse;
     private long _arrayNumbers;
     private bool _stopped;
+    private int _functions;
+    private double _result;
 
     public ScriptMachine(
         ScriptCode code, Turtle turtle, TurtleLimits limits, IReadOnlyDictionary<string, double> given, int seed, CancellationToken cancel,
@@ -41,10 +57,11 @@ internal sealed partial class ScriptMachine
         _limits = limits;
         _given = given;
         _cancel = cancel;
-        _frameSize = code.GlobalCount;
         _context = new FormulaContext(new double[Math.Max(64, code.GlobalCount)], new SeededRandom(seed)) { Host = this,
             Arrays = new double[]?[code.ArrayCount] };
-        for (var i = 0; i < _frameSize; i++) _context.Values[i] = double.NaN;
+        for (var i = 0; i < code.GlobalCount; i++) _context.Values[i] = double.NaN;
+        _frames = new ScriptFrames(_context, code.GlobalCount, limits.MaxDepth);
+        _words = new ScriptWords(code, _context);
         Look();
     }
 
@@ -53,14 +70,52 @@ internal sealed partial class ScriptMachine
     /// <summary>What was noticed while it ran.</summary>
     public DiagnosticList Remarks { get; } = new();
 
+    /// <summary>What the program printed, line by line.</summary>
+    public IEnumerable<Diagnostic> Prints => _prints.All();
+
     /// <summary>An estimate of what the program holds, in bytes.</summary>
     private long Bytes => Turtle.Bytes + 8 * (_arrayNumbers + _context.Values.Length);
 
     /// <exception cref="FormulaException">The program failed.</exception>
     public void Run()
     {
-        if (_code.CallsFunctions) OnLargeStack(RunHere);
+        if (_code.CallsFunctions) LargeStack.Run(RunHere);
         else RunHere();
+    }
+
+    /// <summary>The value of a function in a formula.</summary>
+    /// <exception cref="FormulaException">It failed, or returned no value.</exception>
+    public double Call(Procedure procedure, Evaluator[] arguments, Token at)
+    {
+        if (_functions >= MaxFunctionDepth) throw TooDeep(at);
+        try
+        {
+            RuntimeHelpers.EnsureSufficientExecutionStack();
+        }
+        catch (InsufficientExecutionStackException)
+        {
+            throw TooDeep(at);
+        }
+        // Formulas still see the caller's variables; the new frame comes after them.
+        var given = new double[arguments.Length];
+        for (var i = 0; i < given.Length; i++)
+        {
+            given[i] = arguments[i](_context);
+            if (double.IsNaN(given[i] - given[i]))
+            {
+                throw new FormulaException("turtle.not_finite", $"A value for '{at.Text}' is not finite.", at.Line, at.Column);
+            }
+        }
+        var current = _current;
+        _frames.Enter(procedure, given, ToFormula, _words.Count, (at.Line, at.Column));
+        _functions++;
+        Loop(procedure.Start);
+        _functions--;
+        _current = current;
+        if (_stopped) throw new StopException();
+        var result = _result;
+        return double.IsNaN(result) ? throw new FormulaException("turtle.no_result", $"'{at.Text}' ended without 'return' and a value.", at.Line, at.Column)
+            : result;
     }
 
     private void RunHere()
@@ -141,13 +196,13 @@ internal sealed partial class ScriptMachine
                     if (pc == ToFormula) return;
                     break;
                 case ScriptOp.Grow:
-                    _words.Add(new Letters(Grow(at)));
+                    _words.Begin(Grow(at));
                     break;
                 case ScriptOp.NextLetter:
                     pc = NextLetter(at, pc);
                     break;
                 case ScriptOp.Print:
-                    Print(at);
+                    _prints.Add(TextOf(at.Text!), new SourceLocation(at.File, at.Line, at.Column));
                     break;
                 case ScriptOp.BeginShaping:
                     BeginShaping(at);
@@ -213,6 +268,91 @@ internal sealed partial class ScriptMachine
         if (_limits.Memory.Refuse(Bytes + shape.Strings * TraceShape.StringBytes, $"{NumberFormatter.Format(shape.Strings, 0)} strings") is { } refusal)
             throw Error(at, refusal.Code, refusal.Message);
         Turtle.Draw(shape.Make(Turtle.Bead, _cancel));
+    }
+
+    private void Call(Instruction at, int back)
+    {
+        var given = new double[at.Arguments.Length];
+        for (var i = 0; i < given.Length; i++) given[i] = Number(at.Arguments[i]!);
+        _frames.Enter(at.Procedure!, given, back, _words.Count, (at.Line, at.Column));
+    }
+
+    private int Return(Instruction at)
+    {
+        _result = at.Arguments.Length > 0 ? Number(at.Arguments[0]!) : double.NaN;
+        var (back, words) = _frames.Leave();
+        _words.CutTo(words);
+        return back;
+    }
+
+    private LSystemWord Grow(Instruction at)
+    {
+        var generations = (int)Integer(at.Arguments[0]!, 0, 1000);
+        var seed = (int)_context.Random.NextInteger(0, int.MaxValue);
+        var variables = new double[at.Variables.Count];
+        for (var i = 0; i < variables.Length; i++)
+        {
+            var (name, slot, local) = at.Variables[i];
+            variables[i] = _context.Values[local ? _context.Base + slot : slot];
+            if (double.IsNaN(variables[i]) && at.System!.Variables.Uses(name))
+                throw Error(at, "turtle.no_value", $"The variable '{name}' has no value yet.");
+        }
+        var result = at.System!.Grow(variables, generations, seed, MaxLetters(), null, _cancel);
+        if (result.Value is null) throw Error(at, result.Diagnostics[0].Code, result.Diagnostics[0].Message);
+        foreach (var remark in result.Diagnostics) Remarks.Add(remark with { Source = new SourceLocation(at.File, at.Line, at.Column) });
+        return result.Value;
+    }
+
+    // One letter of the word on top; a procedure of its name returns here.
+    private int NextLetter(Instruction at, int pc)
+    {
+        if (!_words.Next(out var word, out var index)) return pc;
+        if (_code.Letters.TryGetValue(word[index], out var procedure))
+        {
+            if (word.ValueCount(index) != procedure.Parameters.Count)
+                throw Error(at, "lsystem.value",
+                    $"The letter '{word[index]}' has {Text(word.ValueCount(index))} values, its procedure {Text(procedure.Parameters.Count)}.");
+            var given = new double[procedure.Parameters.Count];
+            for (var v = 0; v < given.Length; v++) given[v] = word.Value(index, v);
+            _frames.Enter(procedure, given, pc - 1, _words.Count, (at.Line, at.Column));
+            return procedure.Start;
+        }
+        if (Turtle.MoveCount >= _limits.MaxMoves) throw TooManyMoves(at);
+        try
+        {
+            _words.Standard().Apply(Turtle, word, index);
+        }
+        catch (Exception e) when (e is ArgumentException or InvalidOperationException)
+        {
+            throw Error(at, e is InvalidOperationException ? "lsystem.bracket"
+                : "lsystem.value", $"Letter {Text(index + 1)} ('{word[index]}') of the word: {Messages.Clean(e)}");
+        }
+        return pc - 1;
+    }
+
+    private int MaxLetters() => (int)Math.Max(1, Math.Min(_limits.MaxSymbols, (_limits.Memory.Bytes - Bytes) / LetterBytes));
+
+    private void BeginShaping(Instruction at) => _open.Push(new Open(at.Shaping!, Turtle.Pose, Turtle.BeginSteps(), _context.Base));
+
+    private void EndShaping()
+    {
+        var block = _open.Pop();
+        var (current, at) = (_context.Base, block.Rules.At);
+        // A program that stops within a procedure ends the blocks around its calls as well.
+        _context.Base = block.Base;
+        var steps = Turtle.StepsFrom(block.First);
+        if (_limits.Memory.Refuse(Bytes + 2 * Turtle.Bytes, "The deformed paths") is { } refusal)
+            throw new FormulaException(refusal.Code, refusal.Message, at.Line, at.Column);
+        var shaped = new Shaper(block.Rules, _context, block.Frame, Turtle).Apply(steps, _cancel);
+        if (shaped.Value is null)
+        {
+            var problem = shaped.Diagnostics[0];
+            throw new FormulaException(problem.Code, problem.Message, at.Line, at.Column);
+        }
+        foreach (var remark in shaped.Diagnostics) Remarks.Add(remark with { Source = new SourceLocation(_current.File, at.Line, at.Column) });
+        Turtle.ReplaceSteps(block.First, shaped.Value);
+        _context.Base = current;
+        _pulse = Math.Min(_pulse, _steps);
     }
 
     private FormulaException TooManyMoves(Instruction at)
@@ -290,5 +430,15 @@ internal sealed partial class ScriptMachine
 
     private static string Text(long number) => NumberFormatter.Format(number);
 
+    private static FormulaException TooDeep(Token at) => new("turtle.recursion",
+        $"Functions call each other {Text(MaxFunctionDepth)} levels deep. Does a recursion never end?", at.Line, at.Column);
+
     private static FormulaException Error(Instruction at, string code, string message) => new(code, message, at.Line, at.Column);
+
+    private readonly record struct Open(ShapingRules Rules, Frame Frame, int First, int Base);
+
+    // Ends the program from within a function.
+    private sealed class StopException : Exception
+    {
+    }
 }

@@ -109,7 +109,7 @@ public sealed class TurtleScript
         }
         foreach (var remark in machine.Remarks.ToList()) diagnostics.Add(remark with { Source = remark.Source! with { File = remark.Source.File ?? _file } });
         progress?.Report(1);
-        return [.. machine.Prints().Select(p => p.Source is { File: null } place ? p with { Source = place with { File = _file } } : p),
+        return [.. machine.Prints.Select(p => p.Source is { File: null } place ? p with { Source = place with { File = _file } } : p),
             .. diagnostics.ToList()];
     }
 

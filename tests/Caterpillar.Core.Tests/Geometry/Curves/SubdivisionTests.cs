@@ -194,7 +194,8 @@ public class SubdivisionTests
             var curve = NurbsCurve.Periodic(3, [.. Enumerable.Range(0, 6).Select(_ => CurveMaker.Point(random))]);
             var options = SubdivisionOptions.ByTolerance(0.001) with { MinLength = 0.8, EqualDivision = n % 2 == 0 };
             var divided = CurveSubdivider.Subdivide(curve, options);
-            var samples = Enumerable.Range(0, 20_001).Select(i => curve.PointAt(curve.DomainStart + (curve.DomainEnd - curve.DomainStart) * i / 20_000)).ToList();
+            var step = (curve.DomainEnd - curve.DomainStart) / 20_000;
+            var samples = Enumerable.Range(0, 20_001).Select(i => curve.PointAt(curve.DomainStart + step * i)).ToList();
             var places = divided.Points.Select(p => PlaceOf(p, samples)).ToList();
             for (var i = 1; i < places.Count - 1; i++)
             {

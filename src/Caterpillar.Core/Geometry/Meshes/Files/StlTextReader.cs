@@ -8,8 +8,29 @@ namespace Caterpillar.Geometry;
 /// <summary>
 /// Reads ASCII STL: words in any case, any white space and line ends, several solids (taken as one mesh, so that a surface in patches closes).
 /// </summary>
-internal static class StlTextReader
+internal sealed class StlTextReader
 {
+    private readonly MeshSource _source;
+    private readonly TextCursor _cursor;
+    private readonly MeshBuilder _builder;
+    private string _name = "";
+    private bool _open;
+
+    // Where the facet at hand begins, or −1, and the vertices of the last three of its corners.
+    private int _facetAt = -1;
+    private int _corners;
+    private int _a;
+    private int _b;
+    private int _c;
+
+    private StlTextReader(MeshSource source)
+    {
+        _source = source;
+        _cursor = new TextCursor(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Length);
+        var triangles = source.Length / 200;
+        _builder = new MeshBuilder(triangles / 2 + 16, triangles);
+    }
+
     /// <summary>True if the file begins with "solid" and continues with a facet or the end of the solid.</summary>
     public static bool LooksLikeText(byte[] bytes)
     {
@@ -30,106 +51,103 @@ internal static class StlTextReader
         return bytes.Length <= limit;
     }
 
-    public static bool Read(MeshSource source, List<NamedMesh> meshes)
+    /// <summary>Adds the mesh of a file; false after an error.</summary>
+    public static bool Read(MeshSource source, List<NamedMesh> meshes) => new StlTextReader(source).ReadAll(meshes);
+
+    private bool ReadAll(List<NamedMesh> meshes)
     {
-        var cursor = new TextCursor(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Length);
-        var triangles = source.Length / 200;
-        var builder = new MeshBuilder(triangles / 2 + 16, triangles);
-        var name = "";
-        var corners = 0;
-        int a = 0, b = 0, c = 0;
-        var facetAt = -1;
-        var open = false;
-        for (var words = 0; cursor.SkipSpace(); words++)
+        for (var words = 0; _cursor.SkipSpace(); words++)
         {
             if ((words & 0xFFFF) == 0)
             {
-                source.Pulse(cursor.At, source.Length);
-                source.Afford(builder.TriangleCount);
+                _source.Pulse(_cursor.At, _source.Length);
+                _source.Afford(_builder.TriangleCount);
             }
-            var start = cursor.SkipWord();
-            if (cursor.WordIs(start, "vertex"))
-            {
-                if (facetAt < 0 || corners == 3)
-                {
-                    source.ErrorInText("mesh.syntax", facetAt < 0 ? "A vertex is outside a facet." : "A facet has more than three vertices.", start);
-                    return false;
-                }
-                if (!ReadPoint(cursor, out var x, out var y, out var z)) return WrongNumber(source, cursor);
-                (a, b, c) = (b, c, builder.AddVertex(x, y, z));
-                corners++;
-            }
-            else if (cursor.WordIs(start, "facet"))
-            {
-                if (facetAt >= 0)
-                {
-                    source.ErrorInText("mesh.syntax", "A facet begins before the previous one has ended.", start);
-                    return false;
-                }
-                facetAt = start;
-                corners = 0;
-            }
-            else if (cursor.WordIs(start, "endfacet"))
-            {
-                if (facetAt < 0 || corners != 3)
-                {
-                    var message = facetAt < 0 ? "A facet ends that has not begun." : "A facet has fewer than three vertices.";
-                    source.ErrorInText("mesh.syntax", message, start);
-                    return false;
-                }
-                builder.AddTriangle(a, b, c);
-                facetAt = -1;
-            }
-            else if (cursor.WordIs(start, "normal"))
-            {
-                for (var i = 0; i < 3 && cursor.SkipSpace(); i++) cursor.SkipWord();
-            }
-            else if (cursor.WordIs(start, "solid") && facetAt < 0)
-            {
-                var given = cursor.RestOfLine();
-                if (name.Length == 0) name = given;
-                open = true;
-            }
-            else if (cursor.WordIs(start, "endsolid") && facetAt < 0)
-            {
-                cursor.SkipLine();
-                open = false;
-            }
-            else if (!cursor.WordIs(start, "outer") && !cursor.WordIs(start, "loop") && !cursor.WordIs(start, "endloop"))
-            {
-                source.ErrorInText("mesh.syntax", "A word does not belong in an ASCII STL file.", start);
-                return false;
-            }
+            if (!Word(_cursor.SkipWord())) return false;
         }
-        if (facetAt >= 0)
+        if (_facetAt >= 0) return Fail("The file ends inside a facet.", _source.Length, "mesh.truncated");
+        if (_open)
         {
-            source.ErrorInText("mesh.truncated", "The file ends inside a facet.", source.Length);
-            return false;
+            var end = _source.PlaceInText(_source.Length);
+            _source.Note(Severity.Warning, "mesh.truncated", "The file ends without \"endsolid\"; it may be incomplete.", end);
         }
-        if (open)
-        {
-            var end = source.PlaceInText(source.Length);
-            source.Note(Severity.Warning, "mesh.truncated", "The file ends without \"endsolid\"; it may be incomplete.", end);
-        }
-        meshes.Add(new NamedMesh(name.Length > 0 ? name : MeshReader.PlainName(source.Name), builder.ToMesh(source.Name, true, source.Diagnostics)));
+        var name = _name.Length > 0 ? _name : MeshReader.PlainName(_source.Name);
+        meshes.Add(new NamedMesh(name, _builder.ToMesh(_source.Name, true, _source.Diagnostics)));
         return true;
     }
 
-    private static bool ReadPoint(TextCursor cursor, out double x, out double y, out double z)
+    // Takes a word with what belongs to it; false after an error.
+    private bool Word(int word)
     {
-        y = z = 0;
-        cursor.SkipSpace();
-        if (!cursor.ReadNumber(out x)) return false;
-        cursor.SkipSpace();
-        if (!cursor.ReadNumber(out y)) return false;
-        cursor.SkipSpace();
-        return cursor.ReadNumber(out z);
+        if (_cursor.WordIs(word, "vertex")) return Vertex(word);
+        if (_cursor.WordIs(word, "facet")) return Facet(word);
+        if (_cursor.WordIs(word, "endfacet")) return EndFacet(word);
+        if (_cursor.WordIs(word, "normal"))
+        {
+            for (var i = 0; i < 3 && _cursor.SkipSpace(); i++) _cursor.SkipWord();
+            return true;
+        }
+        if (_facetAt < 0 && _cursor.WordIs(word, "solid"))
+        {
+            var given = _cursor.RestOfLine();
+            if (_name.Length == 0) _name = given;
+            _open = true;
+            return true;
+        }
+        if (_facetAt < 0 && _cursor.WordIs(word, "endsolid"))
+        {
+            _cursor.SkipLine();
+            _open = false;
+            return true;
+        }
+        var isKnown = _cursor.WordIs(word, "outer") || _cursor.WordIs(word, "loop") || _cursor.WordIs(word, "endloop");
+        return isKnown || Fail("A word does not belong in an ASCII STL file.", word);
     }
 
-    private static bool WrongNumber(MeshSource source, TextCursor cursor)
+    private bool Vertex(int word)
     {
-        if (cursor.AtEnd) source.ErrorInText("mesh.truncated", "The file ends inside a vertex.", source.Length);
-        else source.ErrorInText("mesh.syntax", "A coordinate is not a number.", cursor.At);
+        if (_facetAt < 0) return Fail("A vertex is outside a facet.", word);
+        if (_corners == 3) return Fail("A facet has more than three vertices.", word);
+        if (!ReadPoint(out var x, out var y, out var z))
+        {
+            return _cursor.AtEnd ? Fail("The file ends inside a vertex.", _source.Length, "mesh.truncated") : Fail("A coordinate is not a number.", _cursor.At);
+        }
+        (_a, _b, _c) = (_b, _c, _builder.AddVertex(x, y, z));
+        _corners++;
+        return true;
+    }
+
+    private bool Facet(int word)
+    {
+        if (_facetAt >= 0) return Fail("A facet begins before the previous one has ended.", word);
+        _facetAt = word;
+        _corners = 0;
+        return true;
+    }
+
+    private bool EndFacet(int word)
+    {
+        if (_facetAt < 0) return Fail("A facet ends that has not begun.", word);
+        if (_corners != 3) return Fail("A facet has fewer than three vertices.", word);
+        _builder.AddTriangle(_a, _b, _c);
+        _facetAt = -1;
+        return true;
+    }
+
+    private bool ReadPoint(out double x, out double y, out double z)
+    {
+        y = z = 0;
+        _cursor.SkipSpace();
+        if (!_cursor.ReadNumber(out x)) return false;
+        _cursor.SkipSpace();
+        if (!_cursor.ReadNumber(out y)) return false;
+        _cursor.SkipSpace();
+        return _cursor.ReadNumber(out z);
+    }
+
+    private bool Fail(string message, int at, string code = "mesh.syntax")
+    {
+        _source.ErrorInText(code, message, at);
         return false;
     }
 }

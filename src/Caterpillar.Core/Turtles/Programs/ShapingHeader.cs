@@ -2,11 +2,12 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Expressions;
 using Caterpillar.Shaping;
+using static Caterpillar.Turtles.ScriptCursor;
 
 namespace Caterpillar.Turtles;
 
-// Blocks that shape the paths drawn in them: deform, modulate, gap_bead, cool_layers.
-internal sealed partial class ScriptCompiler
+/// <summary>Reads what is in front of a block that shapes the paths drawn in it: <c>deform name = formula, … [</c>.</summary>
+internal sealed class ShapingHeader(ScriptCursor cursor, ScriptValues values, ScriptScope scope)
 {
     private static readonly Dictionary<string, ModulationMode> Modes = new(System.StringComparer.Ordinal)
     {
@@ -16,11 +17,8 @@ internal sealed partial class ScriptCompiler
         ["up"] = ModulationMode.DisplaceUp,
     };
 
-    // The blocks that are open, the innermost last.
-    private readonly List<ShapingRules> _shapings = [];
-
-    // deform name = formula, … [ … ]
-    private void Shape(Token token)
+    /// <summary>The rules after the word that names their kind.</summary>
+    public ShapingRules Read(Token token)
     {
         var kind = token.Text switch
         {
@@ -30,52 +28,46 @@ internal sealed partial class ScriptCompiler
             _ => ShapingKind.CoolLayers,
         };
         var mode = kind == ShapingKind.Modulate ? Mode() : default;
-        var (slot, local) = _scope.Hidden(ShapingRules.Coordinates.Count);
+        var (slot, local) = scope.Hidden(ShapingRules.Coordinates.Count);
         var rules = new ShapingRules(kind, mode, slot, local, token);
-        Header(rules);
-        Emit(new Instruction(ScriptOp.BeginShaping, token) { Shaping = rules });
-        _shapings.Add(rules);
-        Block();
-        CloseShapings(_shapings.Count - 1, token);
-        _shapings.RemoveAt(_shapings.Count - 1);
+        var used = scope.UsedCoordinates;
+        used.Clear();
+        foreach (var name in ShapingRules.Visible(kind)) scope.Coordinates[name] = (slot + ShapingRules.Coordinates.ToList().IndexOf(name), local);
+        if (scope.Coordinates.TryGetValue("theta", out var theta)) scope.Coordinates["θ"] = theta;
+        Formulas(rules);
+        scope.Coordinates.Clear();
+        Complete(rules, used);
+        return rules;
     }
 
     private ModulationMode Mode()
     {
-        var word = Next;
+        var word = cursor.Next;
         if (word.Kind != TokenKind.Name || !Modes.TryGetValue(word.Text, out var mode))
             throw Error("turtle.values", $"Found {word}, expected what to modulate: speed, flow, left or up.", word);
-        _at++;
+        cursor.At++;
         return mode;
     }
 
-    private void Header(ShapingRules rules)
+    private void Formulas(ShapingRules rules)
     {
         var names = ShapingRules.Names(rules.Kind);
-        var used = _scope.UsedCoordinates;
-        used.Clear();
-        foreach (var name in ShapingRules.Visible(rules.Kind))
-            _scope.Coordinates[name] = (rules.Slot + ShapingRules.Coordinates.ToList().IndexOf(name), rules.Local);
-        if (_scope.Coordinates.TryGetValue("theta", out var theta)) _scope.Coordinates["θ"] = theta;
         while (true)
         {
-            while (Next.Kind == TokenKind.NewLine || Next.Is(",") || Next.Is(";")) _at++;
-            if (Next.Is("[")) break;
-            var name = Next;
+            while (cursor.Next.Kind == TokenKind.NewLine || cursor.Next.Is(",") || cursor.Next.Is(";")) cursor.At++;
+            var name = cursor.Next;
+            if (name.Is("[")) return;
             var known = name.Text == "θ" ? "theta" : name.Text;
             if (name.Kind != TokenKind.Name || !names.Contains(known))
             {
                 throw Error("turtle.values", $"Found {name}, expected '[' or one of {string.Join(", ", names)}.{SpellingSuggestion.Hint(name.Text, names)}",
                     name);
             }
-            _at++;
-            if (!Next.Is("=")) throw Error("turtle.syntax", $"Found {Next}, expected '=': {name.Text} = ….", Next);
-            _at++;
+            cursor.At++;
+            cursor.Expect("=", $"{name.Text} = …");
             if (rules[known] is not null) throw Error("turtle.values", $"'{known}' has two formulas.", name);
-            rules.Add(known, Formula("="));
+            rules.Add(known, values.Formula("="));
         }
-        _scope.Coordinates.Clear();
-        Complete(rules, used);
     }
 
     private static void Complete(ShapingRules rules, HashSet<string> used)
@@ -92,11 +84,5 @@ internal sealed partial class ScriptCompiler
         if (!rules.Has("field")) throw Error("turtle.values", "'modulate' needs a field: modulate speed field = noise(x, y, z) [ … ].", at);
         if (rules.Mode is ModulationMode.DisplaceLeft or ModulationMode.DisplaceUp && !rules.Has("high"))
             throw Error("turtle.values", "'modulate' needs high, the displacement in mm where the field is 1.", at);
-    }
-
-    // Ends the blocks beyond a number of them, the innermost first; they stay open for what follows.
-    private void CloseShapings(int beyond, Token token)
-    {
-        for (var i = _shapings.Count - 1; i >= beyond; i--) Emit(new Instruction(ScriptOp.EndShaping, token) { Shaping = _shapings[i] });
     }
 }

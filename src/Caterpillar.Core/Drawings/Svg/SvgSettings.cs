@@ -1,0 +1,70 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>What attributes of elements state about the curves in them, mm, mm² and mm/s: area, width, height, speed and multiplier, then the others.</summary>
+internal sealed record SvgSettings(double?[] Values, double Z, int Tool, int? Layer, string Name)
+{
+    /// <summary>Nothing is stated.</summary>
+    public static SvgSettings None => new(new double?[5], 0, 0, null, "");
+
+    /// <summary>The settings of the element at hand, with those around it; null after an error.</summary>
+    public SvgSettings? Inside(SvgXml xml, CurveReadOptions options)
+    {
+        var values = (double?[])Values.Clone();
+        string[] names = ["data-area", "data-width", "data-height", "data-speed", "data-multiplier"];
+        for (var i = 0; i < names.Length; i++)
+        {
+            if (xml.Attribute(names[i]) is not { } text) continue;
+            if (Value(text, CurveColumns.Whole(CurveColumn.Area + i, options)) is not (>= 0 and var value))
+            {
+                return xml.Fail<SvgSettings>(names[i], "Settings of a strand must be numbers of 0 or more, or percentages of something known.");
+            }
+            values[i] = value;
+        }
+        var (z, tool, layer) = (Z, Tool, Layer);
+        if (xml.Attribute("data-z") is { } height)
+        {
+            if (Value(height, 0) is not { } value) return xml.Fail<SvgSettings>("data-z", "A height must be a number in mm.");
+            z = value;
+        }
+        if (xml.Attribute("data-tool") is { } toolText)
+        {
+            if (!NumberReader.TryParseInt(toolText.Trim(), out tool)
+                || tool is < 0 or > 1000)
+            {
+                return xml.Fail<SvgSettings>("data-tool", "A tool must be a number from 0 to 1000.");
+            }
+        }
+        if (xml.Attribute("data-layer") is { } layerText)
+        {
+            if (!NumberReader.TryParseInt(layerText.Trim(), out var number)) return xml.Fail<SvgSettings>("data-layer", "A layer must be a whole number.");
+            layer = number;
+        }
+        return new SvgSettings(values, z, tool, layer, xml.Attribute("data-name") ?? xml.Attribute("id") ?? "");
+    }
+
+    private static double? Value(string text, double reference)
+    {
+        text = text.Trim();
+        if (!text.EndsWith("%", StringComparison.Ordinal)) return NumberReader.TryParse(text, out var plain) && Math.Abs(plain) <= 1e9 ? plain : null;
+        return reference > 0 && NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent) ? percent / 100 * reference : null;
+    }
+
+    /// <summary>A curve with these settings.</summary>
+    public UserCurve Of(Curve curve, SourceLocation place) => new(curve)
+    {
+        Name = Name,
+        Area = Values[0],
+        Width = Values[1],
+        Height = Values[2],
+        Speed = Values[3],
+        Multiplier = Values[4],
+        Tool = Tool,
+        Layer = Layer is { } layer ? new Layer(layer, curve.Bounds.Max.Z) : null,
+        Source = place,
+    };
+}

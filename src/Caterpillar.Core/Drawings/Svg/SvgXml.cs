@@ -1,0 +1,134 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Xml;
+using System.Xml.Linq;
+using Caterpillar.Basics;
+
+namespace Caterpillar.Drawings;
+
+/// <summary>The XML of a drawing at the element at hand, and where in the file that is.</summary>
+internal sealed class SvgXml
+{
+    private readonly CurveSource _source;
+    private readonly string _text;
+    private readonly int[] _lines;
+    private Dictionary<string, XElement>? _named;
+
+    public SvgXml(CurveSource source, string text, XmlReader reader)
+    {
+        _source = source;
+        _text = text;
+        Reader = reader;
+        var starts = new List<int> { 0 };
+        for (var i = 0; i < text.Length; i++)
+        {
+            if (text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.Length || text[i + 1] != '\n'))) starts.Add(i + 1);
+        }
+        _lines = starts.ToArray();
+    }
+
+    /// <summary>At the element at hand; another one while an element is repeated elsewhere.</summary>
+    public XmlReader Reader { get; set; }
+
+    private IXmlLineInfo Line => (IXmlLineInfo)Reader;
+
+    /// <summary>A reader of the text of a drawing.</summary>
+    public static XmlReader Open(string text)
+    {
+        var settings = new XmlReaderSettings { DtdProcessing = DtdProcessing.Ignore, XmlResolver = null, CheckCharacters = false };
+        return XmlReader.Create(new StringReader(text), settings);
+    }
+
+    public string? Attribute(string name) => Reader.GetAttribute(name);
+
+    public SourceLocation Here() => _source.Place(Math.Max(1, Line.LineNumber), Math.Max(1, Line.LinePosition));
+
+    /// <summary>Reports how far the file is read.</summary>
+    public void Pulse() => _source.Pulse(LineStart(Line.LineNumber), _text.Length);
+
+    public void SkipContent()
+    {
+        if (Reader.IsEmptyElement) return;
+        var depth = Reader.Depth;
+        while (Reader.Read() && !(Reader.NodeType == XmlNodeType.EndElement && Reader.Depth == depth))
+        {
+        }
+    }
+
+    public bool IsHidden()
+    {
+        if (Attribute("display") == "none" || Attribute("visibility") == "hidden") return true;
+        var style = Attribute("style");
+        if (style is null) return false;
+        var plain = string.Concat(style.Where(c => c > ' '));
+        return plain.IndexOf("display:none", StringComparison.Ordinal) >= 0 || plain.IndexOf("visibility:hidden", StringComparison.Ordinal) >= 0;
+    }
+
+    /// <summary>A property in the attribute "style", or null.</summary>
+    public string? Style(string name)
+    {
+        foreach (var part in (Attribute("style") ?? "").Split(';'))
+        {
+            var colon = part.IndexOf(':', 0);
+            if (colon > 0 && part.Substring(0, colon).Trim() == name) return part.Substring(colon + 1).Trim();
+        }
+        return null;
+    }
+
+    /// <summary>Elements by their id; the first of equal ones counts.</summary>
+    public Dictionary<string, XElement> Named()
+    {
+        if (_named is not null) return _named;
+        _named = new Dictionary<string, XElement>(StringComparer.Ordinal);
+        using var xml = Open(_text);
+        foreach (var element in XDocument.Load(xml, LoadOptions.SetLineInfo).Descendants())
+        {
+            if (element.Attribute("id") is { } id && !_named.ContainsKey(id.Value)) _named.Add(id.Value, element);
+        }
+        return _named;
+    }
+
+    /// <summary>The position of a character of an attribute's value in the file.</summary>
+    public SourceLocation InAttribute(string name, int index)
+    {
+        if (!Reader.MoveToAttribute(name)) return Here();
+        var at = LineStart(Line.LineNumber) + Line.LinePosition - 1;
+        Reader.MoveToElement();
+        while (at < _text.Length && _text[at] != '"' && _text[at] != '\'') at++;
+        at++;
+        for (; index > 0 && at < _text.Length; index--)
+        {
+            if (_text[at] == '&')
+            {
+                var end = _text.IndexOf(';', at);
+                at = end < 0 ? at : end;
+            }
+            else if (_text[at] == '\r' && at + 1 < _text.Length && _text[at + 1] == '\n')
+            {
+                at++;
+            }
+            at++;
+        }
+        var line = Array.BinarySearch(_lines, Math.Min(at, _text.Length));
+        if (line < 0) line = ~line - 1;
+        return _source.Place(line + 1, at - _lines[line] + 1);
+    }
+
+    public T? Fail<T>(string attribute, string message)
+        where T : class
+    {
+        _source.Error("curves.svg", message, InAttribute(attribute, 0));
+        return null;
+    }
+
+    public T? FailValue<T>(string attribute, string message)
+        where T : struct
+    {
+        _source.Error("curves.svg", message, InAttribute(attribute, 0));
+        return null;
+    }
+
+    private int LineStart(int line) => line >= 1 && line <= _lines.Length ? _lines[line - 1] : 0;
+}

@@ -1,0 +1,34 @@
+using System;
+using System.Runtime.ExceptionServices;
+using System.Threading;
+
+namespace Caterpillar.Turtles;
+
+/// <summary>Runs work that nests deeply on a thread with a large stack: that of the host's own threads differs.</summary>
+internal static class LargeStack
+{
+    // For functions that call each other a thousand levels deep.
+    private const int Bytes = 64 << 20;
+
+    /// <summary>Waits for the end of the work; its exceptions are thrown here.</summary>
+    public static void Run(Action work)
+    {
+        ExceptionDispatchInfo? failure = null;
+        var thread = new Thread(
+            () =>
+            {
+                try
+                {
+                    work();
+                }
+                catch (Exception e)
+                {
+                    failure = ExceptionDispatchInfo.Capture(e);
+                }
+            },
+            Bytes) { IsBackground = true };
+        thread.Start();
+        thread.Join();
+        failure?.Throw();
+    }
+}
