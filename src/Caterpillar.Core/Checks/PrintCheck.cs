@@ -51,6 +51,10 @@ public static class PrintCheck
         return CheckScope.HeatsItself(toolpath) ? setup with { Material = setup.Material with { NozzleTemperature = 0 } } : setup;
     }
 
+    internal static IReadOnlyList<Diagnostic> Run(
+        Toolpath toolpath, PrintSetup setup, CheckScope scope, IProgress<double>? progress, CancellationToken cancel)
+        => Run(toolpath, setup, scope, () => new Findings(setup.Printer, toolpath), progress, cancel);
+
     /// <summary>
     /// Runs all checks; those of what is printed on a thread of their own. <paramref name="limits"/> and <paramref name="strands"/> may have begun before, and
     /// may know already what there is to find.
