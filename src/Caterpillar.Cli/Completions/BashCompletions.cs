@@ -5,15 +5,17 @@ internal static class BashCompletions
 {
     public static void Write(TextWriter text, CompletionTable table)
     {
-        text.WriteLine("# bash completions of caterpillar: source this file, or put it into ~/.local/share/bash-completion/completions/caterpillar");
-        text.WriteLine("_caterpillar() {");
-        text.WriteLine("  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} verb='' word");
-        text.WriteLine("  for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do");
-        text.WriteLine("    case $word in -*) ;; *) verb=$word; break ;; esac");
-        text.WriteLine("  done");
-        text.WriteLine("  COMPREPLY=()");
-        text.WriteLine("  [ \"$cur\" = = ] && cur=''");
-        text.WriteLine("  case $verb in");
+        text.WriteLine("""
+            # bash completions of caterpillar: source this file, or put it into ~/.local/share/bash-completion/completions/caterpillar
+            _caterpillar() {
+              local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} verb='' word
+              for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+                case $word in -*) ;; *) verb=$word; break ;; esac
+              done
+              COMPREPLY=()
+              [ "$cur" = = ] && cur=''
+              case $verb in
+            """);
         foreach (var verb in table.Verbs)
         {
             text.WriteLine($"  {verb.Name})");

@@ -42,7 +42,7 @@ internal sealed class SectionsVerb : Verb
     {
         var heights = Heights(arguments);
         var every = heights is null ? Every(arguments) : 0;
-        var options = new SectionOptions { GapMm = Number(arguments.GetValue(_gap), "--gap", 0) };
+        var options = new SectionOptions { GapMm = OptionValues.Number(arguments.GetValue(_gap)!, "--gap", 0) };
         var reports = new List<SectionReport>();
         foreach (var model in arguments.GetValue(_models)!)
         {
@@ -74,13 +74,13 @@ internal sealed class SectionsVerb : Verb
         var text = arguments.GetValue(_heights);
         if (text is null) return null;
         if (arguments.GetValue(_every) is not null) throw new CliException(ExitCode.Usage, "Give --heights or --every, not both.");
-        return text.Split(',').Select(word => Number(word.Trim(), "--heights", double.NegativeInfinity)).ToArray();
+        return text.Split(',').Select(word => OptionValues.Number(word.Trim(), "--heights", double.NegativeInfinity)).ToArray();
     }
 
     private double Every(ParseResult arguments)
     {
         var text = arguments.GetValue(_every) ?? throw new CliException(ExitCode.Usage, "Choose the planes: --heights 0.1,0.3 or --every 0.2");
-        var every = Number(text, "--every", 0);
+        var every = OptionValues.Number(text, "--every", 0);
         return every > 0 ? every : throw new CliException(ExitCode.Usage, "--every must be above 0.");
     }
 
@@ -94,12 +94,6 @@ internal sealed class SectionsVerb : Verb
         var heights = new double[(int)Math.Max(0, count)];
         for (var i = 0; i < heights.Length; i++) heights[i] = (i + 0.5) * every;
         return heights;
-    }
-
-    private static double Number(string? text, string option, double least)
-    {
-        if (NumberReader.TryParse(text, out var value) && value >= least) return value;
-        throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is not a number{(least >= 0 ? " of at least 0" : "")}.");
     }
 
     private static List<string[]> Table(List<SectionReport> reports)

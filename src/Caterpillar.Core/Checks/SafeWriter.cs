@@ -149,7 +149,8 @@ public static class SafeWriter
         CancellationToken cancel = default)
         => Edited(decoding, edited, setup, reason, code, progress, cancel).Document;
 
-    private static (Result<GCodeDocument> Document, WriteGuard? Guard) Edited(
+    /// <summary>Checks an edited file, and compares what was written with the edits.</summary>
+    internal static (Result<GCodeDocument> Document, WriteGuard? Guard) Edited(
         DecodedGCode decoding, Toolpath edited, PrintSetup setup, string? reason, EditOptions? code, IProgress<double>? progress, CancellationToken cancel)
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
@@ -176,23 +177,20 @@ public static class SafeWriter
         return (new Result<GCodeDocument>(written.Value, guard.Remarks(written.Diagnostics)), guard);
     }
 
-    /// <summary>
-    /// Checks the text of a file as it stands, edited or converted before. Messages name its lines, and comments of an override come before them.
-    /// </summary>
-    internal static (Result<GCodeDocument> Document, int Overridden) Check(
+    /// <summary>Checks the text of a file as it stands, edited or converted before. Messages name its lines.</summary>
+    internal static (Result<GCodeDocument> Document, WriteGuard? Guard) Check(
         GCodeDocument text, DecodeOptions reading, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
     {
         var file = GCodeDecoder.Decode(text, reading with { FilamentDiameter = setup.Material.FilamentDiameter }, null, cancel).OrThrow();
         var read = PrintCheck.WithVolumes(file.Toolpath, setup);
-        var findings = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), progress, cancel);
-        var guard = new WriteGuard(findings, reason);
-        if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), 0);
+        var guard = new WriteGuard(PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), progress, cancel), reason);
+        if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), guard);
         var commented = new Result<GCodeDocument>(text, []);
         if (guard.Overridden > 0)
         {
             var edited = guard.Comments().Aggregate(file.Toolpath, (toolpath, comment) => toolpath.Insert(0, new CommentEvent(comment)));
             commented = GCodeEditor.ToDocument(file, edited, null, cancel);
         }
-        return (new Result<GCodeDocument>(commented.Value, guard.Remarks(commented.Diagnostics)), guard.Overridden);
+        return (new Result<GCodeDocument>(commented.Value, guard.Remarks(commented.Diagnostics)), guard);
     }
 }

@@ -92,7 +92,7 @@ public sealed record FileJob
     {
         var source = Edited(progress.Part(0, Target is null ? 0 : 0.4), cancel);
         if (source.Value is not { } file) return new Result<WrittenGCode>(null, source.Diagnostics);
-        var rest = progress.Part(Target is null ? 0 : 0.4, setup is null ? 1 : 0.6);
+        var rest = progress.Part(Target is null ? 0 : 0.4, 1);
         // Straight into the stream, unless the whole is needed before: to be checked, to become binary.
         if (IsChanged && setup is null && !BinaryGCode.IsName(name))
         {
@@ -101,18 +101,28 @@ public sealed record FileJob
                 : GCodeEditor.Write(file, Toolpath, Code, counted, rest, cancel));
             return Written(problems.HasErrors ? null : new WrittenGCode(counted.Bytes, counted.Lines, 0), source.Diagnostics, problems.Diagnostics);
         }
-        var text = !IsChanged ? new Result<GCodeDocument>(file.Document, []) : Target is not null ? GCodeConverter.ToDocument(file, Target, rest, cancel)
-            : GCodeEditor.ToDocument(file, Toolpath, Code, rest, cancel);
-        if (text.Value is null) return Written(null, source.Diagnostics, text.Diagnostics);
-        var reading = _reading with { Dialect = Dialect };
-        var (document, overridden) = setup is null ? (new Result<GCodeDocument>(text.Value, []), 0)
-            : SafeWriter.Check(text.Value, reading, setup, reason, progress.Part(0.6, 1), cancel);
-        if (document.Value is { } written) BinaryGCode.WriteAs(name, written, stream, null, cancel);
-        return Written(document.Value is { } done ? new WrittenGCode(done.Length, done.LineCount, overridden) : null,
-            source.Diagnostics, [.. text.Diagnostics, .. document.Diagnostics]);
+        var (document, guard) = Whole(file, setup, reason, rest, cancel);
+        if (document.Value is not { } text) return Written(null, source.Diagnostics, document.Diagnostics);
+        BinaryGCode.WriteAs(name, text, stream, null, cancel);
+        return Written(new WrittenGCode(text.Length, text.LineCount, guard?.Overridden ?? 0), source.Diagnostics, document.Diagnostics);
     }
 
-    private bool IsEdited => !ReferenceEquals(Toolpath, File.Toolpath) || Code.Start is not null || Code.End is not null;
+    // The whole text, checked where there is a setup.
+    private (Result<GCodeDocument> Document, WriteGuard? Guard) Whole(
+        DecodedGCode file, PrintSetup? setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
+    {
+        // Edits alone are compared with what was written.
+        if (setup is not null && IsEdited && Target is null && !HasOwnCode) return SafeWriter.Edited(file, Toolpath, setup, reason, null, progress, cancel);
+        var text = !IsChanged ? new Result<GCodeDocument>(file.Document, []) : Target is null
+            ? GCodeEditor.ToDocument(file, Toolpath, Code, progress, cancel) : GCodeConverter.ToDocument(file, Target, progress.Part(0, 0.6), cancel);
+        if (setup is null || text.Value is null) return (text, null);
+        var (document, guard) = SafeWriter.Check(text.Value, _reading with { Dialect = Dialect }, setup, reason, progress.Part(0.6, 1), cancel);
+        return (new Result<GCodeDocument>(document.Value, [.. text.Diagnostics, .. document.Diagnostics]), guard);
+    }
+
+    private bool HasOwnCode => Code.Start is not null || Code.End is not null;
+
+    private bool IsEdited => !ReferenceEquals(Toolpath, File.Toolpath) || HasOwnCode;
 
     private bool IsChanged => IsEdited || Target is not null;
 

@@ -20,11 +20,11 @@ namespace Caterpillar.Jobs;
 
 /// <summary>
 /// A print from models, paths, a turtle program or curves: planned, and ready to be checked and written. Models are planned and checked while higher layers are
-/// still being sliced; a job that is not written has to be disposed.
+/// still being sliced: a job that is not written has to be disposed. To be used by one thread.
 /// </summary>
 public sealed class PrintJob : IDisposable
 {
-    private readonly Overlap? _overlap;
+    private Overlap? _overlap;
 
     private PrintJob(Plan plan, Toolpath toolpath, PrintSetup setup, int layers, Overlap? overlap)
         => (Plan, Toolpath, Setup, Layers, _overlap) = (plan, toolpath, setup, layers, overlap);
@@ -197,10 +197,12 @@ public sealed class PrintJob : IDisposable
         Stream stream, string name, bool isDraft = false, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         Result<WrittenGCode>? written = null;
+        // What was checked before the file was written counts once.
+        using var overlap = Interlocked.Exchange(ref _overlap, null);
         BinaryGCode.WriteAs(name, stream, text => written = Text(text), cancel);
         return written!;
 
-        Result<WrittenGCode> Text(Stream text) => _overlap is not null ? _overlap.Write(text, isDraft, reason, progress, cancel)
+        Result<WrittenGCode> Text(Stream text) => overlap is not null ? overlap.Write(text, isDraft, reason, progress, cancel)
             : isDraft ? SafeWriter.WriteDraft(Toolpath, Setup, text, reason, progress, cancel)
             : SafeWriter.Write(Toolpath, Setup, text, reason, progress, cancel);
     }

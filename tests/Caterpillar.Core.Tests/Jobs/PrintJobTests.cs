@@ -35,6 +35,8 @@ public class PrintJobTests
         var written = job.WriteFile(folder.File("job.gcode")).OrThrow();
         Assert.That(File.ReadAllBytes(folder.File("job.gcode")), Is.EqualTo(File.ReadAllBytes(folder.File("parts.gcode"))));
         Assert.That(written.Bytes, Is.EqualTo(new FileInfo(folder.File("job.gcode")).Length));
+        job.WriteFile(folder.File("again.gcode")).OrThrow();
+        Assert.That(File.ReadAllBytes(folder.File("again.gcode")), Is.EqualTo(File.ReadAllBytes(folder.File("parts.gcode"))));
     }
 
     [Test]
