@@ -26,29 +26,23 @@ internal static class Adhesion
         var reach = brim > 0 && outside ? settings.BrimGap + brim * pitch : 0;
         // From the outside in, so that each loop has the next one to lean on.
         for (var loop = settings.SkirtLoops - 1; loop >= 0; loop--)
-        {
-            var distance = reach + settings.SkirtDistance + rules.Width / 2 + loop * pitch;
-            Add(covered, distance, rules, Role.Skirt, outer: true, holes: false, first.Layer, steps);
-        }
+            Add(reach + settings.SkirtDistance + rules.Width / 2 + loop * pitch, Role.Skirt, outer: true, holes: false);
         for (var loop = brim - 1; loop >= 0; loop--)
-        {
-            var distance = settings.BrimGap + rules.Width / 2 + loop * pitch;
-            Add(covered, distance, rules, Role.Brim, outside, settings.BrimSide != BrimSide.Outside, first.Layer, steps);
-        }
+            Add(settings.BrimGap + rules.Width / 2 + loop * pitch, Role.Brim, outside, settings.BrimSide != BrimSide.Outside);
         steps.AddRange(first.Steps);
         return first with { Steps = steps };
-    }
 
-    private static void Add(Region covered, double distance, SliceRules rules, Role role, bool outer, bool holes, Layer layer, List<PathStep> steps)
-    {
-        foreach (var contour in covered.Offset(distance, JoinStyle.Round, arcTolerance: ArcTolerance).Contours)
+        void Add(double distance, Role role, bool outer, bool holes)
         {
-            var isHole = contour.SignedAreaXY < 0;
-            if (!(isHole ? holes : outer)) continue;
-            var points = Array.ConvertAll(contour.Raw, p => p.WithZ(layer.Z));
-            var path = PrintPath.Own(points, [rules.Bead(rules.Width)], closed: true).With(role, layer);
-            // One rank for each loop keeps their order.
-            steps.Add(new PathStep(path, new StepGroup(0, -1, steps.Count)));
+            foreach (var contour in covered.Offset(distance, JoinStyle.Round, arcTolerance: ArcTolerance).Contours)
+            {
+                var isHole = contour.SignedAreaXY < 0;
+                if (!(isHole ? holes : outer)) continue;
+                var points = Array.ConvertAll(contour.Raw, p => p.WithZ(first.Layer.Z));
+                var path = PrintPath.Own(points, [rules.Bead(rules.Width)], closed: true).With(role, first.Layer);
+                // One rank for each loop keeps their order.
+                steps.Add(new PathStep(path, new StepGroup(0, -1, steps.Count)));
+            }
         }
     }
 }

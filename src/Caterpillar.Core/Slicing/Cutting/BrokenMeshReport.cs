@@ -9,13 +9,13 @@ namespace Caterpillar.Slicing;
 internal static class BrokenMeshReport
 {
     /// <summary>The text, or null where there is nothing to say.</summary>
-    public static string? Describe(MendedMesh mended, IReadOnlyList<Section> sections, bool solid)
+    public static string? Describe(MendedMesh mended, IReadOnlyList<Section> sections)
     {
         var sentences = new List<string>();
         var parts = MeshParts(mended);
         if (parts.Count > 0) sentences.Add($"Mended: {string.Join(", ", parts)}.");
         if (Gaps(sections) is { } gaps) sentences.Add(gaps);
-        if (solid && LeftOut(sections) is { } left) sentences.Add(left);
+        if (LeftOut(sections) is { } left) sentences.Add(left);
         return sentences.Count == 0 ? null : "The mesh is broken. " + string.Join(" ", sentences);
     }
 

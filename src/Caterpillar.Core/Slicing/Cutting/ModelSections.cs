@@ -10,9 +10,6 @@ namespace Caterpillar.Slicing;
 /// <summary>Cuts a model for printing: the mesh is mended, contours are closed over gaps, and one diagnostic says what was done and what is left out.</summary>
 internal static class ModelSections
 {
-    // mm.
-    private const double Crack = 0.1;
-
     /// <summary>Sections at ascending heights; what was noticed is added to <paramref name="problems"/>.</summary>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
     public static IReadOnlyList<Section> Cut(
@@ -22,15 +19,13 @@ internal static class ModelSections
         // Open meshes that are printed as single walls have no inside that could be mended or lost.
         if (settings.OpenMeshes == OpenMeshes.Walls)
             return MeshSections.At(model.Mesh, heights, new SectionOptions { Threads = threads }, progress, cancel).Value!;
-        // Open surfaces that are printed as single walls are meant to be open: only cracks are closed.
-        var solid = settings.OpenMeshes != OpenMeshes.Walls;
-        var mended = settings.MendMeshes && solid ? MeshRepair.ToSolid(model.Mesh, cancel) : MendedMesh.Unchanged(model.Mesh);
-        var options = new SectionOptions { Threads = threads, GapMm = solid ? settings.LargestGap : Math.Min(settings.LargestGap, Crack) };
+        var mended = settings.MendMeshes ? MeshRepair.ToSolid(model.Mesh, cancel) : MendedMesh.Unchanged(model.Mesh);
+        var options = new SectionOptions { Threads = threads, GapMm = settings.LargestGap };
         var sections = MeshSections.At(mended.Mesh, heights, options, progress, cancel).Value!;
         var source = new SourceLocation(model.Name);
-        if (BrokenMeshReport.Describe(mended, sections, solid) is { } text)
+        if (BrokenMeshReport.Describe(mended, sections) is { } text)
             problems.Add(new Diagnostic(Severity.Warning, "slice.broken_mesh", text, source));
-        if (solid && LostLayers.Find(sections, settings.MaxAreaLossPercent, cancel) is { } lost)
+        if (LostLayers.Find(sections, settings.MaxAreaLossPercent, cancel) is { } lost)
             problems.Add(new Diagnostic(Severity.Error, "slice.lost_layers", lost, source));
         return sections;
     }

@@ -20,21 +20,26 @@ internal sealed class RowGaps
     private readonly List<Vec3> _points = [];
     private readonly List<double> _flow = [];
 
+    // Row 0 of the island, and how far apart its rows are.
+    private double _first;
+    private double _spacing;
+
     /// <summary>Adds the strands; rows are at first + k · spacing, up to k = rows.</summary>
     public void Add(InfillRequest request, Region island, in PatternFrame frame, double first, double spacing, int rows, List<InfillLine> lines)
     {
+        (_first, _spacing) = (first, spacing);
         _edges.Clear();
-        foreach (var path in island.Paths) Collect(path, frame, first, spacing, rows, request.Spacing * Shortest);
+        foreach (var path in island.Paths) Collect(path, frame, rows, request.Spacing * Shortest);
         foreach (var edge in _edges)
         {
             // A bottom edge below a top edge is the other side of that one.
-            if (edge.IsTop) Above(edge, request, frame, first, spacing, lines);
-            else Below(edge, request, frame, first, spacing, lines);
+            if (edge.IsTop) Above(edge, request, frame, lines);
+            else Below(edge, request, frame, lines);
         }
     }
 
     // Walks around a contour and cuts it at the rows and where it turns back; what goes far enough between two rows is kept.
-    private void Collect(GridPoint[] path, in PatternFrame frame, double first, double spacing, int rows, double shortest)
+    private void Collect(GridPoint[] path, in PatternFrame frame, int rows, double shortest)
     {
         _run.Clear();
         var strip = int.MinValue;
@@ -43,7 +48,7 @@ internal sealed class RowGaps
         foreach (var corner in path)
         {
             var b = Turned(corner, frame);
-            double from = (a.Y - first) / spacing, to = (b.Y - first) / spacing;
+            double from = (a.Y - _first) / _spacing, to = (b.Y - _first) / _spacing;
             int begin = Strip(from), end = Strip(to);
             var sign = Math.Sign(b.X - a.X);
             var p = a;
@@ -86,9 +91,9 @@ internal sealed class RowGaps
         _run.Clear();
     }
 
-    private void Above(Edge top, InfillRequest request, in PatternFrame frame, double first, double spacing, List<InfillLine> lines)
+    private void Above(Edge top, InfillRequest request, in PatternFrame frame, List<InfillLine> lines)
     {
-        var row = first + top.Strip * spacing + spacing / 2;
+        var row = _first + top.Strip * _spacing + _spacing / 2;
         var at = top.Points[0].X;
         foreach (var bottom in _edges)
         {
@@ -96,31 +101,32 @@ internal sealed class RowGaps
             double from = Math.Max(at, bottom.Start), to = Math.Min(top.End, bottom.End), middle = (from + to) / 2;
             if (bottom.At(middle) >= top.At(middle)) continue;
             // Down to the row where there is no edge, then between the two.
-            Strand(at, from, top, null, row, request, frame, lines);
-            Strand(from, to, top, bottom, row, request, frame, lines);
+            Strand(at, from, new Gap(top, null, row), request, frame, lines);
+            Strand(from, to, new Gap(top, bottom, row), request, frame, lines);
             at = to;
         }
-        Strand(at, top.End, top, null, row, request, frame, lines);
+        Strand(at, top.End, new Gap(top, null, row), request, frame, lines);
     }
 
-    private void Below(Edge bottom, InfillRequest request, in PatternFrame frame, double first, double spacing, List<InfillLine> lines)
+    private void Below(Edge bottom, InfillRequest request, in PatternFrame frame, List<InfillLine> lines)
     {
-        var row = first + (bottom.Strip + 1) * spacing - spacing / 2;
+        var row = _first + (bottom.Strip + 1) * _spacing - _spacing / 2;
         var at = bottom.Start;
         foreach (var top in _edges)
         {
             if (!top.IsTop || top.Strip != bottom.Strip || top.End <= at || top.Start >= bottom.End) continue;
             double from = Math.Max(at, top.Start), to = Math.Min(top.End, bottom.End), middle = (from + to) / 2;
             if (bottom.At(middle) >= top.At(middle)) continue;
-            Strand(at, from, null, bottom, row, request, frame, lines);
+            Strand(at, from, new Gap(null, bottom, row), request, frame, lines);
             at = to;
         }
-        Strand(at, bottom.End, null, bottom, row, request, frame, lines);
+        Strand(at, bottom.End, new Gap(null, bottom, row), request, frame, lines);
     }
 
     // Along the middle between an edge, with half a strand up to the wall, and the other edge or the strand of the row.
-    private void Strand(double from, double to, Edge? top, Edge? bottom, double row, InfillRequest request, in PatternFrame frame, List<InfillLine> lines)
+    private void Strand(double from, double to, Gap gap, InfillRequest request, in PatternFrame frame, List<InfillLine> lines)
     {
+        var (top, bottom, row) = gap;
         var half = request.Spacing / 2 - request.Overlap;
         _points.Clear();
         _flow.Clear();
@@ -166,6 +172,9 @@ internal sealed class RowGaps
         _points.Clear();
         _flow.Clear();
     }
+
+    // What is between an edge and another, or the side of a row's strand.
+    private readonly record struct Gap(Edge? Top, Edge? Bottom, double Row);
 
     // A piece of a contour between two rows, by ascending u.
     private sealed record Edge(int Strip, bool IsTop, Vec3[] Points)

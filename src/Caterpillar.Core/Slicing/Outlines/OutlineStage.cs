@@ -1,17 +1,16 @@
 using System.Collections.Generic;
 using Caterpillar.Geometry;
-using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
 /// <summary>First stage of a layer, which needs no neighbors: its section becomes a region, islands, and their walls.</summary>
 internal static class OutlineStage
 {
-    public static void Run(LayerWork layer, LayerTools tools)
+    public static void Run(LayerWork layer, RegionEngine engine)
     {
-        LayerRegion.Find(layer, tools.Engine);
+        LayerRegion.Find(layer, engine);
         if (layer.Region.IsEmpty) return;
-        var (settings, engine) = (layer.Rules.Settings, tools.Engine);
+        var settings = layer.Rules.Settings;
         if (settings.Vase && layer.Index >= settings.BottomLayers)
         {
             layer.VaseLoop = VaseSpiral.Loop(layer, engine);

@@ -72,7 +72,7 @@ internal sealed class LayerStream
         void Work() => Parallel.ForEach(each, _options, Take, (i, _, tools) =>
         {
             if (i < fills) done[reached.Filled + i] = FillStage.Run(_layers[reached.Filled + i], tools);
-            else OutlineStage.Run(_layers[reached.Outlined + i - fills], tools);
+            else OutlineStage.Run(_layers[reached.Outlined + i - fills], tools.Engine);
             return tools;
         }, _tools.Add);
         if (_options.MaxDegreeOfParallelism != 1) return (Task.Run(Work), next);

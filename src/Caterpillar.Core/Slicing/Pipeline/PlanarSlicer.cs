@@ -86,11 +86,10 @@ public static class PlanarSlicer
         if (common.MergeOverlapping) models = OverlappingModels.Merge(models, threads, problems, cancel);
         var modifiers = new Modifiers(helpers.Where(m => m.Settings.ModelUse == ModelUse.Modifier).ToArray());
         var bodies = new List<Body>();
+        var cutter = new BodyCutter(common, options, affordable, problems, findings, cancel);
         for (var i = 0; i < models.Count; i++)
         {
-            var body = new Body(models[i].Mesh, i, cancel) { InfillLines = options.InfillLines };
-            Cut(body, models[i].Settings, common, options, affordable, problems, findings, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count),
-                cancel);
+            var body = cutter.Cut(models[i], i, progress.Part(0.4 * i / models.Count, 0.4 * (i + 1) / models.Count));
             modifiers.Apply(body, common, threads, cancel);
             bodies.Add(body);
         }
@@ -123,37 +122,5 @@ public static class PlanarSlicer
             return "Nothing to print: the settings ask for no walls, no infill and no top or bottom layers.";
         var width = NumberFormatter.Format(models[0].Settings.LineWidth, 3);
         return $"Nothing to print: no contour of the models is as wide as a line ({width} mm), or the settings leave out all that they would hold.";
-    }
-
-    private static void Cut(
-        Body body, PrintSettings settings, PrintSettings common, SliceOptions options, SliceMemory memory, DiagnosticList problems, List<Diagnostic> findings,
-        IProgress<double>? progress, CancellationToken cancel)
-    {
-        var mesh = body.Model.Mesh;
-        if (mesh.Bounds.IsEmpty) return;
-        if (mesh.Bounds.Min.Z < -1e-6)
-        {
-            problems.Add(Severity.Warning, "slice.below_bed",
-                $"The model reaches {NumberFormatter.Format(-mesh.Bounds.Min.Z, 3)} mm below the bed; that part is not printed.", body.Source);
-        }
-        if (settings is { InfillPattern: InfillPattern.Curves, InfillCurves.Count: 0 } && (settings.InfillPercent > 0 || settings.InfillSpacing > 0))
-        {
-            problems.Add(Severity.Warning, "slice.no_curves",
-                "The infill is to be curves, but there are none (infill_curves_mm, --infill-curves FILE): the inside stays empty.", body.Source);
-        }
-        var planned = new LayerPlan(mesh, settings).Layers();
-        foreach (var problem in planned.Diagnostics) problems.Add(problem with { Source = problem.Source ?? body.Source });
-        if (planned.Value is not { } plan) return;
-        if (options.Divide is { } divide) plan = divide(plan);
-        memory.Plan(body, plan);
-        var lift = Raft.Lift(common);
-        var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, options.Threads, findings, progress, cancel);
-        var rules = new Dictionary<double, SliceRules>();
-        body.Layers = new LayerWork[plan.Length];
-        for (var i = 0; i < plan.Length; i++)
-        {
-            if (!rules.TryGetValue(plan[i].Thickness, out var rule)) rules.Add(plan[i].Thickness, rule = SliceRules.Of(settings, plan[i].Thickness, common));
-            body.Layers[i] = new LayerWork(body, i, plan[i] with { Top = plan[i].Top + lift }, rule) { Section = sections[i] };
-        }
     }
 }

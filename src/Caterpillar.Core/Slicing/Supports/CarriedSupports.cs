@@ -9,34 +9,24 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>Leaves of supports what is carried, from the bed up: what lies on the bed, on supports below, or (everywhere) closely above the part.</summary>
-internal sealed class CarriedSupports
+internal sealed class CarriedSupports(SupportStack stack)
 {
     private const double ArcTolerance = 0.03;
 
     // mm²; less is rounding.
     private const double Film = 1e-3;
-    private readonly SupportStack _stack;
-    private readonly PrintSettings _settings;
-    private readonly SupportLevel[] _levels;
-    private readonly double _width;
+    private readonly PrintSettings _settings = stack.Settings;
+    private readonly SupportLevel[] _levels = stack.Levels;
+    private readonly double _width = stack.Settings.LineWidth;
     private readonly RegionEngine _engine = new();
 
-    private CarriedSupports(SupportStack stack)
-    {
-        _stack = stack;
-        _settings = stack.Settings;
-        _levels = stack.Levels;
-        _width = _settings.LineWidth;
-    }
-
     /// <summary>Takes away from all levels what is not carried.</summary>
-    public static void Keep(SupportStack stack, CancellationToken cancel)
+    public void Keep(CancellationToken cancel)
     {
-        var carried = new CarriedSupports(stack);
-        for (var i = 0; i < stack.Levels.Length; i++)
+        for (var i = 0; i < _levels.Length; i++)
         {
             cancel.ThrowIfCancellationRequested();
-            carried.Keep(i);
+            Keep(i);
         }
     }
 
@@ -130,10 +120,10 @@ internal sealed class CarriedSupports
     {
         var ground = new List<Region>();
         var bottom = _levels[i].Top - _levels[i].Thickness;
-        var from = _stack.LevelBelow(bottom - _settings.SupportBottomGap);
+        var from = stack.LevelBelow(bottom - _settings.SupportBottomGap);
         if (from < 0) return ground;
         var box = island.Box;
-        for (var k = Math.Max(0, _stack.LevelBelow(bottom - _settings.SupportBottomGap - _settings.SupportXyGap)); k <= from; k++)
+        for (var k = Math.Max(0, stack.LevelBelow(bottom - _settings.SupportBottomGap - _settings.SupportXyGap)); k <= from; k++)
         {
             var part = _levels[k].Part;
             if (!part.IsApartFrom(island)) ground.Add(part.Cropped(box));

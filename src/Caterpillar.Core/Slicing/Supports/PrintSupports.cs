@@ -102,7 +102,7 @@ internal sealed class PrintSupports : IDisposable
             // Bodies that stand in this stack need no second look: its levels hold them.
             var others = works.Where(w => w.Rules.Settings != stack.Settings || common.PrintSequence == PrintSequence.ByObject || stack.Settings.AdaptiveLayers)
                 .Where(w => w.Body != stack.Levels[0].Work.Body).ToArray();
-            SupportBuilder.Build(stack, others, blockers, enforcers, options);
+            new SupportBuilder(stack, options).Build(others, blockers, enforcers);
         }
         return stacks;
     }
@@ -120,9 +120,7 @@ internal sealed class PrintSupports : IDisposable
             Parallel.For(0, filled.Length, options, () => new LayerTools(), (i, _, tools) =>
             {
                 var (layer, level, settings) = levels[first + i];
-                var steps = new List<PathStep>();
-                SupportFiller.Add(level, settings, tools, steps);
-                filled[i] = new Filled(layer, level.Support, steps);
+                filled[i] = new Filled(layer, level.Support, new SupportFiller(level, settings, tools).Fill());
                 return tools;
             }, _ => { });
             _filled.Add(filled);

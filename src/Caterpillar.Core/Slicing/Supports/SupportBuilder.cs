@@ -13,7 +13,7 @@ namespace Caterpillar.Slicing;
 /// Finds where supports stand, in three passes: what hangs over (each level for itself); from the top down, where it has to be held; from the bottom up, what
 /// of that is carried.
 /// </summary>
-internal sealed class SupportBuilder
+internal sealed class SupportBuilder(SupportStack stack, ParallelOptions options)
 {
     private const double ArcTolerance = 0.02;
 
@@ -23,40 +23,25 @@ internal sealed class SupportBuilder
     private const double Coarse = 0.06;
     // mm; overhangs less than twice this apart are held by one piece.
     private const double Joined = 1;
-    private readonly SupportStack _stack;
-    private readonly PrintSettings _settings;
-    private readonly SupportLevel[] _levels;
-    private readonly ParallelOptions _options;
-    private readonly double _width;
+    private readonly PrintSettings _settings = stack.Settings;
+    private readonly SupportLevel[] _levels = stack.Levels;
+    private readonly double _width = stack.Settings.LineWidth;
 
-    private SupportBuilder(SupportStack stack, ParallelOptions options)
-    {
-        _stack = stack;
-        _settings = stack.Settings;
-        _levels = stack.Levels;
-        _options = options;
-        _width = _settings.LineWidth;
-    }
-
-    /// <summary>Fills the levels of a stack.</summary>
-    /// <param name="stack">The bodies to support.</param>
+    /// <summary>Fills the levels of the stack.</summary>
     /// <param name="others">Layers of all other bodies, which supports keep away from.</param>
     /// <param name="blockers">Bodies in which nothing is supported.</param>
     /// <param name="enforcers">Bodies in which everything is.</param>
-    /// <param name="options">Threads, and cancelling.</param>
-    public static void Build(
-        SupportStack stack, IReadOnlyList<LayerWork> others, IReadOnlyList<TriMesh> blockers, IReadOnlyList<TriMesh> enforcers, ParallelOptions options)
+    public void Build(IReadOnlyList<LayerWork> others, IReadOnlyList<TriMesh> blockers, IReadOnlyList<TriMesh> enforcers)
     {
-        var builder = new SupportBuilder(stack, options);
-        builder.FindOverhangs(builder.SectionsOf(blockers), builder.SectionsOf(enforcers));
-        if (Array.TrueForAll(stack.Levels, l => l.Overhang.IsEmpty)) return;
+        FindOverhangs(SectionsOf(blockers), SectionsOf(enforcers));
+        if (Array.TrueForAll(_levels, l => l.Overhang.IsEmpty)) return;
         var gaps = new SupportGaps(stack);
-        gaps.Find(Array.FindLastIndex(stack.Levels, l => !l.Overhang.IsEmpty), others, options);
-        builder.FindContacts();
-        if (builder._settings.Support == SupportKind.Tree) new TreeSupport(stack, gaps, options).Grow();
-        else builder.Drop(gaps);
-        CarriedSupports.Keep(stack, options.CancellationToken);
-        builder.FindInterfaces();
+        gaps.Find(Array.FindLastIndex(_levels, l => !l.Overhang.IsEmpty), others, options);
+        FindContacts();
+        if (_settings.Support == SupportKind.Tree) new TreeSupport(stack, gaps, options).Grow();
+        else Drop(gaps);
+        new CarriedSupports(stack).Keep(options.CancellationToken);
+        FindInterfaces();
     }
 
     private Region[]? SectionsOf(IReadOnlyList<TriMesh> meshes)
@@ -66,11 +51,11 @@ internal sealed class SupportBuilder
         // Part layers may have been lifted by a raft, which these bodies know nothing of.
         var lift = Raft.Lift(_settings);
         var heights = Array.ConvertAll(_levels, l => l.Top - lift - l.Thickness / 2);
-        var sections = MeshSections.At(mesh, heights, new SectionOptions(), null, _options.CancellationToken).Value!;
+        var sections = MeshSections.At(mesh, heights, new SectionOptions(), null, options.CancellationToken).Value!;
         return sections.Select(s => Region.From(s.Loops)).ToArray();
     }
 
-    private void FindOverhangs(Region[]? blockers, Region[]? enforcers) => RegionEngine.ForEach(1, _levels.Length, _options, (i, engine) =>
+    private void FindOverhangs(Region[]? blockers, Region[]? enforcers) => RegionEngine.ForEach(1, _levels.Length, options, (i, engine) =>
     {
         var (level, below) = (_levels[i], _levels[i - 1].Part);
         var reach = _settings.SupportAngle < 90 ? Math.Min(1000, level.Thickness * Angle.Sin(_settings.SupportAngle) / Angle.Cos(_settings.SupportAngle))
@@ -100,10 +85,10 @@ internal sealed class SupportBuilder
         for (var i = 1; i < _levels.Length; i++)
         {
             if (_levels[i].Overhang.IsEmpty) continue;
-            var at = _stack.LevelBelow(_levels[i].Top - _levels[i].Thickness - _settings.SupportTopGap);
+            var at = stack.LevelBelow(_levels[i].Top - _levels[i].Thickness - _settings.SupportTopGap);
             if (at >= 0) (contacts[at] ??= []).Add(_levels[i].Overhang);
         }
-        RegionEngine.ForEach(0, _levels.Length, _options, (i, engine) =>
+        RegionEngine.ForEach(0, _levels.Length, options, (i, engine) =>
         {
             if (contacts[i] is { } list) _levels[i].Contact = JoinedPieces(Region.Union(list, engine), engine);
         });
@@ -120,27 +105,26 @@ internal sealed class SupportBuilder
         var needed = Region.Empty;
         for (var i = _levels.Length - 1; i >= 0; i--)
         {
-            _options.CancellationToken.ThrowIfCancellationRequested();
+            options.CancellationToken.ThrowIfCancellationRequested();
             var level = _levels[i];
             if (!level.Contact.IsEmpty) needed = JoinedPieces(needed.Union(level.Contact, engine), engine);
             if (needed.IsEmpty) continue;
             needed = needed.Subtract(level.Part, engine).Simplified(Coarse, engine);
             level.Pieces = needed;
         }
-        RegionEngine.ForEach(0, _levels.Length, _options, (i, clipper) =>
+        RegionEngine.ForEach(0, _levels.Length, options, (i, clipper) =>
         {
             if (!_levels[i].Pieces.IsEmpty) _levels[i].Pieces = gaps.Clear(i, [_levels[i].Pieces], clipper);
         });
     }
 
-    private void FindInterfaces() => RegionEngine.ForEach(0, _levels.Length, _options, (i, engine) =>
+    private void FindInterfaces() => RegionEngine.ForEach(0, _levels.Length, options, (i, engine) =>
     {
         var level = _levels[i];
         if (level.Pieces.IsEmpty) return;
-        if (_settings.Support == SupportKind.Tree) level.Lattice = _stack.ContactsOver(i, TreeSupport.RoofLayers(_settings));
         // In a grid so far that the dense lines reach a line or the wall of it below on all sides; else so little that outlines, which are the same but for
         // tolerances, do not cross all along.
         var reach = _settings.Support == SupportKind.Grid ? Math.Min(_width * 50 / _settings.SupportPercent, 10 * _width) : Coarse / 2;
-        level.Interface = Region.Union(_stack.ContactsOver(i, _settings.SupportInterfaceLayers), engine).Offset(reach, JoinStyle.Miter, 2, Coarse, engine);
+        level.Interface = Region.Union(stack.ContactsOver(i, _settings.SupportInterfaceLayers), engine).Offset(reach, JoinStyle.Miter, 2, Coarse, engine);
     });
 }

@@ -7,8 +7,11 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>The strands of the supports of a level.</summary>
-internal static class SupportFiller
+/// <summary>
+/// The strands of the supports of a level: a wall around each piece and lines in it. Near the part there are dense lines across them instead, which rest on the
+/// walls below.
+/// </summary>
+internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, LayerTools tools)
 {
     // Islands of supports are numbered after those of the part.
     private const int FirstIsland = 1_000_000;
@@ -17,93 +20,105 @@ internal static class SupportFiller
     // mm; nobody sees how closely supports follow their outline.
     private const double Coarse = 0.03;
 
-    /// <summary>
-    /// Adds the steps: a wall around each piece and lines in it. Near the part there are dense lines across them instead, which rest on the walls below.
-    /// </summary>
-    public static void Add(SupportLevel level, PrintSettings settings, LayerTools tools, List<PathStep> steps)
+    private readonly RegionEngine _engine = tools.Engine;
+    private readonly SliceRules _rules = level.Work.Rules;
+    private readonly double _width = settings.LineWidth;
+
+    // Where a support is thin, a single strand: two walls would lie in each other's place.
+    private readonly WallBuilder _walls = new(level.Work.Rules.Walls with { Count = 1, VariableWidth = true, Tolerance = Coarse }, tools.Engine);
+    private readonly List<PathStep> _steps = [];
+
+    /// <summary>The steps that print the supports.</summary>
+    public List<PathStep> Fill()
     {
-        var engine = tools.Engine;
-        var (rules, width) = (level.Work.Rules, settings.LineWidth);
-        // Where a support is thin, a single strand: two walls would lie in each other's place.
-        var builder = new WallBuilder(rules.Walls with { Count = 1, VariableWidth = true, Tolerance = Coarse }, engine);
         var islands = level.Pieces.Islands;
-        for (var i = 0; i < level.Bundles.Count; i++)
-        {
-            var bundle = level.Bundles[i];
-            var line = new SupportLine(level, bundle.Region, FirstIsland + islands.Count + i, steps);
-            if (bundle.Trunks.Count > 1)
-            {
-                foreach (var wall in builder.Outline(bundle.Region, false).Paths) line.Add(wall.ToPath(level.Top, rules.Walls), Role.Support, 0);
-                continue;
-            }
-            var ring = Array.ConvertAll(bundle.Trunks[0].Ring(width / 2), p => p.WithZ(level.Top));
-            line.Add(PrintPath.Own(ring, [rules.Bead(width)], closed: true), Role.Support, 0);
-        }
-        for (var i = 0; i < islands.Count; i++)
-        {
-            var island = islands[i];
-            var line = new SupportLine(level, island, FirstIsland + i, steps);
-            var near = ThinParts.Thick(island.Intersect(level.Interface.Cropped(island.Box), engine), width / 2, engine);
-            var dense = Dense(near);
-            if (!dense.IsEmpty && Inset(island.Subtract(dense, engine), width / 2).IsEmpty) continue;
-            var lattice = level.Lattice.Select(r => r.Cropped(island.Box)).Where(r => !r.IsEmpty).ToArray();
-            var walls = builder.Outline(island, settings.Support == SupportKind.Grid || lattice.Length > 0);
-            var role = near.Area > island.Area / 2 ? Role.SupportInterface : Role.Support;
-            foreach (var wall in walls.Paths) Wall(wall.ToPath(level.Top, rules.Walls), role);
-            if (settings.Support == SupportKind.Grid)
-                Fill(Inset(walls.Inside.Subtract(dense, engine), width / 4), rules.Pitch(width) * 100 / settings.SupportPercent, 0, true, Role.Support, 1);
-            // Rows over the tips, which stand in the same places.
-            else if (!walls.Inside.IsEmpty)
-                Fill(Inset(walls.Inside.Subtract(near, engine).Intersect(lattice, engine), width / 4), settings.SupportTipDistance, 0, false, Role.Support, 1);
-
-            // Lines in all pieces that are wide enough for some.
-            Region Dense(Region near)
-            {
-                var filled = Region.Empty;
-                foreach (var piece in near.Islands)
-                {
-                    var area = Inset(piece, width / 2);
-                    if (area.IsEmpty || Inset(area, width / 4).IsEmpty) continue;
-                    Fill(area, rules.Pitch(width) * 100 / settings.SupportInterfacePercent, 90, true, Role.SupportInterface, 2);
-                    filled = filled.Union(piece, engine);
-                }
-                return filled;
-            }
-
-            // Without what is in the place of dense lines.
-            void Wall(PrintPath path, Role role)
-            {
-                if (dense.IsEmpty || path.OnlyBead is not { } bead)
-                {
-                    line.Add(path, role, 0);
-                    return;
-                }
-                foreach (var piece in dense.ClipLines([new Polyline(path.RawPoints, path.IsClosed)], outside: true))
-                {
-                    if (piece.Length >= width) line.Add(PrintPath.Own(Array.ConvertAll(piece.Raw, p => p.WithZ(level.Top)), [bead], piece.IsClosed), role, 0);
-                }
-            }
-
-            void Fill(Region area, double spacing, double angle, bool linked, Role role, int rank)
-            {
-                if (area.IsEmpty) return;
-                var request = new InfillRequest(area, InfillPattern.Lines, spacing, width)
-                {
-                    Angle = angle, Z = level.Top, Layer = level.Work.Index, Linked = linked,
-                };
-                foreach (var found in tools.Infill.Fill(request))
-                {
-                    if (found.Points.Length > 1) line.Add(PrintPath.Own(found.Points, [rules.Bead(width)], found.Closed), role, rank);
-                }
-            }
-        }
-
-        Region Inset(Region region, double distance) => region.Offset(-distance, JoinStyle.Miter, 2, ArcTolerance, engine);
+        for (var i = 0; i < level.Bundles.Count; i++) Add(level.Bundles[i], FirstIsland + islands.Count + i);
+        for (var i = 0; i < islands.Count; i++) Add(islands[i], FirstIsland + i);
+        return _steps;
     }
 
-    private readonly record struct SupportLine(SupportLevel Level, Region Island, int Number, List<PathStep> Steps)
+    private void Add(TrunkBundle bundle, int number)
     {
-        public void Add(PrintPath path, Role role, int rank)
-            => Steps.Add(new PathStep(path.With(role, Level.Work.Layer), new StepGroup(Level.Work.Number, Number, rank)) { Region = Island });
+        var piece = new Piece(bundle.Region, number);
+        if (bundle.Trunks.Count > 1)
+        {
+            foreach (var wall in _walls.Outline(bundle.Region, false).Paths) Add(wall.ToPath(level.Top, _rules.Walls), piece, Role.Support, 0);
+            return;
+        }
+        var ring = Array.ConvertAll(bundle.Trunks[0].Ring(_width / 2), p => p.WithZ(level.Top));
+        Add(PrintPath.Own(ring, [_rules.Bead(_width)], closed: true), piece, Role.Support, 0);
     }
+
+    private void Add(Region island, int number)
+    {
+        var piece = new Piece(island, number);
+        var near = ThinParts.Thick(island.Intersect(level.Interface.Cropped(island.Box), _engine), _width / 2, _engine);
+        var dense = Dense(near, piece);
+        if (!dense.IsEmpty && Inset(island.Subtract(dense, _engine), _width / 2).IsEmpty) return;
+        var isGrid = settings.Support == SupportKind.Grid;
+        var lattice = level.Lattice.Select(r => r.Cropped(island.Box)).Where(r => !r.IsEmpty).ToArray();
+        var walls = _walls.Outline(island, isGrid || lattice.Length > 0);
+        var role = near.Area > island.Area / 2 ? Role.SupportInterface : Role.Support;
+        foreach (var wall in walls.Paths) AddWall(wall.ToPath(level.Top, _rules.Walls), piece, role, dense);
+        if (isGrid)
+        {
+            var spacing = _rules.Pitch(_width) * 100 / settings.SupportPercent;
+            AddLines(piece, Inset(walls.Inside.Subtract(dense, _engine), _width / 4), Role.Support, 1, spacing, 0, linked: true);
+        }
+        else if (!walls.Inside.IsEmpty)
+        {
+            // Rows over the tips, which stand in the same places.
+            var area = Inset(walls.Inside.Subtract(near, _engine).Intersect(lattice, _engine), _width / 4);
+            AddLines(piece, area, Role.Support, 1, settings.SupportTipDistance, 0, linked: false);
+        }
+    }
+
+    // Lines in all places that are wide enough for some; returns those.
+    private Region Dense(Region near, Piece piece)
+    {
+        var filled = Region.Empty;
+        foreach (var place in near.Islands)
+        {
+            var area = Inset(place, _width / 2);
+            if (area.IsEmpty || Inset(area, _width / 4).IsEmpty) continue;
+            AddLines(piece, area, Role.SupportInterface, 2, _rules.Pitch(_width) * 100 / settings.SupportInterfacePercent, 90, linked: true);
+            filled = filled.Union(place, _engine);
+        }
+        return filled;
+    }
+
+    // Without what is in the place of dense lines.
+    private void AddWall(PrintPath path, Piece piece, Role role, Region dense)
+    {
+        if (dense.IsEmpty || path.OnlyBead is not { } bead)
+        {
+            Add(path, piece, role, 0);
+            return;
+        }
+        foreach (var part in dense.ClipLines([new Polyline(path.RawPoints, path.IsClosed)], outside: true))
+        {
+            if (part.Length >= _width) Add(PrintPath.Own(Array.ConvertAll(part.Raw, p => p.WithZ(level.Top)), [bead], part.IsClosed), piece, role, 0);
+        }
+    }
+
+    private void AddLines(Piece piece, Region area, Role role, int rank, double spacing, double angle, bool linked)
+    {
+        if (area.IsEmpty) return;
+        var request = new InfillRequest(area, InfillPattern.Lines, spacing, _width)
+        {
+            Angle = angle, Z = level.Top, Layer = level.Work.Index, Linked = linked,
+        };
+        foreach (var found in tools.Infill.Fill(request))
+        {
+            if (found.Points.Length > 1) Add(PrintPath.Own(found.Points, [_rules.Bead(_width)], found.Closed), piece, role, rank);
+        }
+    }
+
+    private void Add(PrintPath path, Piece piece, Role role, int rank)
+        => _steps.Add(new PathStep(path.With(role, level.Work.Layer), new StepGroup(level.Work.Number, piece.Number, rank)) { Region = piece.Region });
+
+    private Region Inset(Region region, double distance) => region.Offset(-distance, JoinStyle.Miter, 2, ArcTolerance, _engine);
+
+    // A connected piece of the supports, and its number among the islands of the layer.
+    private readonly record struct Piece(Region Region, int Number);
 }

@@ -12,7 +12,7 @@ namespace Caterpillar.Slicing;
 /// Supports as trees, grown from the top down: tips below what hangs over; further down, branches lean out of the shadow of the part, so that they reach
 /// the bed, and toward each other until they join. They get thicker downwards.
 /// </summary>
-internal sealed class TreeSupport
+internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, ParallelOptions options)
 {
     private const double ArcTolerance = 0.05;
 
@@ -26,35 +26,18 @@ internal sealed class TreeSupport
     // The nearest edge of the shadow is looked for again after so many levels.
     private const int TargetLevels = 10;
 
-    private readonly SupportStack _stack;
-    private readonly SupportGaps _gaps;
-    private readonly PrintSettings _settings;
-    private readonly SupportLevel[] _levels;
-    private readonly ParallelOptions _options;
-    private readonly double _width;
-    private readonly double _slope;
+    private readonly PrintSettings _settings = stack.Settings;
+    private readonly SupportLevel[] _levels = stack.Levels;
+    private readonly double _width = stack.Settings.LineWidth;
+    private readonly double _slope = Angle.Sin(stack.Settings.SupportBranchAngle) / Angle.Cos(stack.Settings.SupportBranchAngle);
+
+    // Layers that hold a contact: the dense ones on a lattice over the tips.
+    private readonly int _roofLayers = stack.Settings.SupportInterfaceLayers > 0 ? stack.Settings.SupportInterfaceLayers + 1 : 0;
     private readonly RegionEngine _engine = new();
     private List<Branch> _branches = [];
 
-    // For each branch of the level above the one where it goes on.
-    private int[] _next = [];
-
-    public TreeSupport(SupportStack stack, SupportGaps gaps, ParallelOptions options)
-    {
-        _stack = stack;
-        _gaps = gaps;
-        _settings = stack.Settings;
-        _levels = stack.Levels;
-        _options = options;
-        _width = _settings.LineWidth;
-        _slope = Angle.Sin(_settings.SupportBranchAngle) / Angle.Cos(_settings.SupportBranchAngle);
-    }
-
     // A branch where it passes a level.
     private readonly record struct Branch(Vec3 Place, double Depth, int Tips, Vec3? Target = null);
-
-    /// <summary>Layers that hold a contact: the dense ones on a lattice over the tips.</summary>
-    public static int RoofLayers(PrintSettings settings) => settings.SupportInterfaceLayers > 0 ? settings.SupportInterfaceLayers + 1 : 0;
 
     /// <summary>Fills the supports of the levels, without regard to what carries them; trunks are where nothing is near.</summary>
     public void Grow()
@@ -65,13 +48,9 @@ internal sealed class TreeSupport
         var waiting = Region.Empty;
         for (var i = shadows.Length - 1; i >= 0; i--)
         {
-            _options.CancellationToken.ThrowIfCancellationRequested();
+            options.CancellationToken.ThrowIfCancellationRequested();
             var level = _levels[i];
-            if (_branches.Count > 0)
-            {
-                Move(level, shadows[i]);
-                next[i + 1] = _next;
-            }
+            if (_branches.Count > 0) next[i + 1] = Descend(level, shadows[i]);
             if (!level.Contact.IsEmpty || !waiting.IsEmpty)
             {
                 Region[] wanted = [waiting, level.Contact];
@@ -83,23 +62,23 @@ internal sealed class TreeSupport
             }
             if (_branches.Count > 0) at[i] = [.. _branches];
         }
-        RegionEngine.ForEach(0, _levels.Length, _options, (i, engine) => Divide(i, at[i] is { } branches ? Trunks(branches, next[i]) : [], engine));
+        RegionEngine.ForEach(0, _levels.Length, options, (i, engine) => Divide(i, at[i] is { } branches ? Trunks(branches, next[i]) : [], engine));
     }
 
     // Trunks where nothing is near; the others are one with what they hold and stand at.
     private void Divide(int level, Trunk[] trunks, RegionEngine engine)
     {
         var free = new List<TrunkBundle>();
-        var roof = _stack.ContactsOver(level, RoofLayers(_settings));
+        var roof = _levels[level].Lattice = stack.ContactsOver(level, _roofLayers);
         var pieces = new List<Region>(roof);
         foreach (var group in TrunkBundle.Groups(trunks))
         {
-            var isFree = group.TrueForAll(t => Array.TrueForAll(roof, t.IsApartFrom) && _gaps.IsClear(level, t));
+            var isFree = group.TrueForAll(t => Array.TrueForAll(roof, t.IsApartFrom) && gaps.IsClear(level, t));
             if (isFree) free.Add(new TrunkBundle(group, Region.Union(group.Select(t => t.Region), engine)));
             else pieces.AddRange(group.Select(t => t.Region));
         }
         _levels[level].Bundles = free;
-        if (pieces.Count > 0) _levels[level].Pieces = _gaps.Clear(level, pieces, engine);
+        if (pieces.Count > 0) _levels[level].Pieces = gaps.Clear(level, pieces, engine);
     }
 
     // What the part covers up to each level, seen from below, with the distance that branches keep.
@@ -115,7 +94,7 @@ internal sealed class TreeSupport
         var top = Array.FindLastIndex(_levels, l => !l.Contact.IsEmpty);
         var around = new Region[top + 1];
         bool IsNew(int i) => i == 0 || shadows[i] != shadows[i - 1];
-        RegionEngine.ForEach(0, top + 1, _options, (i, engine) =>
+        RegionEngine.ForEach(0, top + 1, options, (i, engine) =>
         {
             if (IsNew(i)) around[i] = Around(shadows[i], engine);
         });
@@ -129,24 +108,25 @@ internal sealed class TreeSupport
     private Region Around(Region shadow, RegionEngine engine)
         => shadow.Offset(_settings.SupportXyGap + _width, JoinStyle.Round, 2, ArcTolerance, engine).Simplified(ArcTolerance, engine);
 
-    private void Move(SupportLevel level, Region shadow)
+    // Takes the branches down to a level. Returns for each the number of the one that goes on with it there; −1 where it ends.
+    private int[] Descend(SupportLevel level, Region shadow)
     {
         var step = level.Thickness * _slope;
         var reach = level.Top * _slope;
         var moved = new List<Branch>(_branches.Count);
-        _next = new int[_branches.Count];
+        var places = new int[_branches.Count];
         for (var b = 0; b < _branches.Count; b++)
         {
             var branch = _branches[b];
             var place = branch.Place;
-            _next[b] = -1;
+            places[b] = -1;
             // On the part: the branch ends here.
             if (level.Part.Contains(place.X, place.Y)) continue;
             var next = place;
             // A tip stays below the layers that rest on it.
-            if (branch.Depth < RoofLayers(_settings) * level.Thickness - 1e-6)
+            if (branch.Depth < _roofLayers * level.Thickness - 1e-6)
             {
-                _next[b] = moved.Count;
+                places[b] = moved.Count;
                 moved.Add(branch with { Depth = branch.Depth + level.Thickness });
                 continue;
             }
@@ -166,29 +146,30 @@ internal sealed class TreeSupport
                 next = Toward(place, other, Math.Min(step, place.DistanceTo(other) / 2));
                 if (shadow.Contains(next.X, next.Y)) next = place;
             }
-            _next[b] = moved.Count;
+            places[b] = moved.Count;
             moved.Add(branch with { Place = next, Depth = branch.Depth + level.Thickness });
         }
-        _branches = Merged(moved, level.Thickness);
+        var numbers = Merge(moved, level.Thickness);
+        return Array.ConvertAll(places, p => p < 0 ? p : numbers[p]);
     }
 
-    // Branches that have met become one.
-    private List<Branch> Merged(List<Branch> branches, double thickness)
+    // Branches that have met become one. Returns the number of each among those that are left.
+    private int[] Merge(List<Branch> branches, double thickness)
     {
         // No farther than what is above may lean out.
         var reach = Math.Min(_width / 2, thickness);
         var kept = new List<Branch>(branches.Count);
-        var places = new int[branches.Count];
-        for (var b = 0; b < places.Length; b++)
+        var numbers = new int[branches.Count];
+        for (var b = 0; b < numbers.Length; b++)
         {
             var branch = branches[b];
             var same = kept.FindIndex(k => k.Place.DistanceTo(branch.Place) < reach);
-            places[b] = same < 0 ? kept.Count : same;
+            numbers[b] = same < 0 ? kept.Count : same;
             if (same < 0) kept.Add(branch);
             else kept[same] = new Branch(kept[same].Place, Math.Max(kept[same].Depth, branch.Depth), kept[same].Tips + branch.Tips);
         }
-        _next = Array.ConvertAll(_next, n => n < 0 ? n : places[n]);
-        return kept;
+        _branches = kept;
+        return numbers;
     }
 
     private Vec3? Neighbor(int branch, double reach)

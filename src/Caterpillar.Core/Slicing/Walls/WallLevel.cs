@@ -25,6 +25,8 @@ internal sealed class WallLevel
     private readonly VaryingOffset _offset;
     private readonly double _spacing;
     private readonly double _least;
+
+    // Thickness up to which a place gets a single strand, and up to which two beads share it, mm.
     private readonly double _single;
     private readonly double _double;
 
@@ -44,12 +46,6 @@ internal sealed class WallLevel
         _single = Math.Min(1.5 * _spacing, most);
         _double = Math.Min(2 * _spacing + Math.Max(rules.Spacing(next) / 2, _least), 2 * most);
     }
-
-    /// <summary>Thickness up to which a place gets a single strand, mm.</summary>
-    public double Single => _single;
-
-    /// <summary>Thickness up to which two beads share a place, mm.</summary>
-    public double Double => _double;
 
     private double SmallestThin => 0.05 * _spacing * _spacing;
 

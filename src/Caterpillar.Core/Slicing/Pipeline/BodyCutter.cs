@@ -1,0 +1,52 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+
+namespace Caterpillar.Slicing;
+
+/// <summary>Plans the layers of models and cuts them there.</summary>
+/// <param name="common">The settings of the print.</param>
+/// <param name="options">Threads, infill lines, and what divides planned layers further.</param>
+/// <param name="memory">Counts the layers.</param>
+/// <param name="problems">Gets what is noticed, counted over all models.</param>
+/// <param name="findings">Gets what is noticed, for each model.</param>
+/// <param name="cancel">Cancels.</param>
+internal sealed class BodyCutter(
+    PrintSettings common, SliceOptions options, SliceMemory memory, DiagnosticList problems, List<Diagnostic> findings, CancellationToken cancel)
+{
+    /// <summary>A model with its layers, as they are before the first stage; without any where nothing of it is above the bed.</summary>
+    public Body Cut(SliceModel model, int number, IProgress<double>? progress)
+    {
+        var (mesh, settings) = (model.Mesh.Mesh, model.Settings);
+        var body = new Body(model.Mesh, number, cancel) { InfillLines = options.InfillLines };
+        if (mesh.Bounds.IsEmpty) return body;
+        if (mesh.Bounds.Min.Z < -1e-6)
+        {
+            problems.Add(Severity.Warning, "slice.below_bed",
+                $"The model reaches {NumberFormatter.Format(-mesh.Bounds.Min.Z, 3)} mm below the bed; that part is not printed.", body.Source);
+        }
+        if (settings is { InfillPattern: InfillPattern.Curves, InfillCurves.Count: 0 } && (settings.InfillPercent > 0 || settings.InfillSpacing > 0))
+        {
+            problems.Add(Severity.Warning, "slice.no_curves",
+                "The infill is to be curves, but there are none (infill_curves_mm, --infill-curves FILE): the inside stays empty.", body.Source);
+        }
+        var planned = new LayerPlan(mesh, settings).Layers();
+        foreach (var problem in planned.Diagnostics) problems.Add(problem with { Source = problem.Source ?? body.Source });
+        if (planned.Value is not { } plan) return body;
+        if (options.Divide is { } divide) plan = divide(plan);
+        memory.Plan(body, plan);
+        var lift = Raft.Lift(common);
+        var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, options.Threads, findings, progress, cancel);
+        var rules = new Dictionary<double, SliceRules>();
+        body.Layers = new LayerWork[plan.Length];
+        for (var i = 0; i < plan.Length; i++)
+        {
+            if (!rules.TryGetValue(plan[i].Thickness, out var rule)) rules.Add(plan[i].Thickness, rule = SliceRules.Of(settings, plan[i].Thickness, common));
+            body.Layers[i] = new LayerWork(body, i, plan[i] with { Top = plan[i].Top + lift }, rule) { Section = sections[i] };
+        }
+        return body;
+    }
+}
