@@ -34,13 +34,13 @@ public class GCodeBenchmarks
     public object DecodeAndWriteUnedited()
     {
         var decoding = DecodeOnTwoThreads();
-        return GCodeEditor.Write(decoding, decoding.Toolpath, Stream.Null);
+        return GCodeEditor.Write(decoding, decoding.Toolpath, new EditOptions(), Stream.Null);
     }
 
     [Benchmark]
     public object EditOneLayerAndWrite()
         => GCodeEditor.Write(_decoding!, _decoding!.Toolpath.ScaleSpeed(new MoveFilter { FirstLayer = 20, LastLayer = 20, Kinds = [MoveKind.Print] }, 0.5),
-            Stream.Null);
+            new EditOptions(), Stream.Null);
 
     [Benchmark]
     public object ConvertToRelativeE() => GCodeConverter.Convert(_decoding!, new ConvertOptions { RelativeE = true }, Stream.Null);

@@ -98,7 +98,7 @@ internal sealed class PlanComparison
     }
 
     // Moves of one line each that are as planned, straight and by one tool: nearly all. Returns the first that is something else.
-    [MethodImpl((MethodImplOptions)512)]
+    [MethodImpl(Compile.Optimized)]
     internal int Equal(ToolpathColumns read, int next, int written)
     {
         var plan = _plan.Blocks[_block].Columns;

@@ -116,8 +116,9 @@ public class MotionLimitCheckTests
     [TestCase(MotionLimit.SquareCornerVelocity, 6, "The square corner velocity", "S")]
     [TestCase(MotionLimit.Speed, 150, "The greatest speed of the head", "S")]
     [TestCase(MotionLimit.MinimumCruiseRatio, 0.3, "", "")]
-    public void Each_limit_of_the_own_firmware_may_be_set_to_that_of_the_printer_and_no_higher(MotionLimit limit, double most, string name, string rules)
+    public void Each_limit_of_the_own_firmware_may_be_set_to_that_of_the_printer_and_no_higher(Enum named, double most, string name, string rules)
     {
+        var limit = (MotionLimit)named;
         foreach (var (rule, letter) in new[] { (CornerRule.Jerk, 'J'), (CornerRule.JunctionDeviation, 'K'), (CornerRule.SquareCornerVelocity, 'S') })
         {
             var setup = SmallPrint.Setup(p => p with
@@ -135,8 +136,9 @@ public class MotionLimitCheckTests
 
     [TestCase(MotionLimit.JunctionDeviation, CornerRule.JunctionDeviation, 0.02, "The junction deviation is raised to 0.05 mm; Generic printer has 0.02 mm.")]
     [TestCase(MotionLimit.JerkE, CornerRule.Jerk, 5, "The jerk of E is raised to 12.5 mm/s; Generic printer has 5 mm/s.")]
-    public void What_is_raised_is_told_in_its_unit(MotionLimit limit, CornerRule rule, double own, string message)
+    public void What_is_raised_is_told_in_its_unit(Enum named, CornerRule rule, double own, string message)
     {
+        var limit = (MotionLimit)named;
         var setup = SmallPrint.Setup(p => p with { CornerRule = rule, JunctionDeviation = 0.02, Jerk = new(5, 5, 5, 5) });
         Assert.That(Raised(setup, limit, own * 2.5).Single().Message, Is.EqualTo(message));
     }
@@ -149,8 +151,9 @@ public class MotionLimitCheckTests
     [TestCase(MotionLimit.AccelerationY, 3000)]
     [TestCase(MotionLimit.AccelerationZ, 100)]
     [TestCase(MotionLimit.AccelerationE, 5000)]
-    public void Each_acceleration_has_the_limit_of_its_axes(MotionLimit limit, double most)
+    public void Each_acceleration_has_the_limit_of_its_axes(Enum named, double most)
     {
+        var limit = (MotionLimit)named;
         var setup = SmallPrint.Setup(p => p with { MaxAcceleration = new(2000, 3000, 100, 5000) });
         Diagnostic[] Found(double value)
             => SmallPrint.Find(new SmallPrint().Event(new LimitEvent(limit, value)).Go(20, 10, 0.2).Build(), setup, CheckCodes.Acceleration);

@@ -96,8 +96,9 @@ public class TimelineRuleTests
 
     [TestCase(CornerRule.JunctionDeviation, MotionLimit.JunctionDeviation)]
     [TestCase(CornerRule.SquareCornerVelocity, MotionLimit.SquareCornerVelocity)]
-    public void Straight_lines_are_not_stopped_at_where_every_corner_is(CornerRule rule, MotionLimit limit)
+    public void Straight_lines_are_not_stopped_at_where_every_corner_is(CornerRule rule, Enum named)
     {
+        var limit = (MotionLimit)named;
         var printer = Rigid with { CornerRule = rule, MinimumCruiseRatio = 0 };
         double Time(params double[] ends)
         {

@@ -18,7 +18,6 @@ public class DepositTests
         Assert.That(deposit.Highest, Is.EqualTo(double.NegativeInfinity));
         Assert.That(deposit.TopAlong(Vec3.Zero, Far, 1), Is.EqualTo(double.NegativeInfinity));
         Assert.That(deposit.TopUnder(Vec3.Zero, 10), Is.EqualTo(double.NegativeInfinity));
-        Assert.That(deposit.IsFree(Vec3.Zero, Far, 1), Is.True);
     }
 
     [Test]
@@ -45,26 +44,14 @@ public class DepositTests
         // A crossing at x = 4 with 0.75 + 0.25 of reach sees the slope from x = 3 to 5.
         Assert.That(deposit.TopAlong(new Vec3(4, -3), new Vec3(4, 3), 0.75), Is.EqualTo(5).Within(1e-12));
         Assert.That(deposit.TopUnder(new Vec3(4, 0.1), 20), Is.EqualTo(4).Within(1e-12));
-        Assert.That(deposit.IsFree(new Vec3(0, 0, 1), new Vec3(10, 0, 11), 0.1), Is.True);
-        Assert.That(deposit.IsFree(new Vec3(0, 0, 0.2), new Vec3(10, 0, 10.2), 0.1), Is.False);
     }
 
     [Test]
-    public void Flush_contact_is_free()
+    public void Beads_add_the_strands_of_segments_and_arcs()
     {
         var deposit = new Deposit();
-        deposit.Add(new Vec3(0, 0, 1), new Vec3(10, 0, 1), 0.2);
-        Assert.That(deposit.IsFree(new Vec3(-5, 0, 1), new Vec3(15, 0, 1), 0.5), Is.True);
-        Assert.That(deposit.IsFree(new Vec3(-5, 0, 0.99), new Vec3(15, 0, 0.99), 0.5), Is.False);
-        Assert.That(deposit.IsFree(new Vec3(-5, 0, 0.99), new Vec3(15, 0, 0.99), 0.5, 0.02), Is.True);
-    }
-
-    [Test]
-    public void Paths_add_the_strands_of_their_segments_and_arcs()
-    {
-        var deposit = new Deposit();
-        deposit.Add(new PrintPath([new Vec3(10, 0, 1), new Vec3(-10, 0, 1), new Vec3(-10, -20, 1)], [new Bead(0.1, 0.2), new Bead(0)], false,
-            [new Arc(Vec3.Zero, 180), null]));
+        deposit.Add(new Vec3(10, 0, 1), new Vec3(-10, 0, 1), new Bead(0.1, 0.2), new Arc(Vec3.Zero, 180));
+        deposit.Add(new Vec3(-10, 0, 1), new Vec3(-10, -20, 1), new Bead(0));
         Assert.That(deposit.TopUnder(new Vec3(0, 10), 5), Is.EqualTo(1));
         Assert.That(deposit.TopUnder(new Vec3(0, 9.7), 5), Is.EqualTo(double.NegativeInfinity));
         Assert.That(deposit.TopUnder(new Vec3(-10, -10), 5), Is.EqualTo(double.NegativeInfinity), "a stroke without material");
@@ -125,38 +112,6 @@ public class DepositTests
             Assert.That(lean.TopAlong(a, b, 0.4), Is.LessThanOrEqualTo(exact.TopAlong(a, b, 0.4 + 0.51)));
             Assert.That(lean.TopUnder(a, 100), Is.GreaterThanOrEqualTo(exact.TopUnder(a, 100)));
         }
-    }
-
-    [Test]
-    public void Free_paths_on_a_slope_agree_with_sampling()
-    {
-        var random = new Random(47);
-        int free = 0, blocked = 0;
-        for (var round = 0; round < 120; round++)
-        {
-            var deposit = new Deposit();
-            var strands = Strands(random, 4);
-            foreach (var s in strands) deposit.Add(s.A, s.B, s.Half);
-            var a = Point(random);
-            var b = Point(random);
-            var sampled = true;
-            for (var i = 0; i <= 200; i++)
-            {
-                var at = Vec3.Lerp(a, b, i / 200.0);
-                sampled &= Brute(strands, at, at, 0.3) <= at.Z;
-            }
-            if (deposit.IsFree(a, b, 0.3))
-            {
-                Assert.That(sampled, Is.True);
-                free++;
-            }
-            else if (!sampled)
-            {
-                blocked++;
-            }
-        }
-        Assert.That(free, Is.GreaterThan(15));
-        Assert.That(blocked, Is.GreaterThan(15));
     }
 
     [Test]

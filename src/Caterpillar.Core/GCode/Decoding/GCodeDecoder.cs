@@ -5,6 +5,7 @@ using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Dialects;
+using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -51,7 +52,7 @@ public static class GCodeDecoder
         CancellationToken cancel = default)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
-        using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
+        using var stream = InputFile.Open(path);
         var read = GCodeDocument.Read(stream, Path.GetFileName(path), options?.Memory ?? MemoryLimit.Default, cancel);
         return read.Value is { } document ? Decode(document, options, progress, cancel) : new Result<DecodedGCode>(null, read.Diagnostics);
     }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Runtime.CompilerServices;
+using Caterpillar.Basics;
 using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -54,7 +55,7 @@ internal sealed class GCodeInterpreter
     public bool Strokes => _machine.Moves.Strokes;
 
     /// <summary>Carries out the lines of a chunk; <paramref name="firstLine"/> lines are before it.</summary>
-    [MethodImpl((MethodImplOptions)512)]
+    [MethodImpl(Compile.Optimized)]
     public void Run(ChunkParser chunk, int firstLine)
     {
         var text = chunk.Chunk!.Text;

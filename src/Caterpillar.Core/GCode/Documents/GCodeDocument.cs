@@ -72,7 +72,7 @@ public sealed class GCodeDocument
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static Result<GCodeDocument> ReadFile(string path, CancellationToken cancel = default)
     {
-        using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
+        using var stream = InputFile.Open(path);
         return Read(stream, Path.GetFileName(path), cancel);
     }
 

@@ -42,11 +42,6 @@ public static class GCodeEditor
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static IReadOnlyList<Diagnostic> Write(DecodedGCode decoding, Toolpath edited, Stream stream, IProgress<double>? progress = null,
-        CancellationToken cancel = default)
-        => Write(decoding, edited, new EditOptions(), stream, progress, cancel);
-
-    /// <inheritdoc cref="Write(DecodedGCode, Toolpath, Stream, IProgress{double}?, CancellationToken)"/>
     public static IReadOnlyList<Diagnostic> Write(
         DecodedGCode decoding, Toolpath edited, EditOptions options, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -63,7 +58,7 @@ public static class GCodeEditor
         return splicer.Diagnostics.ToList();
     }
 
-    /// <inheritdoc cref="Write(DecodedGCode, Toolpath, Stream, IProgress{double}?, CancellationToken)" path="/summary"/>
+    /// <inheritdoc cref="Write" path="/summary"/>
     public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, Toolpath edited, IProgress<double>? progress = null,
         CancellationToken cancel = default)
         => ToDocument(decoding, edited, new EditOptions(), progress, cancel);

@@ -42,10 +42,8 @@ internal sealed class ParsedLine
 
     public int ParenStart { get; private set; }
 
-    /// <summary>Index of the <c>*</c>, or −1, and the number after it.</summary>
+    /// <summary>Index of the <c>*</c>, or −1.</summary>
     public int ChecksumAt { get; private set; }
-
-    public int Checksum { get; private set; }
 
     /// <summary>Index of the N, or −1, and its number.</summary>
     public int NumberWordAt { get; private set; }
@@ -161,9 +159,7 @@ internal sealed class ParsedLine
             if (c == '*')
             {
                 ChecksumAt = at;
-                at = NumberReader.Scan(text, at + 1, end, false, out var sum);
-                Checksum = sum is >= 0 and < 65536 ? (int)sum : -1;
-                if (at == ChecksumAt + 1) Checksum = -1;
+                at = NumberReader.Scan(text, at + 1, end, false, out _);
                 continue;
             }
             var letter = (byte)(c & 0xDF);

@@ -7,7 +7,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>The format of G-code: everything that the moves themselves do not say.</summary>
-public sealed record GCodeFormat
+internal sealed record GCodeFormat
 {
     /// <summary>The firmware to write for.</summary>
     public DialectRules Dialect { get; init; } = DialectTable.Marlin2;

@@ -16,36 +16,28 @@ namespace Caterpillar.GCode;
 /// that do not change are left out, and so are moves without any; what rounding leaves of E is carried on, so that the sum of what is written never differs
 /// from the sum of the moves by more than half the last decimal.
 /// </summary>
-public sealed partial class GCodeWriter
+internal sealed class GCodeWriter
 {
-    // An absolute E beyond this is set back to 0 where a layer begins: firmwares count with 24 bits.
-    private const double LargestSum = 1000;
-    private const double LargestExact = 1e8;
-
-    private Toolpath _toolpath;
     private GCodeFormat _format;
     private readonly DialectRules _rules;
     private readonly LineBuffer _out;
-    private readonly byte _e;
-    private readonly bool _relative;
+    private readonly MotionLines _motion;
+    private readonly RawEffects _raw;
     private readonly bool _switches;
-    private readonly Dictionary<int, ExtruderSum> _sums = [];
-    private readonly Dictionary<int, double> _rests = [];
-    private readonly long _largestSum;
-    private ExtruderSum _sum = new();
-    private long _x;
-    private long _y;
-    private long _z;
-    private long _f = long.MinValue;
-    private bool _positionKnown;
+    private Toolpath _toolpath;
     private int _nextBlock;
     private int _nextEvent;
     private int _tool;
     private int _layer = -1;
+    private int _layers;
     private Role _role = Role.Unspecified;
     private string _object = "";
     private HomeEvent? _homed;
     private bool _on;
+    private double _travelSpeed;
+
+    // The head may be elsewhere than the next move begins.
+    private bool _positionLost;
 
     public GCodeWriter(Toolpath toolpath, GCodeFormat? format = null)
     {
@@ -53,16 +45,13 @@ public sealed partial class GCodeWriter
         _format = format ?? new GCodeFormat();
         _rules = _format.Dialect;
         _out = new LineBuffer(_format.Numbered);
-        _e = _format.ExtruderLetter;
-        _relative = _format.WritesRelative;
+        _motion = new MotionLines(_format, _out);
         _switches = _format.Switches;
-        _raw = new RawEffects(_rules, _e);
-        _sums.Add(0, _sum);
-        _largestSum = NumberFormatter.ToUnits(LargestSum, _format.DecimalsE);
+        _raw = new RawEffects(_rules, _format.ExtruderLetter);
     }
 
     /// <summary>Takes down which lines belong to each move, event and template; null for nobody.</summary>
-    internal WrittenLines? Written { get; init; }
+    public WrittenLines? Written { get; init; }
 
     /// <summary>Lines written so far.</summary>
     public long Lines => _out.Lines;
@@ -106,9 +95,8 @@ public sealed partial class GCodeWriter
         if (_format.PrintTime is { } seconds) _out.Comment("TIME:" + NumberFormatter.Format((long)Math.Round(seconds)));
         Template(_format.Start);
         _raw.Read(_format.Start);
-        if (_raw.Unit && _rules.Inches) Modal(21);
-        if (_raw.Plane && _rules.Planes) Modal(17);
-        StateModes();
+        _motion.StateUnits(_raw);
+        _motion.StateModes();
         if (_raw.Tool is > 0) StateTool(_tool);
         Written?.EndStart(Lines);
         Flush(stream);
@@ -136,7 +124,7 @@ public sealed partial class GCodeWriter
     }
 
     /// <summary>Goes on with a toolpath that begins as the one so far and is longer; its end code may be known only now.</summary>
-    internal void GoOn(Toolpath longer, GCodeFormat format) => (_toolpath, _format) = (longer, format);
+    public void GoOn(Toolpath longer, GCodeFormat format) => (_toolpath, _format) = (longer, format);
 
     /// <summary>What happens after the last move, and the end code.</summary>
     public void WriteEnd(Stream stream)
@@ -145,7 +133,7 @@ public sealed partial class GCodeWriter
         Events(_toolpath.Count);
         if (_on) Switch(false);
         if (_format.Comments && _object.Length > 0) Object("");
-        if (_format.End.Count > 0) SetRelative(false);
+        if (_format.End.Count > 0) _motion.SetRelative(false);
         Written?.BeginEnd(Lines);
         Template(_format.End);
         Flush(stream);
@@ -203,9 +191,10 @@ public sealed partial class GCodeWriter
         if (_switches) Switch(kind == MoveKind.Print);
         ReturnTo(c, block, i);
         if (kind == MoveKind.Travel) _travelSpeed = c.Speed[i];
-        SetTurns(c, i);
-        if (c.TryGetArc(i, out var arc)) ArcMove(c, block, i, arc);
-        else Straight(c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i], kind == MoveKind.Travel ? 0 : 1);
+        _motion.Rotary.Aim(c, i);
+        var code = kind == MoveKind.Travel ? 0 : 1;
+        if (c.TryGetArc(i, out var arc)) _motion.Arc(StartOf(c, block, i), new Vec3(c.X[i], c.Y[i], c.Z[i]), c.E[i], c.Speed[i], arc, code);
+        else _motion.Straight(c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i], code);
     }
 
     // Firmware without amounts: the extruder is on or off.
@@ -219,101 +208,128 @@ public sealed partial class GCodeWriter
 
     private bool IsHomingMove(HomeEvent home, ToolpathColumns c, int block, int i)
     {
-        var start = i > 0 ? new Vec3(c.X[i - 1], c.Y[i - 1], c.Z[i - 1]) : _toolpath.StartOf(block);
+        var start = StartOf(c, block, i);
         return c.X[i] == (home.X ? 0 : start.X) && c.Y[i] == (home.Y ? 0 : start.Y) && c.Z[i] == (home.Z ? 0 : start.Z);
     }
 
-    private void Straight(double x, double y, double z, double e, double speed, int code)
+    private void Events(int move)
     {
-        var xyz = _format.DecimalsXyz;
-        var ux = NumberFormatter.ToUnits(x, xyz);
-        var uy = NumberFormatter.ToUnits(y, xyz);
-        var uz = NumberFormatter.ToUnits(z, xyz);
-        var ue = StepE(e, out var changed);
-        bool hasX = !_positionKnown || ux != _x, hasY = !_positionKnown || uy != _y, hasZ = !_positionKnown || uz != _z;
-        if (!hasX && !hasY && !hasZ && !changed && !_hasTurns) return;
-        if (_format.RelativeXyz) SetRelative(_positionKnown);
-        _out.Command((byte)'G', code);
-        if (hasX) _out.Word((byte)'X', _g91 ? ux - _x : ux, xyz);
-        if (hasY) _out.Word((byte)'Y', _g91 ? uy - _y : uy, xyz);
-        if (hasZ) _out.Word((byte)'Z', _g91 ? uz - _z : uz, xyz);
-        Turns();
-        if (changed) _out.Word(_e, ue, _format.DecimalsE);
-        Feed(speed);
-        _out.EndLine();
-        _x = ux;
-        _y = uy;
-        _z = uz;
-        _positionKnown = true;
-    }
-
-    private void StateModes()
-    {
-        _g91 = false;
-        _out.Command((byte)'G', 90);
-        _out.EndLine();
-        StateModeOfE();
-        if (_e != 0 && !_relative) ResetE();
-    }
-
-    private void StateModeOfE()
-    {
-        if (_e != 0 && _rules.RelativeE != RelativeERule.OnlyG90G91)
+        var events = _toolpath.Events;
+        for (; _nextEvent < events.Count && events[_nextEvent].Move <= move; _nextEvent++)
         {
-            _out.Command((byte)'M', _relative ? 83 : 82);
-            _out.EndLine();
+            var before = Lines;
+            Event(events[_nextEvent].Event);
+            Written?.Event(_nextEvent, before, Lines);
         }
     }
 
-    // Number to print for a change of E, and whether the printed sum changes at all.
-    private long StepE(double e, out bool changed)
+    private void Event(PrinterEvent what)
     {
-        changed = false;
-        if (_e == 0) return 0;
-        var sum = _sum;
-        if (Math.Abs(sum.Exact) > LargestExact) Rebase();
-        sum.Exact += e;
-        var units = NumberFormatter.ToUnits(sum.Exact, _format.DecimalsE);
-        var step = units - sum.Written;
-        changed = step != 0;
-        sum.Written = units;
-        return _relative ? step : units;
+        switch (what)
+        {
+            case ToolEvent tool:
+                Tool(tool.Tool);
+                return;
+            case RawEvent raw:
+                Raw([raw.Line]);
+                return;
+            case HomeEvent home:
+                _homed = home;
+                _motion.ForgetPosition();
+                break;
+        }
+        foreach (var line in EventText.Lines(what, _rules)) _out.Line(line);
     }
 
-    // Sums stay within what can be printed.
-    private void Rebase()
+    private void Tool(int tool)
     {
-        if (!_relative)
+        if (tool == _tool) return;
+        var lines = _format.ToolLines?.Invoke(_tool, tool);
+        _motion.Extruder.Leave(_tool, tool);
+        _tool = tool;
+        if (lines is { Count: > 0 }) Raw(lines);
+        else StateTool(tool);
+        _motion.Extruder.Enter(tool);
+    }
+
+    private void StateTool(int tool)
+    {
+        if (_rules.ToolByM6)
         {
-            ResetE();
+            _out.Command((byte)'M', 6);
+            _out.Word((byte)'T', tool, 0);
+        }
+        else
+        {
+            _out.Command((byte)'T', tool);
+        }
+        _out.EndLine();
+    }
+
+    private void Layer(int number)
+    {
+        var before = _layer >= 0 ? _toolpath.Layers[_layer] : null;
+        _layer = number;
+        if (number < 0)
+        {
+            if (_format.Comments) Object("");
             return;
         }
-        _sum.Exact -= NumberFormatter.FromUnits(_sum.Written, _format.DecimalsE);
-        _sum.Written = 0;
+        var layer = _toolpath.Layers[number];
+        if (before is null || layer.Index != before.Index || layer.Z != before.Z)
+        {
+            _motion.Extruder.BeginLayer();
+            if (_format.Comments)
+            {
+                _out.Comment("LAYER_CHANGE");
+                _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
+                if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
+            }
+            if (_layers++ > 0 && _format.LayerLines?.Invoke(layer) is { Count: > 0 } lines) Raw(lines);
+        }
+        if (_format.Comments) Object(layer.Object);
     }
 
-    private void Feed(double speed)
+    private void Object(string name)
     {
-        if (!(speed > 0)) return;
-        var units = NumberFormatter.ToUnits(speed * 60, _format.DecimalsF);
-        if (units == _f || units == 0) return;
-        _f = units;
-        _out.Word((byte)'F', units, _format.DecimalsF);
+        if (name == _object) return;
+        if (_object.Length > 0) _out.Comment(" stop printing object " + _object);
+        _object = name;
+        if (name.Length > 0) _out.Comment(" printing object " + name);
     }
 
-    private void ResetE()
+    private void Raw(IReadOnlyList<string> lines)
     {
-        _out.Command((byte)'G', 92);
-        _out.Word(_e, 0, 0);
-        _out.EndLine();
-        // What was not written yet is still to be written.
-        _sum.Exact -= NumberFormatter.FromUnits(_sum.Written, _format.DecimalsE);
-        _sum.Written = 0;
+        // Lines from elsewhere may count on absolute positions.
+        _motion.SetRelative(false);
+        foreach (var line in lines) _out.Line(line);
+        Restate(lines);
     }
 
-    private sealed class ExtruderSum
+    // After lines from elsewhere what they may have changed. The next move states its whole position and its speed.
+    private void Restate(IReadOnlyList<string> lines)
     {
-        public double Exact;
-        public long Written;
+        _raw.Read(lines);
+        if (_raw.Switch is { } on) _on = on;
+        _motion.StateUnits(_raw);
+        if (_raw.Modes || _raw.E) _motion.StateModes();
+        if (_raw.Tool is { } tool && tool != _tool) StateTool(_tool);
+        if (!_raw.Position && !_raw.Unit) return;
+        _positionLost |= _motion.KnowsPosition;
+        _motion.ForgetPosition();
+        _motion.ForgetSpeed();
     }
+
+    // Strands begin where the path does, not where lines from elsewhere have left the head.
+    private void ReturnTo(ToolpathColumns c, int block, int i)
+    {
+        if (!_positionLost) return;
+        _positionLost = false;
+        if (c.Kind[i] is MoveKind.Travel or MoveKind.Dwell) return;
+        var start = StartOf(c, block, i);
+        _motion.Straight(start.X, start.Y, start.Z, 0, _travelSpeed > 0 ? _travelSpeed : c.Speed[i], 0);
+    }
+
+    private Vec3 StartOf(ToolpathColumns c, int block, int i)
+        => i > 0 ? new Vec3(c.X[i - 1], c.Y[i - 1], c.Z[i - 1]) : _toolpath.StartOf(block);
 }

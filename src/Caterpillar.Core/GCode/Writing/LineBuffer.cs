@@ -25,13 +25,6 @@ internal sealed class LineBuffer(bool numbered)
         _count = _lineStart = 0;
     }
 
-    public byte[] ToArray()
-    {
-        var copy = new byte[_count];
-        Buffer.BlockCopy(_bytes, 0, copy, 0, _count);
-        return copy;
-    }
-
     /// <summary>Begins a command: its letter and number.</summary>
     public void Command(byte letter, int number)
     {
@@ -48,16 +41,6 @@ internal sealed class LineBuffer(bool numbered)
         _bytes[_count++] = (byte)' ';
         _bytes[_count++] = letter;
         _count = NumberFormatter.WriteUnits(_bytes, _count, units, decimals);
-    }
-
-    public void Word(char letter, double value, int decimals) => Word((byte)letter, NumberFormatter.ToUnits(value, decimals), decimals);
-
-    /// <summary>Adds a word that is only a letter.</summary>
-    public void Bare(char letter)
-    {
-        EnsureSpace();
-        _bytes[_count++] = (byte)' ';
-        _bytes[_count++] = (byte)letter;
     }
 
     public void EndLine()

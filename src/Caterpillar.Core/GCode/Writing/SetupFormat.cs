@@ -7,7 +7,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>The format in which a printer wants its G-code: dialect, mode of E, decimals, and its templates filled with the values of the print.</summary>
-public static class SetupFormat
+internal static class SetupFormat
 {
     /// <summary>
     /// The format for a toolpath; none where a template of the printer is wrong, or where it needs amounts of E that the toolpath does not have.

@@ -10,24 +10,30 @@ namespace Caterpillar.Toolpaths;
 /// travels, beads from the gap, the safe return of turtles, support and collision. It grows with the print; strands far below the top of their bin are dropped,
 /// and there the cells answer (never too low, and too wide by less than one cell). Not thread-safe.
 /// </summary>
-public sealed partial class Deposit
+internal sealed class Deposit
 {
     // Deviation of the chords of an arc, mm.
     private const double ArcTolerance = 0.02;
 
-    // Bins on each side of the origin: 2 m with the usual cell. Everything farther out has one height.
-    private const int MaxBins = 1024;
+    // Strands that are looked at, of those that were added last.
+    private const int MostParallel = 128;
+
+    // mm; far more than an interpolated height is off.
+    private const double Rounding = 1e-6;
+
+    // Cosine of 18°.
+    private const double Parallel = 0.95;
     private readonly double _cell;
     private readonly double _perCell;
     private readonly double _keepDepth;
     private readonly StrandStore _store = new();
     private readonly DepositCells _cells = new();
+    private readonly DepositBins _bins;
+    private readonly DepositContacts _contacts;
 
     // What a strand covers: of all, and in the rows of a bin.
     private readonly StrandRows _rowsOf;
     private readonly (int First, int Last)[] _spans = new (int, int)[DepositBin.Side];
-    private DepositBin?[] _bins = [];
-    private int _left, _bottom, _columns, _rows;
     private double _outside = double.NegativeInfinity;
 
     // The last strand, if all of it is inside; else −1.
@@ -44,6 +50,8 @@ public sealed partial class Deposit
         _perCell = 1 / cell;
         _rowsOf = new StrandRows(cell);
         _keepDepth = keepDepth;
+        _bins = new DepositBins(cell);
+        _contacts = new DepositContacts(_bins, _cells, _store, cell);
     }
 
     /// <summary>Side of a cell, mm.</summary>
@@ -54,13 +62,6 @@ public sealed partial class Deposit
 
     /// <summary>Number of strands kept for exact answers.</summary>
     public int StrandCount => _store.Count;
-
-    /// <summary>Adds the strands of a path. Segments without material are skipped.</summary>
-    public void Add(PrintPath path, BeadShape shape = BeadShape.Rectangle)
-    {
-        if (path is null) throw new ArgumentNullException(nameof(path));
-        for (var i = 0; i < path.SegmentCount; i++) Add(path.Points[i], path.EndOf(i), path.BeadOf(i), path.ArcOf(i), shape);
-    }
 
     /// <summary>Adds a segment of a path, straight or an arc.</summary>
     public void Add(Vec3 from, Vec3 to, Bead bead, Arc? arc = null, BeadShape shape = BeadShape.Rectangle)
@@ -88,7 +89,7 @@ public sealed partial class Deposit
     public void Add(Vec3 from, Vec3 to, double halfWidth) => Add(from, to, halfWidth, -1);
 
     /// <summary>The same with a number for what it is, 0 or more.</summary>
-    internal void Add(Vec3 from, Vec3 to, double halfWidth, int tag)
+    public void Add(Vec3 from, Vec3 to, double halfWidth, int tag)
     {
         if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "The ends of a strand must be finite.");
         if (!(halfWidth >= 0) || double.IsInfinity(halfWidth))
@@ -97,7 +98,7 @@ public sealed partial class Deposit
         }
         var strand = new Strand { Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth, Tag = tag };
         Highest = Math.Max(Highest, strand.Top);
-        var edge = MaxBins * DepositBin.Side * _cell;
+        var edge = DepositBins.Most * _bins.Side;
         _last = -1;
         if (IsOutside(from, halfWidth, edge) || IsOutside(to, halfWidth, edge))
         {
@@ -118,9 +119,9 @@ public sealed partial class Deposit
     }
 
     /// <summary>The strand that was added last goes on in its line, at the same width, from its end to another.</summary>
-    internal void GoOn(Vec3 from, Vec3 to, double halfWidth, int tag)
+    public void GoOn(Vec3 from, Vec3 to, double halfWidth, int tag)
     {
-        if (_last < 0 || IsOutside(to, halfWidth, MaxBins * DepositBin.Side * _cell))
+        if (_last < 0 || IsOutside(to, halfWidth, DepositBins.Most * _bins.Side))
         {
             Add(from, to, halfWidth, tag);
             return;
@@ -137,22 +138,22 @@ public sealed partial class Deposit
     /// </summary>
     public double TopAlong(Vec3 a, Vec3 b, double radius)
     {
-        var edge = MaxBins * DepositBin.Side * _cell;
+        var edge = DepositBins.Most * _bins.Side;
         var best = IsOutside(a, radius, edge) || IsOutside(b, radius, edge) ? _outside : double.NegativeInfinity;
-        if (_bins.Length == 0) return best;
-        var side = DepositBin.Side * _cell;
+        if (_bins.IsEmpty) return best;
+        var side = _bins.Side;
         var halfDiagonal = side * 0.7072;
-        var firstRow = Clamp(Math.Min(a.Y, b.Y) - radius, side, _bottom, _rows);
-        var lastRow = Clamp(Math.Max(a.Y, b.Y) + radius, side, _bottom, _rows);
+        var firstRow = _bins.Row(Math.Min(a.Y, b.Y) - radius);
+        var lastRow = _bins.Row(Math.Max(a.Y, b.Y) + radius);
         for (var row = firstRow; row <= lastRow; row++)
         {
             var y = row * side;
             if (!FlatSegment.RowSpan(a, b, y - radius, y + side + radius, out var x0, out var x1)) continue;
-            var first = Clamp(x0 - radius, side, _left, _columns);
-            var last = Clamp(x1 + radius, side, _left, _columns);
+            var first = _bins.Column(x0 - radius);
+            var last = _bins.Column(x1 + radius);
             for (var column = first; column <= last; column++)
             {
-                var bin = _bins[(row - _bottom) * _columns + column - _left];
+                var bin = _bins[column, row];
                 if (bin is null || bin.Top <= best) continue;
                 var center = new Vec3((column + 0.5) * side, y + side / 2);
                 if (FlatSegment.SquareDistance(center, a, b) > (radius + halfDiagonal) * (radius + halfDiagonal)) continue;
@@ -169,15 +170,15 @@ public sealed partial class Deposit
     public double TopUnder(Vec3 point, double limit, double radius = 0)
     {
         var best = double.NegativeInfinity;
-        var side = DepositBin.Side * _cell;
-        if (_bins.Length == 0 || !(Math.Abs(point.X) < MaxBins * side && Math.Abs(point.Y) < MaxBins * side)) return best;
-        var lastRow = Clamp(point.Y + radius, side, _bottom, _rows);
-        var lastColumn = Clamp(point.X + radius, side, _left, _columns);
-        for (var row = Clamp(point.Y - radius, side, _bottom, _rows); row <= lastRow; row++)
+        var side = _bins.Side;
+        if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return best;
+        var lastRow = _bins.Row(point.Y + radius);
+        var lastColumn = _bins.Column(point.X + radius);
+        for (var row = _bins.Row(point.Y - radius); row <= lastRow; row++)
         {
-            for (var column = Clamp(point.X - radius, side, _left, _columns); column <= lastColumn; column++)
+            for (var column = _bins.Column(point.X - radius); column <= lastColumn; column++)
             {
-                var bin = _bins[(row - _bottom) * _columns + column - _left];
+                var bin = _bins[column, row];
                 if (bin is null || bin.Top <= best) continue;
                 for (var i = 0; i < bin.Count; i++)
                 {
@@ -191,18 +192,80 @@ public sealed partial class Deposit
     }
 
     /// <summary>
-    /// True if a tip of the given radius in mm can move straight from <paramref name="a"/> to <paramref name="b"/> without dipping more than
-    /// <paramref name="tolerance"/> mm below the top of anything it passes.
+    /// The height of the cell under a point, and the next height clearly below it, mm; negative infinity where nothing is. A cell is as high as what touches
+    /// it.
     /// </summary>
-    public bool IsFree(Vec3 a, Vec3 b, double radius, double tolerance = 1e-6)
+    public (double Top, double Under) CellAt(double x, double y)
     {
-        var top = TopAlong(a, b, radius);
-        if (top <= Math.Min(a.Z, b.Z) + tolerance) return true;
-        if (top > Math.Max(a.Z, b.Z) + tolerance && a.Z == b.Z) return false;
-        // On a slope the height differs along the line: check it in pieces.
-        if ((b - a).LengthXY <= _cell / 4) return false;
-        var middle = Vec3.Lerp(a, b, 0.5);
-        return IsFree(a, middle, radius, tolerance) && IsFree(middle, b, radius, tolerance);
+        if (!_bins.MayHold(x, y)) return (_outside, double.NegativeInfinity);
+        var cell = _cells[Index(x), Index(y)];
+        return (cell.Top, cell.Under);
+    }
+
+    /// <summary>
+    /// True if one of the last strands around a point is about as high, as wide, and runs in its place: their axes are less than a quarter of their widths
+    /// apart.
+    /// </summary>
+    public bool HasParallel(Vec3 p, Vec3 along, double half, double height, out int tag)
+    {
+        tag = -1;
+        if (!_bins.MayHold(p.X, p.Y)) return false;
+        int column = Index(p.X), row = Index(p.Y);
+        var lowest = p.Z - 0.5 * height - Rounding;
+        // A strand in its place would have raised the cell.
+        if (_cells[column, row].Top < lowest) return false;
+        if (_bins[column >> DepositBin.Bits, row >> DepositBin.Bits] is not { } bin) return false;
+        var length = along.LengthXY;
+        if (!(length > 0)) return false;
+        for (int i = bin.Count - 1, last = Math.Max(0, bin.Count - MostParallel); i >= last; i--)
+        {
+            var top = bin.Entries[i].Top;
+            // The layer below begins here.
+            if (top < p.Z - 2 * height) return false;
+            if (top < lowest) continue;
+            ref var strand = ref _store[bin.Entries[i].Strand];
+            if (Math.Min(half, strand.Half) < 0.6 * Math.Max(half, strand.Half)) continue;
+            double dx = strand.Bx - strand.Ax, dy = strand.By - strand.Ay;
+            var near = 0.25 * (half + strand.Half);
+            // Most are clearly beside it, which is told without a root.
+            var aside = (p.X - strand.Ax) * dy - (p.Y - strand.Ay) * dx;
+            if (aside * aside > (near * near + Rounding) * (dx * dx + dy * dy)) continue;
+            var other = Math.Sqrt(dx * dx + dy * dy);
+            if (!(other > 0) || Math.Abs(dx * along.X + dy * along.Y) < Parallel * other * length) continue;
+            var t = ((p.X - strand.Ax) * dx + (p.Y - strand.Ay) * dy) / (other * other);
+            if (t < 0 || t > 1) continue;
+            double ex = p.X - strand.Ax - dx * t, ey = p.Y - strand.Ay - dy * t;
+            if (ex * ex + ey * ey > near * near || Math.Abs(strand.Az + (strand.Bz - strand.Az) * t - p.Z) > 0.5 * height) continue;
+            tag = strand.Tag;
+            return true;
+        }
+        return false;
+    }
+
+    /// <summary>
+    /// What the head does to strands where its tip goes straight from a to b. Never misses one; strands that were dropped count as their cells.
+    /// </summary>
+    /// <param name="a">Start of the segment, mm.</param>
+    /// <param name="b">Its end.</param>
+    /// <param name="tolerance">How deep it may touch them, mm.</param>
+    /// <param name="head">The underside of the head.</param>
+    /// <param name="hitsOnly">What it only digs into does not count.</param>
+    /// <param name="tag">Number of the strand that it hits or digs into, or −1 for one that has none.</param>
+    public HeadContact Meets(Vec3 a, Vec3 b, double tolerance, HeadShape head, bool hitsOnly, out int tag)
+    {
+        var query = new HeadQuery(a, b, tolerance, head, hitsOnly);
+        return _contacts.Meets(ref query, Highest, out tag);
+    }
+
+    /// <summary>
+    /// A cell more than <paramref name="tolerance"/> above the bottom of a box that is moved from a to b with its origin; the number of a strand
+    /// there, or −1.
+    /// </summary>
+    public bool MeetsBox(Vec3 a, Vec3 b, double tolerance, Bounds box, out int tag)
+    {
+        tag = -1;
+        var query = new BoxQuery(a, b, tolerance, box);
+        return !_bins.IsEmpty && Highest > query.Lowest && _contacts.MeetsBox(query, out tag);
     }
 
     private double TopInBin(DepositBin bin, int column, int row, Vec3 a, Vec3 b, double radius, double best)
@@ -215,8 +278,8 @@ public sealed partial class Deposit
         var reach = radius + _cell * 0.7072;
         for (var i = 0; i < DepositBin.Cells; i++)
         {
-            var top = Math.Min(CellIn(column, row, i).Top, bin.Dropped);
-            if (top > best && FlatSegment.SquareDistance(Center(column, row, i), a, b) <= reach * reach) best = top;
+            var top = Math.Min(_cells.InBin(column, row, i).Top, bin.Dropped);
+            if (top > best && FlatSegment.SquareDistance(DepositCells.Center(column, row, i, _cell), a, b) <= reach * reach) best = top;
         }
         return best;
     }
@@ -226,18 +289,11 @@ public sealed partial class Deposit
         var reach = radius + _cell * 0.7072;
         for (var i = 0; i < DepositBin.Cells; i++)
         {
-            var top = Math.Min(CellIn(column, row, i).Top, bin.Dropped);
-            if (top > best && top <= limit && FlatSegment.SquareDistance(Center(column, row, i), point, point) <= reach * reach) best = top;
+            var top = Math.Min(_cells.InBin(column, row, i).Top, bin.Dropped);
+            if (top > best && top <= limit && FlatSegment.SquareDistance(DepositCells.Center(column, row, i, _cell), point, point) <= reach * reach) best = top;
         }
         return best;
     }
-
-    // A cell of a bin.
-    private DepositCell CellIn(int column, int row, int cell)
-        => _cells[(column << DepositBin.Bits) + (cell & (DepositBin.Side - 1)), (row << DepositBin.Bits) + (cell >> DepositBin.Bits)];
-
-    private Vec3 Center(int column, int row, int cell) => new(
-        ((column << DepositBin.Bits) + (cell & (DepositBin.Side - 1)) + 0.5) * _cell, ((row << DepositBin.Bits) + (cell >> DepositBin.Bits) + 0.5) * _cell);
 
     private void Draw(int index, in Strand strand)
     {
@@ -258,7 +314,8 @@ public sealed partial class Deposit
                 right = Math.Max(right, span.Last);
             }
             // Spans of rows above each other touch: there is no bin between the outermost that knows nothing of the strand.
-            for (var column = left >> DepositBin.Bits; column <= right >> DepositBin.Bits; column++) Enter(column, row >> DepositBin.Bits, index, highest);
+            for (var column = left >> DepositBin.Bits; column <= right >> DepositBin.Bits; column++)
+                _bins.Enter(column, row >> DepositBin.Bits, index, highest, _store, _keepDepth);
             if (isLevel) _cells.Lay(_spans, row, end, left, right, highest);
             else LaySloped(strand, row, end);
         }
@@ -282,17 +339,6 @@ public sealed partial class Deposit
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private int Index(double x) => StrandRows.Index(x, _perCell);
 
-    // A strand reaches into a bin.
-    private void Enter(int column, int row, int strand, double highest)
-    {
-        var bin = BinAt(column, row);
-        bin.Add(strand, highest, _store, _keepDepth);
-        if (highest > bin.Top) Raise(bin, column, row, highest);
-    }
-
-    private static int Clamp(double x, double side, int first, int count)
-        => (int)Math.Min(Math.Max(Math.Floor(x / side), first), first + count - 1);
-
     private static bool IsOutside(Vec3 p, double margin, double edge) => !(Math.Abs(p.X) + margin < edge && Math.Abs(p.Y) + margin < edge);
 
     private static bool ClipAxis(double a, double b, double edge, ref double low, ref double high)
@@ -303,34 +349,5 @@ public sealed partial class Deposit
         low = Math.Max(low, Math.Min((-edge - a) / d, (edge - a) / d));
         high = Math.Min(high, Math.Max((-edge - a) / d, (edge - a) / d));
         return low <= high;
-    }
-
-    private DepositBin BinAt(int column, int row)
-    {
-        if (column < _left || row < _bottom || column >= _left + _columns || row >= _bottom + _rows) GrowTo(column, row);
-        ref var bin = ref _bins[(row - _bottom) * _columns + column - _left];
-        return bin ??= new DepositBin();
-    }
-
-    private void GrowTo(int column, int row)
-    {
-        // Grows by half on the side that was exceeded, so that growing costs little overall.
-        var margin = _bins.Length == 0 ? 4 : Math.Max(_columns, _rows) / 2;
-        var left = _bins.Length == 0 ? column - margin : column < _left ? column - margin : _left;
-        var bottom = _bins.Length == 0 ? row - margin : row < _bottom ? row - margin : _bottom;
-        var right = _bins.Length == 0 ? column + margin : column >= _left + _columns ? column + margin : _left + _columns - 1;
-        var top = _bins.Length == 0 ? row + margin : row >= _bottom + _rows ? row + margin : _bottom + _rows - 1;
-        left = Math.Max(left, -MaxBins - 1);
-        bottom = Math.Max(bottom, -MaxBins - 1);
-        right = Math.Min(right, MaxBins);
-        top = Math.Min(top, MaxBins);
-        var bins = new DepositBin?[(right - left + 1) * (top - bottom + 1)];
-        for (var y = 0; y < _rows; y++)
-        {
-            var at = (y + _bottom - bottom) * (right - left + 1) + _left - left;
-            Array.Copy(_bins, y * _columns, bins, at, _columns);
-        }
-        (_bins, _left, _bottom, _columns, _rows) = (bins, left, bottom, right - left + 1, top - bottom + 1);
-        GrowTops();
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
@@ -14,18 +15,23 @@ internal sealed class DepositCells
     // Columns of a tile.
     public const int Wide = 1 << ColumnBits;
     private static readonly DepositCell[] Empty = NewEmpty();
-    private DepositCell[]?[] _tiles = [];
-    private int _left, _bottom, _columns, _rows;
+
+    // Far more tiles than bins can have.
+    private GrowingGrid<DepositCell[]> _tiles = new(1, 4, 1 << 20);
 
     /// <summary>A cell as it is; empty where nothing was ever laid near it.</summary>
     public DepositCell this[int column, int row] => Find(column, row) is { } tile ? tile[At(column, row)] : Empty[0];
 
     /// <summary>The tile of a cell; null where there is none.</summary>
-    public DepositCell[]? Find(int column, int row)
-    {
-        int x = (column >> ColumnBits) - _left, y = (row >> RowBits) - _bottom;
-        return (uint)x < (uint)_columns && (uint)y < (uint)_rows ? _tiles[y * _columns + x] : null;
-    }
+    public DepositCell[]? Find(int column, int row) => _tiles.Find(column >> ColumnBits, row >> RowBits);
+
+    /// <summary>A cell of a bin, by its number there.</summary>
+    public DepositCell InBin(int column, int row, int cell)
+        => this[(column << DepositBin.Bits) + (cell & (DepositBin.Side - 1)), (row << DepositBin.Bits) + (cell >> DepositBin.Bits)];
+
+    /// <summary>The middle of a cell of a bin, for cells with a side in mm.</summary>
+    public static Vec3 Center(int column, int row, int cell, double side) => new(
+        ((column << DepositBin.Bits) + (cell & (DepositBin.Side - 1)) + 0.5) * side, ((row << DepositBin.Bits) + (cell >> DepositBin.Bits) + 0.5) * side);
 
     /// <summary>The place of a cell in its tile; the next ones are to the right of it.</summary>
     public static int At(int column, int row) => ((row & (DepositBin.Side - 1)) << ColumnBits) | (column & (Wide - 1));
@@ -51,26 +57,9 @@ internal sealed class DepositCells
 
     private DepositCell[] Make(int column, int row)
     {
-        (column, row) = (column >> ColumnBits, row >> RowBits);
-        if (column < _left || row < _bottom || column >= _left + _columns || row >= _bottom + _rows) GrowTo(column, row);
-        return _tiles[(row - _bottom) * _columns + column - _left] = (DepositCell[])Empty.Clone();
-    }
-
-    // By half on the side that was exceeded, so that growing costs little overall.
-    private void GrowTo(int column, int row)
-    {
-        int across = _tiles.Length == 0 ? 1 : _columns / 2 + 1, up = _tiles.Length == 0 ? 4 : _rows / 2 + 1;
-        int left = column - across, right = column + across, bottom = row - up, top = row + up;
-        if (_tiles.Length > 0)
-        {
-            if (column >= _left) left = _left;
-            if (column < _left + _columns) right = _left + _columns - 1;
-            if (row >= _bottom) bottom = _bottom;
-            if (row < _bottom + _rows) top = _bottom + _rows - 1;
-        }
-        var tiles = new DepositCell[]?[(right - left + 1) * (top - bottom + 1)];
-        for (var y = 0; y < _rows; y++) Array.Copy(_tiles, y * _columns, tiles, (y + _bottom - bottom) * (right - left + 1) + _left - left, _columns);
-        (_tiles, _left, _bottom, _columns, _rows) = (tiles, left, bottom, right - left + 1, top - bottom + 1);
+        var tile = (DepositCell[])Empty.Clone();
+        _tiles.Put(column >> ColumnBits, row >> RowBits, tile);
+        return tile;
     }
 
     private static DepositCell[] NewEmpty()

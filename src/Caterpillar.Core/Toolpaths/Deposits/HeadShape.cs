@@ -8,7 +8,7 @@ namespace Caterpillar.Toolpaths;
 /// The underside of nozzle and head around their axis: cones between the points of an outline, from the flat of the tip outward. Distances are seen from
 /// above, heights from the tip, mm.
 /// </summary>
-public sealed class HeadShape
+internal sealed class HeadShape
 {
     private readonly double[] _radii;
     private readonly double[] _heights;

@@ -1,7 +1,7 @@
 namespace Caterpillar.Toolpaths;
 
 /// <summary>What limits the motion of a machine. The four axes of a limit follow each other: X, Y, Z, E.</summary>
-public enum MotionLimit
+internal enum MotionLimit
 {
     /// <summary>Acceleration of moves of the head with E, mm/s².</summary>
     PrintAcceleration,
@@ -30,7 +30,7 @@ public enum MotionLimit
     JerkZ,
     JerkE,
 
-    /// <summary>mm</summary>
+    /// <summary>Distance from a corner within which its path stays, mm.</summary>
     JunctionDeviation,
 
     /// <summary>Speed through a corner of 90°, mm/s.</summary>

@@ -15,7 +15,6 @@ public sealed record FanEvent(double Speed) : PrinterEvent;
 /// <summary>Changes the tool (T).</summary>
 public sealed record ToolEvent(int Tool) : PrinterEvent;
 
-/// <summary>Sets the acceleration in mm/s² (M204).</summary>
 /// <summary>Acceleration of printing and travelling in mm/s² from here on (M204 S).</summary>
 public sealed record AccelerationEvent(double Value) : PrinterEvent;
 
@@ -41,10 +40,10 @@ public sealed record RawEvent(string Line) : PrinterEvent;
 public sealed record ExtrudeEvent(double Volume, double Speed = 0, bool IsDot = false) : PrinterEvent;
 
 /// <summary>The machine ends all its moves before it goes on (M400).</summary>
-public sealed record FinishMovesEvent : PrinterEvent;
+internal sealed record FinishMovesEvent : PrinterEvent;
 
 /// <summary>Another limit of the motion from here on (M201, M203, M204, M205, M566, SET_VELOCITY_LIMIT), in mm/s, mm/s² or mm.</summary>
-public sealed record LimitEvent(MotionLimit Limit, double Value) : PrinterEvent;
+internal sealed record LimitEvent(MotionLimit Limit, double Value) : PrinterEvent;
 
 /// <summary>Progress for the display of the machine: percent of the time, and minutes left (M73).</summary>
-public sealed record ProgressEvent(int Percent, int MinutesLeft) : PrinterEvent;
+internal sealed record ProgressEvent(int Percent, int MinutesLeft) : PrinterEvent;

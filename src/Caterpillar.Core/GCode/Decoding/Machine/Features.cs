@@ -7,7 +7,6 @@ internal sealed class Features
 {
     public int Lines;
     public int CrLf;
-    public bool ByteOrderMark;
     public int M82;
     public int M83;
     public int G90;

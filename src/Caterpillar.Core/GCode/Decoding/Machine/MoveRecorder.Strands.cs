@@ -1,5 +1,6 @@
 using System;
 using System.Runtime.CompilerServices;
+using Caterpillar.Basics;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
@@ -15,7 +16,7 @@ internal sealed partial class MoveRecorder
     /// special cases; the result is that of <see cref="Line"/>.
     /// </summary>
     /// <returns>The first line that is something else.</returns>
-    [MethodImpl((MethodImplOptions)512)]
+    [MethodImpl(Compile.Optimized)]
     public int Strands(LineRecord[] records, int next, int end, int firstLine)
     {
         ref var head = ref _state.Head;

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
@@ -20,9 +21,9 @@ internal sealed partial class ChunkParser
         void End(int line);
     }
 
-    // Reads lines until one is something else, or the records are full; returns where that is. AggressiveOptimization (512): it runs a few times only, each
-    // for a whole chunk. Not inlined, as then others' variables would take the registers.
-    [MethodImpl((MethodImplOptions)512 | MethodImplOptions.NoInlining)]
+    // Reads lines until one is something else, or the records are full; returns where that is. Not inlined, as then others'
+    // variables would take the registers.
+    [MethodImpl(Compile.Optimized | MethodImplOptions.NoInlining)]
     private int Plain<TPlaces>(byte[] text, int at, int safe, int end, TPlaces places)
         where TPlaces : struct, IPlaces
     {

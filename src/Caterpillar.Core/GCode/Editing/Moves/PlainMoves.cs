@@ -72,7 +72,7 @@ internal sealed class PlainMoves
     /// <summary>
     /// Writes the move of a motion whose words are known, the line from its start up to <paramref name="next"/>; false where nothing was done.
     /// </summary>
-    [MethodImpl((MethodImplOptions)512)]
+    [MethodImpl(Compile.Optimized)]
     public bool Write(in LineRecord line, in WordPlaces places, byte[] text, int next, int number)
     {
         int mask = line.Mask;
@@ -85,7 +85,7 @@ internal sealed class PlainMoves
         double rx = hasX ? line.X : head.X, ry = hasY ? line.Y : head.Y, rz = hasZ ? line.Z : head.Z;
         var re = hasE ? _read.Modes.RelativeE ? line.E : line.E - _read.Extrusion.E : 0;
         var readChange = re;
-        var readSpeed = hasF ? line.F / 60 * 1 : _read.Feed.Speed;
+        var readSpeed = hasF ? line.F / 60 : _read.Feed.Speed;
         if (!Moves(head, rx, ry, rz, ref re)) return false;
 
         // What it has to do.
@@ -108,7 +108,7 @@ internal sealed class PlainMoves
         var we = hasE ? relative ? line.E : line.E - writtenE : 0;
         var change = we;
         var feed = hasF ? line.F : _written.Feed.Rate;
-        var writtenSpeed = hasF ? line.F / 60 * 1 : _written.Feed.Speed;
+        var writtenSpeed = hasF ? line.F / 60 : _written.Feed.Speed;
         var moves = Moves(to, wx, wy, wz, ref we);
         var carried = _moves.Carried;
         var endsRight = Math.Abs(wx + to.ShiftX - mx) <= NoChange && Math.Abs(wy + to.ShiftY - my) <= NoChange && Math.Abs(wz + to.ShiftZ - mz) <= NoChange;
@@ -131,7 +131,7 @@ internal sealed class PlainMoves
             {
                 feed = _numbers[F].Value;
                 if (!(feed > 0)) return false;
-                writtenSpeed = feed / 60 * 1;
+                writtenSpeed = feed / 60;
             }
             if (!Moves(to, wx, wy, wz, ref we)) return false;
         }
@@ -200,7 +200,7 @@ internal sealed class PlainMoves
     private bool Feed(bool has, double says, in WordPlaces places, double speed)
     {
         if (!(speed > 0)) return !has || Stays(F, says);
-        var feed = speed * 60 / 1;
+        var feed = speed * 60;
         if (!has) says = _written.Feed.Rate;
         if (Math.Abs(says - feed) <= 1e-9 * feed) return !has || Stays(F, says);
         if (!has) return Math.Abs(says - feed) <= _style.FeedTolerance;

@@ -1,0 +1,62 @@
+using System;
+using Caterpillar.Basics;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>Rotary axes: the words A, B and C, in degrees, of toolpaths that have them. The letter of extrusion is not theirs.</summary>
+internal sealed class RotaryWords(LineBuffer output, int decimals, byte extruder)
+{
+    private readonly long[] _turns = [long.MinValue, long.MinValue, long.MinValue];
+    private readonly long[] _next = new long[3];
+
+    /// <summary>True where an axis is to turn with the next line.</summary>
+    public bool Turns { get; private set; }
+
+    /// <summary>Takes down what the axes are to be after a move.</summary>
+    public void Aim(ToolpathColumns c, int i)
+    {
+        Turns = false;
+        if (c.A is null) return;
+        for (var axis = 0; axis < 3; axis++)
+        {
+            var column = axis == 0 ? c.A : axis == 1 ? c.B! : c.C!;
+            _next[axis] = NumberFormatter.ToUnits(column[i], decimals);
+            if ('A' + axis == extruder) _next[axis] = _turns[axis];
+            // An axis that never leaves zero is not there.
+            else if (_turns[axis] == long.MinValue && _next[axis] == 0) _next[axis] = long.MinValue;
+            Turns |= _next[axis] != _turns[axis];
+        }
+    }
+
+    /// <summary>Adds the words of the axes that turn to the line, as differences where it is relative.</summary>
+    public void Write(bool relative)
+    {
+        if (!Turns) return;
+        for (var axis = 0; axis < 3; axis++)
+        {
+            if (_next[axis] == _turns[axis]) continue;
+            var from = relative && _turns[axis] != long.MinValue ? _turns[axis] : 0;
+            _turns[axis] = _next[axis];
+            output.Word((byte)('A' + axis), _turns[axis] - from, decimals);
+        }
+        Turns = false;
+    }
+
+    /// <summary>The turns of a move that becomes several: where the axes are, and where they are to be; null where they stay.</summary>
+    public (long[] From, long[] To)? Begin() => Turns ? ((long[])_turns.Clone(), (long[])_next.Clone()) : null;
+
+    /// <summary>Aims at a share of such turns.</summary>
+    public void Share((long[] From, long[] To) of, double share)
+    {
+        for (var axis = 0; axis < 3; axis++)
+        {
+            var (from, to) = (of.From[axis], of.To[axis]);
+            if (to == from) continue;
+            // An axis that was not there before turns from 0.
+            var start = from == long.MinValue ? 0 : from;
+            _next[axis] = share >= 1 ? to : start + (long)Math.Floor((to - start) * share + 0.5);
+        }
+        Turns = true;
+    }
+}

@@ -1,0 +1,137 @@
+using System;
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// What a head and its boxes meet in a <see cref="Deposit"/> that go straight from one point to another, up or down as well. Nothing is missed.
+/// </summary>
+internal sealed class DepositContacts(DepositBins bins, DepositCells cells, StrandStore store, double cell)
+{
+    /// <inheritdoc cref="Deposit.Meets"/>
+    public HeadContact Meets(ref HeadQuery query, double highest, out int tag)
+    {
+        tag = -1;
+        var (a, b, head) = (query.From, query.To, query.Head);
+        var z = Math.Min(a.Z, b.Z) + query.Tolerance;
+        var most = head.Reach(highest - z);
+        if (most < 0 || bins.IsEmpty) return HeadContact.None;
+        var wide = bins.SquareSide;
+        var lastRow = DepositBins.SquareOf(bins.Row(Math.Max(a.Y, b.Y) + most));
+        for (var tall = DepositBins.SquareOf(bins.Row(Math.Min(a.Y, b.Y) - most)); tall <= lastRow; tall++)
+        {
+            if (!FlatSegment.RowSpan(a, b, tall * wide - most, (tall + 1) * wide + most, out var x0, out var x1)) continue;
+            var last = DepositBins.SquareOf(bins.Column(x1 + most));
+            for (var broad = DepositBins.SquareOf(bins.Column(x0 - most)); broad <= last; broad++)
+            {
+                var reach = head.Reach(bins.TopOf(broad, tall) - z);
+                if (reach < 0) continue;
+                var center = new Vec3((broad + 0.5) * wide, (tall + 0.5) * wide);
+                var far = reach + wide * 0.7072;
+                if (FlatSegment.SquareDistance(center, a, b) > far * far) continue;
+                if (MeetsIn(broad, tall, z, reach, ref query, ref tag)) return HeadContact.Hits;
+            }
+        }
+        return query.Digs ? HeadContact.Digs : HeadContact.None;
+    }
+
+    /// <inheritdoc cref="Deposit.MeetsBox"/>
+    public bool MeetsBox(in BoxQuery query, out int tag)
+    {
+        tag = -1;
+        var (a, b, box, z) = (query.From, query.To, query.Box, query.Lowest);
+        var firstRow = bins.Row(Math.Min(a.Y, b.Y) + box.Min.Y);
+        var lastRow = bins.Row(Math.Max(a.Y, b.Y) + box.Max.Y);
+        var first = bins.Column(Math.Min(a.X, b.X) + box.Min.X);
+        var last = bins.Column(Math.Max(a.X, b.X) + box.Max.X);
+        for (var tall = DepositBins.SquareOf(firstRow); tall <= DepositBins.SquareOf(lastRow); tall++)
+        {
+            for (var broad = DepositBins.SquareOf(first); broad <= DepositBins.SquareOf(last); broad++)
+            {
+                if (!(bins.TopOf(broad, tall) > z)) continue;
+                var (rows, columns) = (DepositBins.InSquare(tall), DepositBins.InSquare(broad));
+                var (rowEnd, columnEnd) = (Math.Min(lastRow, rows.Last), Math.Min(last, columns.Last));
+                for (var row = Math.Max(firstRow, rows.First); row <= rowEnd; row++)
+                {
+                    for (var column = Math.Max(first, columns.First); column <= columnEnd; column++)
+                    {
+                        if (bins[column, row] is { } bin && bin.Top > z && MeetsBoxIn(bin, column, row, query, out tag)) return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    // True where it hits; digging is noted in the query.
+    private bool MeetsIn(int broad, int tall, double z, double most, ref HeadQuery query, ref int tag)
+    {
+        var side = bins.Side;
+        var (a, b) = (query.From, query.To);
+        var (rows, columns) = (DepositBins.InSquare(tall), DepositBins.InSquare(broad));
+        var firstRow = Math.Max(rows.First, bins.Row(Math.Min(a.Y, b.Y) - most));
+        var lastRow = Math.Min(rows.Last, bins.Row(Math.Max(a.Y, b.Y) + most));
+        var firstColumn = Math.Max(columns.First, bins.Column(Math.Min(a.X, b.X) - most));
+        var lastColumn = Math.Min(columns.Last, bins.Column(Math.Max(a.X, b.X) + most));
+        for (var row = firstRow; row <= lastRow; row++)
+        {
+            for (var column = firstColumn; column <= lastColumn; column++)
+            {
+                if (bins[column, row] is not { } bin || !(bin.Top > z)) continue;
+                // All of the bin is at least so far away: only what is higher than the underside of the head there can be touched.
+                double x = (column + 0.5) * side, y = (row + 0.5) * side;
+                var above = query.Head.HeightAt(query.DistanceTo(x, y, side / 2));
+                if (!(bin.Top > z + above)) continue;
+                var low = query.LowestNear(x, y, side / 2, query.Head.Reach(bin.Top - z)) + query.Tolerance;
+                if (bin.Top > low + above && MeetsBin(bin, column, row, low + above, low, ref query, ref tag)) return true;
+            }
+        }
+        return false;
+    }
+
+    private bool MeetsBin(DepositBin bin, int column, int row, double z, double low, ref HeadQuery query, ref int tag)
+    {
+        // Nothing in the bin is touched farther away.
+        var reach = query.Head.Reach(bin.Top - low);
+        query.Aim(bin.Top - low);
+        for (var block = (bin.Count - 1) >> DepositBin.BlockBits; block >= 0; block--)
+        {
+            var first = block << DepositBin.BlockBits;
+            if (first + DepositBin.Block <= bin.Count && !(bin.BlockTops[block] > z)) continue;
+            for (var i = Math.Min(first + DepositBin.Block, bin.Count) - 1; i >= first; i--)
+            {
+                if (!(bin.Entries[i].Top > z)) continue;
+                ref var strand = ref store[bin.Entries[i].Strand];
+                if (strand.IsBeyond(query.From, query.To, reach + strand.Half)) continue;
+                var hits = query.Meets(strand);
+                if (hits || (query.Digs && tag < 0)) tag = strand.Tag;
+                if (hits) return true;
+            }
+        }
+        if (!(bin.Dropped > z)) return false;
+        for (var i = 0; i < DepositBin.Cells; i++)
+        {
+            var top = Math.Min(cells.InBin(column, row, i).Top, bin.Dropped);
+            if (top > z && query.Meets(Strand.At(DepositCells.Center(column, row, i, cell), top, cell * 0.7072))) return true;
+        }
+        return false;
+    }
+
+    private bool MeetsBoxIn(DepositBin bin, int column, int row, in BoxQuery query, out int tag)
+    {
+        tag = -1;
+        if (!query.Passes(new Vec3((column + 0.5) * bins.Side, (row + 0.5) * bins.Side), bins.Side / 2)) return false;
+        var z = query.Lowest;
+        for (var i = 0; i < DepositBin.Cells; i++)
+        {
+            var top = cells.InBin(column, row, i).Top;
+            if (!(top > z) || !query.Meets(DepositCells.Center(column, row, i, cell), top, cell)) continue;
+            for (var k = bin.Count - 1; k >= 0 && tag < 0; k--)
+            {
+                if (bin.Entries[k].Top > z) tag = store[bin.Entries[k].Strand].Tag;
+            }
+            return true;
+        }
+        return false;
+    }
+}
