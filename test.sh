@@ -7,9 +7,9 @@
 #
 # What runs where by default:
 #   .NET, the library, the terminal program, the plug-in      every test; random rounds of a size that finds faults
-#   Mono, the library      what can differ there: numbers, text, files, archives, JSON, formulas, G-code, golden files of whole programs; not the rooms of plain
-#                          arithmetic over our own types, for which whole programs stand, nor what reads our sources. Category Runtime: in spite of its room
-#   Mono, and the real RhinoCommon and GH_IO, the plug-in      category Host: what depends on the assemblies of the host or on the runtime
+#   Mono, the library      what can differ there: numbers, text, files, archives, JSON, formulas, scripts, G-code, golden files of whole programs; not the rooms
+#                          of plain arithmetic over our own types, for which whole programs stand, nor what reads our sources. Of those rooms: category Runtime
+#   Mono, and the real RhinoCommon and GH_IO, the plug-in      what depends on the assemblies of the host or on the runtime: category Host
 set -u
 cd "$(dirname "$0")"
 
@@ -46,11 +46,11 @@ else
 fi
 
 arithmetic=
-for room in Architecture Checks Curved Geometry Planning Shaping Simulation Slicing Toolpaths Turtles; do
+for room in Architecture Checks Curved Geometry Planning Simulation Slicing Toolpaths; do
   arithmetic="$arithmetic&FullyQualifiedName!~Caterpillar.Tests.$room."
 done
-runtime="(${arithmetic#&})|FullyQualifiedName~Caterpillar.Tests.Geometry.Meshes.|FullyQualifiedName~Caterpillar.Tests.Turtles.ExampleTests|TestCategory=Runtime"
-host="TestCategory=Host"
+runtime="(${arithmetic#&})|FullyQualifiedName~Caterpillar.Tests.Geometry.Meshes.|TestCategory=Runtime"
+host="TestCategory=Host|FullyQualifiedName~Caterpillar.GH.Tests.Host."
 if [ "$full" = yes ]; then
   export CATERPILLAR_FULL=1
   runtime=

@@ -7,7 +7,7 @@ internal static class Rounds
 {
     public static bool OnMono { get; } = Type.GetType("Mono.Runtime") is not null;
 
-    private static bool Full { get; } = Environment.GetEnvironmentVariable("CATERPILLAR_FULL") == "1";
+    public static bool Full { get; } = Environment.GetEnvironmentVariable("CATERPILLAR_FULL") == "1";
 
     public static int Of(int quick, int full) => Full ? full : quick;
 

@@ -9,6 +9,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Checks;
 
+[Category("Runtime")]
 public class WholeFileTests
 {
     private string _folder = "";

@@ -12,6 +12,7 @@ using NUnit.Framework;
 namespace Caterpillar.Tests.Checks;
 
 /// <summary>What is printed is checked block by block while the file is still being written and read.</summary>
+[Category("Runtime")]
 public sealed class FollowedChecksTests
 {
     private static readonly PrintSetup Setup = SmallPrint.Setup(p => p with { ProgressLines = false });

@@ -18,6 +18,7 @@ using NUnit.Framework;
 namespace Caterpillar.Tests.Checks;
 
 /// <summary>Prints that are planned layer by layer and checked while they are planned are those that are planned and checked at once.</summary>
+[Category("Runtime")]
 public sealed class PrintPipelineTests
 {
     private const int Layers = 40;

@@ -12,6 +12,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Checks;
 
+[Category("Runtime")]
 public class SafeWriterTests
 {
     private string _folder = "";

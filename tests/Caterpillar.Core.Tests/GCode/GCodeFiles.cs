@@ -22,6 +22,9 @@ internal static class GCodeFiles
             : None;
     }
 
+    /// <summary>All files; under Mono, which is slow, those that are not packed, if not all tests run.</summary>
+    public static IEnumerable<string> Chosen() => Rounds.Full ? All() : Affordable();
+
     /// <summary>All files; under Mono, which is slow, those that are not packed.</summary>
     public static IEnumerable<string> Affordable()
         => !Rounds.OnMono ? All() : All().Where(f => !f.EndsWith(".gz", StringComparison.Ordinal));

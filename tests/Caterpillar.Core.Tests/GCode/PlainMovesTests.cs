@@ -13,14 +13,14 @@ namespace Caterpillar.Tests.GCode;
 /// <summary>The fast path of the splicer writes byte for byte what the general path does.</summary>
 public class PlainMovesTests
 {
-    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.All))]
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
     public void Files_are_converted_alike(string file)
     {
         var decoded = GCodeDecoder.Decode(GCodeFiles.Document(file)).Value!;
         foreach (var options in Conversions()) Compare(decoded, options);
     }
 
-    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.All))]
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
     public void Files_are_edited_alike(string file)
     {
         var decoded = GCodeDecoder.Decode(GCodeFiles.Document(file)).Value!;

@@ -10,6 +10,7 @@ using NUnit.Framework;
 namespace Caterpillar.Tests.Slicing;
 
 /// <summary>Layers that are given on as soon as they are finished are those of the result.</summary>
+[Category("Runtime")]
 public sealed class FollowedLayersTests
 {
     private static readonly TriMesh[] Two = [Solids.Block(0, 0, 0, 12, 12, 16), Solids.Cone(0, 6, 9, 3).Moved(new Vec3(40, 0, 0))];
