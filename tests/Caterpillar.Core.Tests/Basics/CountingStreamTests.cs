@@ -26,7 +26,8 @@ public class CountingStreamTests
                 at += count;
             }
             Assert.That(inner.ToArray(), Is.EqualTo(bytes));
-            Assert.That((counted.Lines, counted.Bytes), Is.EqualTo((GCodeDocument.FromBytes(bytes).LineCount, (long)bytes.Length)), Convert.ToHexString(bytes));
+            Assert.That((counted.Lines, counted.Bytes), Is.EqualTo((GCodeDocument.FromBytes(bytes).LineCount, (long)bytes.Length)),
+                () => BitConverter.ToString(bytes));
         }
     }
 }
