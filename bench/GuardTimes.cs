@@ -29,7 +29,7 @@ internal sealed class GuardTimes
     };
 
     private readonly GCodeFormat _format;
-    private readonly WrittenLines _lines = new(Moves);
+    private readonly WrittenLines _lines = new();
     private readonly byte[] _text;
 
     private GuardTimes()

@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Machines;
 
-/// <summary>A check of your own, beside those of <see cref="CheckCodes"/>: it sees every move of a file, in order (<see cref="PrintSetup.OwnChecks"/>).</summary>
+/// <summary>A check of your own, beside those of <see cref="CheckCodes"/>: it sees every move of a file, in order (see <see cref="PrintSetup"/>).</summary>
 public interface IOwnCheck
 {
     /// <summary>

@@ -28,17 +28,6 @@ public sealed record ToolUse(int Tool, double Time, double Filament, double? Vol
 /// <param name="Volume">mm³; null where the factor of a tool is not known.</param>
 public sealed record LayerTime(int Layer, double Start, double Time, double Length, double? Volume);
 
-/// <summary>Seconds in which the machine waits, by cause.</summary>
-/// <param name="Heating">For heat, by the model of the printer.</param>
-/// <param name="Dwells">Because the program says so.</param>
-/// <param name="ToolChanges">For changes of the tool.</param>
-/// <param name="Homing">For homing.</param>
-public readonly record struct WaitTimes(double Heating, double Dwells, double ToolChanges, double Homing)
-{
-    /// <summary>All waits, s.</summary>
-    public double Total => Heating + Dwells + ToolChanges + Homing;
-}
-
 /// <summary>Sums over a print in time. Lengths in mm, times in seconds.</summary>
 public sealed record PrintStatistics
 {

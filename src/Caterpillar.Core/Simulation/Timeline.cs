@@ -60,7 +60,7 @@ public sealed class Timeline
     /// <summary>
     /// The planned trapezoids in order: one for a straight move, several for an arc, none for a move without displacement; waits are among them.
     /// </summary>
-    public IEnumerable<Trapezoid> Trapezoids()
+    internal IEnumerable<Trapezoid> Trapezoids()
     {
         for (var i = 0; i < _motion.Count; i++) yield return _motion[i];
     }

@@ -110,7 +110,7 @@ public sealed class PrintPipelineTests
         using var draft = PrintDraft.Begin(soFar[0], Plain, default)!;
         using var stream = new MemoryStream();
         var found = draft.Finish(plan, timed, format, stream, null);
-        var whole = new WrittenLines(plan.Count);
+        var whole = new WrittenLines();
         new GCodeWriter(timed, format) { Written = whole }.WriteAll(Stream.Null);
         var at = found.Findings!.Single(d => d.Code == CheckCodes.Unsupported).Source!;
         Assert.That(at.Line, Is.EqualTo(whole.OfMove(at.Move!.Value).First));

@@ -184,7 +184,7 @@ public class SingleMoveTests
     public void An_event_that_is_not_in_the_file_has_no_line()
     {
         var plan = new SmallPrint().Event(new FanEvent(1)).Print(20, 10, 0.2).Build();
-        var place = new WrittenPlaces(plan, _ => null, new WrittenLines(plan.Count), Setup.Printer).OfEvent(0);
+        var place = new WrittenPlaces(plan, _ => null, new WrittenLines(), Setup.Printer).OfEvent(0);
         Assert.That((place.Line, place.Step), Is.EqualTo(((int?)null, (int?)0)));
     }
 

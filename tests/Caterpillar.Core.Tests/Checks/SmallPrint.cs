@@ -109,7 +109,7 @@ internal sealed class SmallPrint
     /// <summary>The file of a toolpath without any check, read again, with the line of each move.</summary>
     public static (DecodedGCode File, WrittenLines Lines, string Text) Written(Toolpath toolpath, PrintSetup setup)
     {
-        var lines = new WrittenLines(toolpath.Count);
+        var lines = new WrittenLines();
         using var memory = new MemoryStream();
         new GCodeWriter(toolpath, SetupFormat.Of(setup, toolpath).Value) { Written = lines }.WriteAll(memory);
         return (Decode(memory.ToArray(), setup), lines, Encoding.ASCII.GetString(memory.ToArray()));

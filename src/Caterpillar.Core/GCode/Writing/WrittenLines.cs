@@ -7,12 +7,12 @@ namespace Caterpillar.GCode;
 /// Which lines of a file belong to each move, each event and each template. Lines count from 1. While one thread takes them down, others may ask for those that
 /// are written. The file may have lines besides, which were added after.
 /// </summary>
-/// <param name="moves">Number of moves, where it is known.</param>
-internal sealed class WrittenLines(int moves = 1024)
+internal sealed class WrittenLines
 {
-    // Replaced as a whole where there are more: what others read of them never changes.
-    private volatile int[] _before = new int[moves];
-    private volatile int[] _last = new int[moves];
+    private const int PartSize = 1 << 14;
+
+    // Replaced as a whole where there are more: what others read of it never changes.
+    private volatile Part[] _parts = [];
     private readonly List<(int Before, int Last, int Event)> _events = [];
     private readonly List<int> _added = [];
     private int _start;
@@ -28,13 +28,13 @@ internal sealed class WrittenLines(int moves = 1024)
 
     public void BeginMove(int move, long lines)
     {
-        if (move == _before.Length) (_before, _last) = (Longer(_before), Longer(_last));
-        _before[move] = Number(lines);
+        if (move / PartSize == _parts.Length) _parts = [.. _parts, new Part()];
+        _parts[move / PartSize].Before[move % PartSize] = Number(lines);
     }
 
     public void EndMove(int move, long lines)
     {
-        _last[move] = Number(lines);
+        _parts[move / PartSize].Last[move % PartSize] = Number(lines);
         _moves = move + 1;
     }
 
@@ -56,7 +56,7 @@ internal sealed class WrittenLines(int moves = 1024)
     }
 
     /// <summary>Number of lines before an event of a move, of which there may be none.</summary>
-    public int Before(int move, int what) => LineOf(what) is > 0 and var line ? line - 1 : move > 0 ? _last[move - 1] : _start;
+    public int Before(int move, int what) => LineOf(what) is > 0 and var line ? line - 1 : move > 0 ? OfMove(move - 1).Last : _start;
 
     /// <summary>True for lines of the start code and of the end code.</summary>
     public bool IsStart(int line) => line <= _start;
@@ -65,17 +65,21 @@ internal sealed class WrittenLines(int moves = 1024)
     public bool IsEnd(int line) => line > _end;
 
     /// <summary>First and last line of the motion of a move; the last one is before the first where nothing was written.</summary>
-    public (int First, int Last) OfMove(int move) => (_before[move] + 1, _last[move]);
+    public (int First, int Last) OfMove(int move)
+    {
+        var (part, at) = (_parts[(uint)move / PartSize], (uint)move % PartSize);
+        return (part.Before[at] + 1, part.Last[at]);
+    }
 
     /// <summary>The move that a line is the motion of, or −1.</summary>
     public int MoveAt(int line)
     {
         var move = NextMove(line);
-        return move < _moves && line > _before[move] ? move : -1;
+        return move < _moves && line >= OfMove(move).First ? move : -1;
     }
 
     /// <summary>The first move whose last line is not before a line; the number of moves after them all.</summary>
-    public int NextMove(int line) => First(_moves, line, i => _last[i]);
+    public int NextMove(int line) => First(_moves, line, i => OfMove(i).Last);
 
     /// <summary>The event that a line comes from, or −1.</summary>
     public int EventAt(int line)
@@ -110,12 +114,12 @@ internal sealed class WrittenLines(int moves = 1024)
         return low;
     }
 
-    private static int[] Longer(int[] values)
-    {
-        var longer = new int[values.Length + values.Length / 2 + 1];
-        Array.Copy(values, longer, values.Length);
-        return longer;
-    }
-
     private static int Number(long lines) => (int)Math.Min(lines, int.MaxValue);
+
+    // Lines before moves, and last lines of them.
+    private sealed class Part
+    {
+        public readonly int[] Before = new int[PartSize];
+        public readonly int[] Last = new int[PartSize];
+    }
 }

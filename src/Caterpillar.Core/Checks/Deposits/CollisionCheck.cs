@@ -47,13 +47,12 @@ internal sealed class CollisionCheck
     /// <summary>Checks a straight move that prints a strand of some height in mm, or of 0 where it prints none.</summary>
     public void Check(in CheckedMove move, double height)
     {
-        var prints = move.Kind == MoveKind.Print;
         // A strand may be printed into another by half its height.
         var tolerance = Math.Max(Flush, height / 2);
         // One finding for a move, also for the chords of an arc.
         if (move.Index == _hit || IsAbove(move, tolerance)) return;
         _digs = null;
-        if (Hits(move, tolerance, prints) || HitsLast(move, tolerance, prints)) _hit = move.Index;
+        if (Hits(move, tolerance) || HitsLast(move, tolerance)) _hit = move.Index;
         // Where it goes through something farther on, that is to be told.
         else if (_digs is { } digs) Digs(move, digs.From, digs.To, tolerance);
     }
@@ -67,30 +66,30 @@ internal sealed class CollisionCheck
     }
 
     // All that is there at the start of a move.
-    private bool Hits(in CheckedMove move, double tolerance, bool prints)
+    private bool Hits(in CheckedMove move, double tolerance)
     {
         var hit = Clips(move, move.Start, move.End);
-        hit |= Meets(_printed.Deposit, move, tolerance, prints);
-        if (_printed.Object is { } thing) hit |= Meets(thing.Lines, move, tolerance, prints);
+        hit |= Meets(_printed.Deposit, move, tolerance);
+        if (_printed.Object is { } thing) hit |= Meets(thing.Lines, move, tolerance);
         return hit;
     }
 
-    private bool Meets(Deposit deposit, in CheckedMove move, double tolerance, bool prints)
+    private bool Meets(Deposit deposit, in CheckedMove move, double tolerance)
     {
         var contact = deposit.Meets(move.Start, move.End, tolerance, _printed.Head, _digs is not null, out var strand);
-        return Nozzle(contact, deposit, move, move.Start, move.End, tolerance, prints, strand)
+        return Nozzle(contact, deposit, move, move.Start, move.End, tolerance, strand)
             | Boxes(deposit, deposit.Highest, move, move.Start, move.End, tolerance);
     }
 
     // What is fresh at its start is not any more farther on.
-    private bool HitsLast(in CheckedMove move, double tolerance, bool prints)
+    private bool HitsLast(in CheckedMove move, double tolerance)
     {
         for (var piece = 1; piece <= PrintedSoFar.FreshPieces && piece * _printed.FreshPiece < move.Length; piece++)
         {
             var at = Vec3.Lerp(move.Start, move.End, piece * _printed.FreshPiece / move.Length);
             var count = _printed.Advance(piece * _printed.FreshPiece);
             var contact = _printed.MeetsLast(count, at, move.End, tolerance, _digs is not null, out var strand);
-            if (Nozzle(contact, _printed.Deposit, move, at, move.End, tolerance, prints, strand)
+            if (Nozzle(contact, _printed.Deposit, move, at, move.End, tolerance, strand)
                 | Boxes(_printed.Deposit, _printed.TopOfLast(count), move, at, move.End, tolerance))
             {
                 return true;
@@ -99,11 +98,11 @@ internal sealed class CollisionCheck
         return false;
     }
 
-    private bool Nozzle(HeadContact contact, Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, bool prints, int strand)
+    private bool Nozzle(HeadContact contact, Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, int strand)
     {
         if (contact == HeadContact.Digs) _digs = (a, b);
         if (contact != HeadContact.Hits) return false;
-        Report(prints ? CheckCodes.NozzleHits : CheckCodes.TravelHits, deposit, move, a, b, tolerance, strand);
+        Report(move.Kind == MoveKind.Print ? CheckCodes.NozzleHits : CheckCodes.TravelHits, deposit, move, a, b, tolerance, strand);
         return true;
     }
 

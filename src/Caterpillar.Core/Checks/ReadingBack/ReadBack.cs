@@ -43,7 +43,6 @@ internal sealed class ReadBack : IDisposable
     public ReadBack(Toolpath plan, PrintSetup setup, GCodeFormat format, Stream? stream, int waiting, CancellationToken cancel)
     {
         (_plan, _setup, _format, _cancel) = (plan, setup, format, cancel);
-        Lines = new WrittenLines(Math.Max(plan.Count, 1));
         _text = new PipedStream(stream, _pipe);
         _writer = new GCodeWriter(plan, format) { Written = Lines };
         _compared = NewFindings();
@@ -53,7 +52,7 @@ internal sealed class ReadBack : IDisposable
     }
 
     /// <summary>The lines of the plan.</summary>
-    public WrittenLines Lines { get; }
+    public WrittenLines Lines { get; } = new();
 
     /// <summary>Number of lines and bytes that are written.</summary>
     public (long Lines, long Bytes) Size => (_writer.Lines, _writer.Bytes);

@@ -12,7 +12,7 @@ namespace Caterpillar.Simulation;
 /// <param name="End">Speed at the end.</param>
 /// <param name="Acceleration">Acceleration at both ends; 0 where the machine waits.</param>
 /// <param name="Duration">Time in all.</param>
-public readonly record struct Trapezoid(double Start, double Peak, double End, double Acceleration, double Duration)
+internal readonly record struct Trapezoid(double Start, double Peak, double End, double Acceleration, double Duration)
 {
     /// <summary>Seconds of acceleration.</summary>
     public double Accelerating => Acceleration > 0 ? (Peak - Start) / Acceleration : 0;
