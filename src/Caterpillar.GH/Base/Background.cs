@@ -20,8 +20,6 @@ namespace Caterpillar.GH.Base;
 internal sealed class Background
 {
     public const string WaitSetting = "Caterpillar:Wait";
-    private const int PatienceMilliseconds = 500;
-
     // While inputs change again and again, as with a slider, earlier work is given up: each solve is short.
     private const int HurriedMilliseconds = 50;
     private const int PulseMilliseconds = 100;
@@ -46,6 +44,9 @@ internal sealed class Background
     /// <summary>Runs something on the UI thread; a test has its own.</summary>
     public Action<Action> Post { get; set; } = action => RhinoApp.InvokeOnUiThread(action);
 
+    /// <summary>Milliseconds that a solve waits if nothing is at work when it begins; a test waits less.</summary>
+    public int UsualPatience { get; set; } = 500;
+
     /// <summary>Milliseconds that this solve waits for all of its work; the greatest number for ever.</summary>
     public int Patience { get; private set; }
 
@@ -68,7 +69,7 @@ internal sealed class Background
     {
         var leaves = MayLeave(document);
         if (!leaves && _jobs.Count > 0) Cancel();
-        Patience = !leaves ? int.MaxValue : _jobs.Values.All(j => j.IsDone) ? PatienceMilliseconds : HurriedMilliseconds;
+        Patience = !leaves ? int.MaxValue : _jobs.Values.All(j => j.IsDone) ? UsualPatience : HurriedMilliseconds;
         _waited.Reset();
         _asked.Clear();
         return leaves;

@@ -30,7 +30,7 @@ internal sealed class Job : IProgress<double>
 
     public string Label { get; }
 
-    /// <summary>From 0 to 1.</summary>
+    /// <summary>The part of the work that is done, from 0 to 1.</summary>
     public double Progress => IsDone ? 1 : Volatile.Read(ref _progress);
 
     public bool IsDone => _task.IsCompleted;

@@ -21,14 +21,13 @@ public sealed class ChoiceParam : Param_Integer
     private const string CountKey = "ChoiceCount";
     private const string NameKey = "ChoiceName";
     private const string ValueKey = "ChoiceValue";
-    private readonly List<KeyValuePair<string, int>> _choices = [];
 
     public override Guid ComponentGuid => new("0affb938-c607-4099-91df-066bc62dce25");
 
     public override GH_Exposure Exposure => GH_Exposure.hidden;
 
     /// <summary>Names and numbers of the choices, in the order of the menu.</summary>
-    internal IReadOnlyList<KeyValuePair<string, int>> Choices => _choices;
+    internal List<KeyValuePair<string, int>> Choices { get; } = [];
 
     protected override Bitmap? Icon => Icons.Load(nameof(ChoiceParam));
 
@@ -43,11 +42,11 @@ public sealed class ChoiceParam : Param_Integer
 
     public override bool Write(GH_IWriter writer)
     {
-        writer.SetInt32(CountKey, _choices.Count);
-        for (var i = 0; i < _choices.Count; i++)
+        writer.SetInt32(CountKey, Choices.Count);
+        for (var i = 0; i < Choices.Count; i++)
         {
-            writer.SetString(NameKey, i, _choices[i].Key);
-            writer.SetInt32(ValueKey, i, _choices[i].Value);
+            writer.SetString(NameKey, i, Choices[i].Key);
+            writer.SetInt32(ValueKey, i, Choices[i].Value);
         }
         return base.Write(writer);
     }
@@ -57,7 +56,7 @@ public sealed class ChoiceParam : Param_Integer
         if (!base.Read(reader)) return false;
         var count = 0;
         // A port of a component has the choices of this version; a floating parameter those of the file.
-        if (_choices.Count > 0 || !reader.TryGetInt32(CountKey, ref count)) return true;
+        if (Choices.Count > 0 || !reader.TryGetInt32(CountKey, ref count)) return true;
         ClearNamedValues();
         for (var i = 0; i < count; i++) AddChoice(reader.GetString(NameKey, i), reader.GetInt32(ValueKey, i));
         return true;
@@ -75,12 +74,12 @@ public sealed class ChoiceParam : Param_Integer
     }
 
     private IEnumerable<KeyValuePair<string, int>> Known()
-        => _choices.Count > 0 ? _choices : Recipients.OfType<ChoiceParam>().Select(r => r._choices).FirstOrDefault(c => c.Count > 0) ?? [];
+        => Choices.Count > 0 ? Choices : Recipients.OfType<ChoiceParam>().Select(r => r.Choices).FirstOrDefault(c => c.Count > 0) ?? [];
 
     private void AddChoice(string name, int value)
     {
         AddNamedValue(name, value);
-        _choices.Add(new KeyValuePair<string, int>(name, value));
+        Choices.Add(new KeyValuePair<string, int>(name, value));
     }
 
     private static string Joined(string name) => string.Concat(name.Where(char.IsLetterOrDigit));

@@ -16,7 +16,6 @@ internal sealed class PrintedLines
     private const int LeastBlock = 1024;
     private readonly Rg.Line[][] _blocks;
     private readonly int[] _firsts;
-    private readonly Rg.Line[] _end;
     private readonly int _size;
 
     public PrintedLines(Toolpath toolpath, DocumentUnits units)
@@ -37,7 +36,7 @@ internal sealed class PrintedLines
             _blocks[b] = new Rg.Line[Math.Min(_size, lines.Count - b * _size)];
             lines.CopyTo(b * _size, _blocks[b], 0, _blocks[b].Length);
         }
-        _end = new Rg.Line[_size];
+        End = new Rg.Line[_size];
         var box = Rg.BoundingBox.Empty;
         foreach (var line in lines)
         {
@@ -56,7 +55,7 @@ internal sealed class PrintedLines
     public int Blocks { get; private set; }
 
     /// <summary>The lines after the whole blocks; those that are not printed yet lie at one point.</summary>
-    public Rg.Line[] End => _end;
+    public Rg.Line[] End { get; }
 
     /// <summary>Shows the moves before one, and a part of that from 0 to 1 of its lines.</summary>
     public void ShowUntil(int move, double done)
@@ -67,20 +66,20 @@ internal sealed class PrintedLines
         var whole = from + (int)along;
         Blocks = whole / _size;
         var rest = whole - Blocks * _size;
-        if (Blocks < _blocks.Length) Array.Copy(_blocks[Blocks], _end, rest);
-        var last = rest > 0 ? _end[rest - 1].To : Blocks > 0 ? _blocks[Blocks - 1][_size - 1].To : Count > 0 ? _blocks[0][0].From : Rg.Point3d.Origin;
+        if (Blocks < _blocks.Length) Array.Copy(_blocks[Blocks], End, rest);
+        var last = rest > 0 ? End[rest - 1].To : Blocks > 0 ? _blocks[Blocks - 1][_size - 1].To : Count > 0 ? _blocks[0][0].From : Rg.Point3d.Origin;
         if (along > (int)along && Blocks < _blocks.Length)
         {
             var line = _blocks[Blocks][rest];
             last = line.PointAt(along - (int)along);
-            _end[rest++] = new Rg.Line(line.From, last);
+            End[rest++] = new Rg.Line(line.From, last);
         }
-        for (var i = rest; i < _end.Length; i++) _end[i] = new Rg.Line(last, last);
+        for (var i = rest; i < End.Length; i++) End[i] = new Rg.Line(last, last);
     }
 
     public void Draw(DisplayPipeline display, System.Drawing.Color color, int thickness)
     {
         for (var b = 0; b < Blocks; b++) display.DrawLines(_blocks[b], color, thickness);
-        if (Count > 0) display.DrawLines(_end, color, thickness);
+        if (Count > 0) display.DrawLines(End, color, thickness);
     }
 }

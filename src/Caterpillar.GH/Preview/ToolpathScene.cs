@@ -3,11 +3,15 @@ using System.Collections.Generic;
 using System.Drawing;
 using Caterpillar.Display;
 using Caterpillar.GH.Conversion;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
 using Rhino.Display;
 
 namespace Caterpillar.GH.Preview;
+
+/// <summary>What is shown of a toolpath: beads instead of lines, travels with the places of retractions, seams, and the bed and volume of a printer.</summary>
+internal sealed record SceneContent(bool Beads, bool Travels, bool Seams, Printer? Printer);
 
 /// <summary>
 /// A toolpath ready to be drawn: one array of lines for each color, one for travels, one for the printer, points of retractions and seams, and meshes of beads.
@@ -28,9 +32,9 @@ internal sealed class ToolpathScene : IDrawn
     private readonly Rg.Point3d[] _seams;
     private readonly Rg.Line[] _volume;
 
-    public ToolpathScene(Toolpath toolpath, Func<int, bool> shown, PreviewColors colors, bool beads, bool travels, DocumentUnits units,
-        bool seams, Rg.Line[] volume)
+    public ToolpathScene(Toolpath toolpath, Func<int, bool> shown, PreviewColors colors, SceneContent content, DocumentUnits units)
     {
+        var travels = content.Travels;
         var bands = new List<Rg.Line>[colors.Colors.Count];
         for (var b = 0; b < bands.Length; b++) bands[b] = [];
         List<Rg.Line> moved = [];
@@ -61,11 +65,11 @@ internal sealed class ToolpathScene : IDrawn
         }
         _travels = moved.ToArray();
         _retractions = retracted.ToArray();
-        _volume = volume;
-        foreach (var line in volume) box.Union(line.BoundingBox);
-        _seams = seams ? Seams(toolpath, shown, units) : [];
+        _volume = content.Printer is { } printer ? VolumeOutline.Of(printer, units) : [];
+        foreach (var line in _volume) box.Union(line.BoundingBox);
+        _seams = content.Seams ? Seams(toolpath, shown, units) : [];
         Box = box;
-        if (beads) AddBeads(toolpath, shown, colors, units);
+        if (content.Beads) AddBeads(toolpath, shown, colors, units);
     }
 
     public Rg.BoundingBox Box { get; }

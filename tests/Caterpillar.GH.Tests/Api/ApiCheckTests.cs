@@ -3,6 +3,7 @@ using NUnit.Framework;
 namespace Caterpillar.GH.Tests.Api;
 
 /// <summary>What compiles against the stand-ins must load in Rhino.</summary>
+[Category("Host")]
 public sealed class ApiCheckTests
 {
     [Test]

@@ -10,6 +10,7 @@ namespace Caterpillar.GH.Tests.Api;
 /// <summary>
 /// Every member of RhinoCommon and GH_IO that the plug-in and the stand-in of Grasshopper refer to, looked up in McNeel's own assemblies as the runtime does.
 /// </summary>
+[Category("Host")]
 public sealed class RealMetadataTests
 {
     private static string Real => Path.GetFullPath(Path.Combine(Caterpillar.Tests.TestData.Repository, "..", "shared", "reference", "real"));

@@ -9,7 +9,8 @@ using NUnit.Framework;
 
 namespace Caterpillar.GH.Tests.Base;
 
-/// <summary>Work that outlives a solution.</summary>
+/// <summary>Work that outlives a solution. Times count: nothing else runs meanwhile.</summary>
+[NonParallelizable]
 [FixtureLifeCycle(LifeCycle.InstancePerTestCase)]
 public sealed class BackgroundTests
 {
@@ -30,7 +31,7 @@ public sealed class BackgroundTests
         Assert.That(time.Elapsed.TotalSeconds, Is.GreaterThan(0.4), "The solution waits for half a second.");
         Assert.That((Results(slow), slow.Message), Is.EqualTo(("null", "Testing 42 %")));
         Assert.That(slow.RuntimeMessageLevel, Is.EqualTo(GH_RuntimeMessageLevel.Blank));
-        slow.Gate.Set();
+        slow.Open();
         Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
         Assert.That((Results(slow), slow.Begun, _document.SolutionCount), Is.EqualTo(("a", 1, 2)));
     }
@@ -48,11 +49,11 @@ public sealed class BackgroundTests
     {
         var slow = Slow(out var feed);
         feed("a");
-        slow.Gate.Reset();
+        slow.Close();
         feed("b");
         Assert.That((Results(slow), slow.Message), Is.EqualTo(("a", "Testing 42 %, last result")));
         Assert.That(slow.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Has.One.Contains("last result is shown"));
-        slow.Gate.Set();
+        slow.Open();
         Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
         Assert.That(Results(slow), Is.EqualTo("b"));
         Assert.That(slow.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Is.Empty);
@@ -63,14 +64,14 @@ public sealed class BackgroundTests
     {
         var slow = Slow(out var feed);
         feed("a");
-        slow.Gate.Reset();
+        slow.Close();
         feed("b");
         GH_Document.EscapeKey = () => true;
         Assert.That(slow.Until(() => slow.Message == "canceled, last result" && slow.Canceled == 1), Is.True);
         GH_Document.EscapeKey = () => false;
         Assert.That((Results(slow), slow.Pending), Is.EqualTo(("a", "Slow")), "What comes after knows that this is old.");
         Assert.That(slow.RuntimeMessages(GH_RuntimeMessageLevel.Warning), Has.One.Contains("Canceled"));
-        slow.Gate.Set();
+        slow.Open();
         slow.ExpireSolution(true);
         Assert.That((Results(slow), slow.Message, slow.Begun, slow.Pending), Is.EqualTo(("b", "done", 3, (string?)null)), "A recompute begins again.");
     }
@@ -79,7 +80,7 @@ public sealed class BackgroundTests
     public void Escape_in_the_first_half_second_aborts_the_solution()
     {
         var slow = Slow(out var feed);
-        slow.Gate.Reset();
+        slow.Close();
         GH_Document.EscapeKey = () => true;
         feed("a");
         Assert.That(slow.Until(() => slow.Canceled == 1), Is.True);
@@ -96,7 +97,7 @@ public sealed class BackgroundTests
         feed("b");
         Assert.That(slow.Background.Patience, Is.EqualTo(50), "Sliders stay quick.");
         Assert.That(slow.Until(() => slow.Canceled == 1), Is.True);
-        slow.Gate.Set();
+        slow.Open();
         Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
         Assert.That(Results(slow), Is.EqualTo("b"));
     }
@@ -105,10 +106,10 @@ public sealed class BackgroundTests
     public void The_same_input_again_does_not_begin_again()
     {
         var slow = Slow(out var feed);
-        slow.Gate.Reset();
+        slow.Close();
         feed("a");
         slow.ExpireSolution(true);
-        slow.Gate.Set();
+        slow.Open();
         Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
         Assert.That((slow.Begun, slow.Canceled), Is.EqualTo((1, 0)));
     }
@@ -117,10 +118,10 @@ public sealed class BackgroundTests
     public void The_items_of_a_list_follow_in_one_solution()
     {
         var slow = Slow(out var feed);
-        slow.Gate.Reset();
+        slow.Close();
         feed("a", "b", "c");
         Assert.That(slow.Message, Is.EqualTo("Testing 14 %"));
-        slow.Gate.Set();
+        slow.Open();
         Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
         Assert.That((Results(slow), slow.Begun, _document.SolutionCount), Is.EqualTo(("a, b, c", 3, 2)));
     }
@@ -129,9 +130,9 @@ public sealed class BackgroundTests
     public void A_late_error_is_that_of_its_item()
     {
         var slow = Slow(out var feed);
-        slow.Gate.Reset();
+        slow.Close();
         feed("a", "bad");
-        slow.Gate.Set();
+        slow.Open();
         Assert.That(slow.Until(() => slow.RuntimeMessageLevel == GH_RuntimeMessageLevel.Error), Is.True);
         Assert.That(slow.RuntimeMessages(GH_RuntimeMessageLevel.Error).Single(), Is.EqualTo("{0}[1]: This is bad."));
         Assert.That(Results(slow), Is.EqualTo("a, null"));
@@ -146,11 +147,11 @@ public sealed class BackgroundTests
         _document.AddObject(next, false);
         next.Params.Input[0].AddSource(slow.Params.Output[0]);
         _document.NewSolution(false);
-        slow.Gate.Reset();
+        slow.Close();
         feed("b");
         Assert.That(Results(next), Is.EqualTo("a"));
         Assert.That(next.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Has.One.EqualTo("Uses the last result of Slow, which is not up to date."));
-        slow.Gate.Set();
+        slow.Open();
         Assert.That(slow.Until(() => Results(next) == "b"), Is.True);
         Assert.That(next.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Is.Empty);
     }
@@ -165,11 +166,11 @@ public sealed class BackgroundTests
         _document.AddObject(next, false);
         relay.AddSource(slow.Params.Output[0]);
         next.Params.Input[0].AddSource(relay);
-        slow.Gate.Reset();
+        slow.Close();
         feed("pla");
         Assert.That(next.RuntimeMessageLevel, Is.Not.EqualTo(GH_RuntimeMessageLevel.Error));
         Assert.That(next.Params.Output[0].VolatileData.AllGoos(), Has.All.Null);
-        slow.Gate.Set();
+        slow.Open();
         Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
         Assert.That(next.Params.Output[0].VolatileData.AllGoos(), Has.One.Not.Null);
     }
@@ -183,12 +184,12 @@ public sealed class BackgroundTests
         var save = new Canvas<SaveGCodeComponent>(_document).Feed("File", file).Feed("Save", false);
         save.Input("G-code").AddSource(slow.Params.Output[0]);
         _document.NewSolution(false);
-        slow.Gate.Reset();
+        slow.Close();
         feed("M84\n");
         save.Feed("Save", true).Solve();
         Assert.That(File.Exists(file), Is.False);
         Assert.That(save.Warnings, Has.One.Contains("the result of Slow is not up to date"));
-        slow.Gate.Set();
+        slow.Open();
         Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
         Assert.That(File.Exists(file), Is.False, "A press is not made up for.");
         save.Feed("Save", false).Solve();
@@ -203,7 +204,7 @@ public sealed class BackgroundTests
     public void Nobody_works_for_a_component_that_is_gone(string reason)
     {
         var slow = Slow(out var feed);
-        slow.Gate.Reset();
+        slow.Close();
         feed("a");
         if (reason == "remove") _document.RemoveObject(slow, false);
         else if (reason == "close") slow.DocumentContextChanged(_document, GH_DocumentContext.Close);
@@ -216,10 +217,10 @@ public sealed class BackgroundTests
     public void A_result_that_came_while_another_definition_was_shown_is_collected_later()
     {
         var slow = Slow(out var feed);
-        slow.Gate.Reset();
+        slow.Close();
         feed("a");
-        slow.Gate.Set();
-        System.Threading.Thread.Sleep(300);
+        slow.Open();
+        Assert.That(slow.Background.Queue.Wait(10_000), Is.True);
         slow.DocumentContextChanged(_document, GH_DocumentContext.Unloaded);
         Assert.That(_document.ScheduledCount, Is.Zero);
         slow.DocumentContextChanged(_document, GH_DocumentContext.Loaded);
@@ -232,9 +233,9 @@ public sealed class BackgroundTests
     {
         var slow = new SlowComponent();
         _document.AddObject(slow, false);
-        slow.Gate.Reset();
+        slow.Close();
         Recipes.Connect(_document, slow.Params.Input[0], "a");
-        System.Threading.Tasks.Task.Delay(900).ContinueWith(_ => slow.Gate.Set());
+        System.Threading.Tasks.Task.Delay(300).ContinueWith(_ => slow.Open());
         _document.NewSolution(false, GH_SolutionMode.CommandLine);
         Assert.That((Results(slow), slow.Message), Is.EqualTo(("a", "done")));
     }

@@ -11,6 +11,9 @@ using Rhino.UI;
 
 namespace Caterpillar.GH.Tests.Base;
 
+/// <summary>Long work of a solve, and versions in definitions. Times count: nothing else runs meanwhile.</summary>
+[NonParallelizable]
+[Category("Host")]
 public sealed class BaseTests
 {
     [TearDown]
@@ -21,10 +24,17 @@ public sealed class BaseTests
     {
         StatusBar.Log.Clear();
         var here = Thread.CurrentThread.ManagedThreadId;
+        // Asked at each step of the wait.
+        using var seen = new ManualResetEventSlim();
+        GH_Document.EscapeKey = () =>
+        {
+            if (StatusBar.Log.Contains("at 42")) seen.Set();
+            return false;
+        };
         var there = LongWork.Run("Testing", (progress, _) =>
         {
             progress.Report(0.42);
-            Thread.Sleep(800);
+            seen.Wait(10_000);
             return Tuple.Create(Thread.CurrentThread.ManagedThreadId);
         });
         Assert.That(there.Item1, Is.Not.EqualTo(here));

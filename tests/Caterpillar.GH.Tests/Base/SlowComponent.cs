@@ -31,6 +31,19 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
         return this;
     }
 
+    /// <summary>Holds work back, for which solutions then wait only shortly.</summary>
+    public void Close()
+    {
+        Gate.Reset();
+        Background.UsualPatience = 50;
+    }
+
+    public void Open()
+    {
+        Gate.Set();
+        Background.UsualPatience = 500;
+    }
+
     /// <summary>Lets time pass as in Rhino, until something is true or ten seconds are over.</summary>
     public bool Until(Func<bool> done)
     {

@@ -11,6 +11,7 @@ using Rhino;
 
 namespace Caterpillar.GH.Tests.Components;
 
+[Category("Host")]
 public sealed class CurveComponentTests
 {
     private static readonly Bead Thin = new(0.1, 0.2, 30);

@@ -12,6 +12,7 @@ using Rhino;
 
 namespace Caterpillar.GH.Tests.Components;
 
+[Category("Host")]
 public sealed class CurvedSlicerTests
 {
     private static readonly PrintSettings Quick = new() { LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.6, WallCount = 1, SkirtLoops = 0 };

@@ -7,6 +7,7 @@ using Rhino;
 
 namespace Caterpillar.GH.Tests.Components;
 
+[Category("Host")]
 public sealed class DeconstructPrintPathTests
 {
     private static PrintPath Path(double x = 0)

@@ -22,6 +22,7 @@ public sealed class EveryComponentTests
         }
     }
 
+    [Category("Host")]
     [TestCaseSource(typeof(PluginTypes), nameof(PluginTypes.Components))]
     public void It_solves_with_what_it_needs(Type type)
     {

@@ -13,6 +13,7 @@ using NUnit.Framework;
 namespace Caterpillar.GH.Tests.Components;
 
 /// <summary>Models on the bed, paths on objects, curves from files.</summary>
+[Category("Host")]
 public sealed class ModelPlacingTests
 {
     private static readonly PrintPath Flat = new([new Vec3(102, 105, 0.2), new Vec3(108, 105, 0.2)], new Bead(0.08, 0.2, 40));

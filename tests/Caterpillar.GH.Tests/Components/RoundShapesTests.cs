@@ -15,6 +15,7 @@ using NUnit.Framework;
 namespace Caterpillar.GH.Tests.Components;
 
 /// <summary>Arcs, round beds and the boxes of a head as they are shown.</summary>
+[Category("Host")]
 public sealed class RoundShapesTests
 {
     private static readonly Printer Round = new() { BedShape = BedShape.Round, BuildVolume = new Vec3(200, 200, 300) };

@@ -11,6 +11,7 @@ using Rhino;
 
 namespace Caterpillar.GH.Tests.Components;
 
+[Category("Host")]
 public sealed class SetupTests
 {
     private string _folder = "";

@@ -13,6 +13,7 @@ using Rhino;
 
 namespace Caterpillar.GH.Tests.Components;
 
+[Category("Host")]
 public sealed class ShapingComponentsTests
 {
     private static readonly PrintPath Line = new([new Vec3(0, 0, 1), new Vec3(10, 0, 1), new Vec3(10, 10, 3)], new Bead(0.2, 0, 30));

@@ -16,6 +16,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.GH.Tests.Components;
 
+[Category("Host")]
 public sealed class SimulateTests
 {
     private static readonly Bead Bead = new(0.08, 0.2, 40);

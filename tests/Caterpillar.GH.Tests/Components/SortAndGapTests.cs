@@ -10,6 +10,7 @@ using Rhino;
 
 namespace Caterpillar.GH.Tests.Components;
 
+[Category("Host")]
 public sealed class SortAndGapTests
 {
     private static readonly Bead Bead = new(0.08, 0.2, 30);

@@ -12,6 +12,7 @@ using Rhino;
 
 namespace Caterpillar.GH.Tests.Components;
 
+[Category("Host")]
 public sealed class ToolpathEditTests
 {
     private const string File = "; by hand\nM104 S210\nM109 S210\nG90\nM83\n;LAYER_CHANGE\n;TYPE:Perimeter\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200 ; "

@@ -10,6 +10,7 @@ using Rhino;
 
 namespace Caterpillar.GH.Tests.Components;
 
+[Category("Host")]
 public sealed class TraceComponentsTests
 {
     private static readonly Bead Strand = new(0.196, 0, 25);

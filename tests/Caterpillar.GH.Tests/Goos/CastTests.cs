@@ -16,6 +16,7 @@ using NUnit.Framework;
 namespace Caterpillar.GH.Tests.Goos;
 
 /// <summary>What turns into what on a wire.</summary>
+[Category("Host")]
 public sealed class CastTests
 {
     private static readonly PrintPath Path = new([new Vec3(0, 0, 0.2), new Vec3(10, 0, 0.2)], new Bead(0.08));

@@ -16,6 +16,7 @@ using Rhino;
 
 namespace Caterpillar.GH.Tests.Goos;
 
+[Category("Host")]
 public sealed class GooTests
 {
     private static readonly Bead Bead = new(0.08, 0.2, 40);

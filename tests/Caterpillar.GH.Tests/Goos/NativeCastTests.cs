@@ -23,6 +23,7 @@ using Rhino;
 namespace Caterpillar.GH.Tests.Goos;
 
 /// <summary>Native geometry, numbers and texts at the ports of the plug-in, and its data at native ports.</summary>
+[Category("Host")]
 public sealed class NativeCastTests
 {
     private static readonly Rg.Plane Flat = new(new Rg.Point3d(10, 20, 0.2), Rg.Vector3d.XAxis, Rg.Vector3d.YAxis);

@@ -15,6 +15,7 @@ using NUnit.Framework;
 namespace Caterpillar.GH.Tests.Host;
 
 /// <summary>A definition with components of the plug-in is saved as .ghx, opened again, and gives the same.</summary>
+[Category("Host")]
 public sealed class DefinitionTests
 {
     private const string Program = "M83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200\n";

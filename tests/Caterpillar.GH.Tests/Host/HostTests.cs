@@ -11,6 +11,7 @@ using NUnit.Framework;
 namespace Caterpillar.GH.Tests.Host;
 
 /// <summary>The stand-in behaves like Grasshopper where the components rely on it.</summary>
+[Category("Host")]
 public sealed class HostTests
 {
     /// <summary>Adds two numbers; throws on 13.</summary>

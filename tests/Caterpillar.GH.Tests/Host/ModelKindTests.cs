@@ -8,6 +8,7 @@ using NUnit.Framework;
 namespace Caterpillar.GH.Tests.Host;
 
 /// <summary>Everything that can be sliced as triangles. On the real RhinoCommon some shapes need native code that only Rhino has: those are skipped.</summary>
+[Category("Host")]
 public sealed class ModelKindTests
 {
     private static readonly Rg.BoundingBox Cube = new(10, 10, 0, 30, 30, 20);

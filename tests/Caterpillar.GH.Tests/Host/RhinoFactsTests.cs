@@ -10,6 +10,7 @@ using NUnit.Framework;
 namespace Caterpillar.GH.Tests.Host;
 
 /// <summary>What RhinoCommon and GH_IO do in cases that matter here; the same for the stand-ins and for the real assemblies.</summary>
+[Category("Host")]
 public sealed class RhinoFactsTests
 {
     private static readonly Rg.Point3d A = new(0, 0, 0);

@@ -14,6 +14,7 @@ using NUnit.Framework;
 namespace Caterpillar.GH.Tests.Plugin;
 
 /// <summary>What Grasshopper and its users expect of names, descriptions, ids and icons.</summary>
+[Category("Host")]
 public sealed class MetadataTests
 {
     private static readonly string[] Panels = [Panel.Setup, Panel.Design, Panel.Path, Panel.Slice, Panel.GCode, Panel.Simulate];

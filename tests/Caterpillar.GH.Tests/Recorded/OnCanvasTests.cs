@@ -8,7 +8,8 @@ using Rhino;
 
 namespace Caterpillar.GH.Tests.Recorded;
 
-/// <summary>Where work may outlive a solution.</summary>
+/// <summary>Where work may outlive a solution. What it changes belongs to the whole host.</summary>
+[NonParallelizable]
 public sealed class OnCanvasTests
 {
     private readonly GH_Document _document = new();

@@ -12,12 +12,11 @@ namespace Caterpillar.GH.Components.GCode;
 public sealed class SaveGCodeComponent() : CaterpillarComponent(
     "Save G-code", "Save", "Writes G-code to a file when Save becomes true; the file is written completely or not at all.", Panel.GCode)
 {
-    // By item: whether Save was true in the last solution, and what was written last. An item that has not been seen with Save false is not written: a
-    // definition that was saved with a toggle at true writes nothing when it opens.
-    private readonly Dictionary<int, bool> _pressed = [];
-    private readonly Dictionary<int, (GCodeDocument Document, string File)> _written = [];
+    private readonly Buttons _save = new(input: 2);
 
-    private bool _rising;
+    // What was written last, by item.
+    private readonly Dictionary<int, (GCodeDocument Document, string File)> _written = [];
+    private bool _pressed;
 
     public override Guid ComponentGuid => new("9e6a8f1a-0011-4d61-99a7-075d3a567637");
 
@@ -32,13 +31,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports) => ports.Text("Path", "P", "Path of the file, once this G-code has been written to it.");
 
-    // A press counts for the solution in which it happens: one while the G-code is bad is not made up for later.
-    private protected override void Prepare(Run run)
-    {
-        var save = run.MaybeValue<bool>(2) ?? true;
-        _rising = save && _pressed.TryGetValue(run.Iteration, out var before) && !before;
-        _pressed[run.Iteration] = save;
-    }
+    private protected override void Prepare(Run run) => _pressed = _save.IsPressed(run);
 
     private protected override void Solve(Run run)
     {
@@ -46,7 +39,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
         var name = run.Get<string>(1);
         if (name.Trim().Length == 0) throw new InputProblem("File is missing.") { IsMissing = true };
         var file = run.PathTo(name);
-        if (_rising && run.MayAct()) Write(run, document, file, run.Get<bool>(3));
+        if (_pressed && run.MayAct()) Write(run, document, file, run.Get<bool>(3));
         var done = _written.TryGetValue(run.Iteration, out var last) && ReferenceEquals(last.Document, document) && last.File == file && File.Exists(file);
         run.Set(0, done ? file : null);
         if (done) run.Summarize($"{NumberFormatter.Format(document.Length / 1024)} KB saved");

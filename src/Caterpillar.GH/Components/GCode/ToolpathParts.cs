@@ -22,12 +22,16 @@ internal sealed class ToolpathParts
         var numbers = toolpath.NumbersOfLayers();
         var lowest = numbers.Count > 0 ? Math.Min(numbers[0], 0) : 0;
         var layer = 0;
-        Open(root, layer);
+        var branch = new Branch(this, root.AppendElement(layer));
         for (var i = 0; i < toolpath.Count; i++)
         {
             var move = toolpath[i];
-            if (toolpath.NumberOfLayer(move) is { } number && number - lowest != layer) Open(root, layer = number - lowest);
-            _branch!.Add(move, units, toolpath.BeadOf(move), this);
+            if (toolpath.NumberOfLayer(move) is { } number && number - lowest != layer)
+            {
+                layer = number - lowest;
+                branch = new Branch(this, root.AppendElement(layer));
+            }
+            branch.Add(move, units, toolpath.BeadOf(move));
         }
         foreach (var strand in ToolpathStrands.Of(toolpath))
         {
@@ -54,15 +58,6 @@ internal sealed class ToolpathParts
 
     public GH_Structure<GH_Curve> Strands { get; } = new();
 
-    private Branch? _branch;
-
-    private void Open(GH_Path root, int layer)
-    {
-        var path = root.AppendElement(layer);
-        _branch = new Branch(Points.EnsurePath(path), Amounts.EnsurePath(path), Speeds.EnsurePath(path), Kinds.EnsurePath(path), Roles.EnsurePath(path),
-            Sources.EnsurePath(path), Areas.EnsurePath(path), Widths.EnsurePath(path));
-    }
-
     private GH_Number Number(double value)
     {
         // Amounts and coordinates hardly repeat: the table stays small.
@@ -74,22 +69,30 @@ internal sealed class ToolpathParts
 
     private GH_String Text(string value) => _texts.TryGetValue(value, out var goo) ? goo : _texts[value] = new GH_String(value);
 
-    private sealed class Branch(List<GH_Point> points, List<GH_Number> amounts, List<GH_Number> speeds, List<GH_String> kinds, List<GH_String> roles,
-        List<GH_Integer> sources, List<GH_Number> areas, List<GH_Number> widths)
+    /// <summary>The branches of one layer.</summary>
+    private sealed class Branch(ToolpathParts parts, GH_Path path)
     {
+        private readonly List<GH_Point> _points = parts.Points.EnsurePath(path);
+        private readonly List<GH_Number> _amounts = parts.Amounts.EnsurePath(path);
+        private readonly List<GH_Number> _speeds = parts.Speeds.EnsurePath(path);
+        private readonly List<GH_String> _kinds = parts.Kinds.EnsurePath(path);
+        private readonly List<GH_String> _roles = parts.Roles.EnsurePath(path);
+        private readonly List<GH_Integer> _sources = parts.Sources.EnsurePath(path);
+        private readonly List<GH_Number> _areas = parts.Areas.EnsurePath(path);
+        private readonly List<GH_Number> _widths = parts.Widths.EnsurePath(path);
         private GH_Integer _source = new(-1);
 
-        public void Add(in Move move, DocumentUnits units, Bead? bead, ToolpathParts all)
+        public void Add(in Move move, DocumentUnits units, Bead? bead)
         {
             if (move.Source != _source.Value) _source = new GH_Integer(move.Source);
-            points.Add(new GH_Point(RhinoGeometry.ToPoint(move.End, units)));
-            amounts.Add(all.Number(move.E));
-            speeds.Add(all.Number(move.Speed));
-            kinds.Add(all.Text(move.Kind.ToString()));
-            roles.Add(all.Text(move.Role.ToString()));
-            sources.Add(_source);
-            areas.Add(all.Number(bead?.Area ?? 0));
-            widths.Add(all.Number(bead?.Width(BeadShape.Stadium) ?? 0));
+            _points.Add(new GH_Point(RhinoGeometry.ToPoint(move.End, units)));
+            _amounts.Add(parts.Number(move.E));
+            _speeds.Add(parts.Number(move.Speed));
+            _kinds.Add(parts.Text(move.Kind.ToString()));
+            _roles.Add(parts.Text(move.Role.ToString()));
+            _sources.Add(_source);
+            _areas.Add(parts.Number(bead?.Area ?? 0));
+            _widths.Add(parts.Number(bead?.Width(BeadShape.Stadium) ?? 0));
         }
     }
 }

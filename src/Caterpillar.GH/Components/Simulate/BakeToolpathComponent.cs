@@ -25,10 +25,11 @@ public sealed class BakeToolpathComponent() : CaterpillarComponent(
         + "replaces it.",
         Panel.Simulate, GH_Exposure.secondary)
 {
-    // By item: whether Bake was true in the last solution, and what was baked last.
-    private readonly Dictionary<int, bool> _pressed = [];
+    private readonly Buttons _bake = new(input: 2);
+
+    // What was baked last, by item.
     private readonly Dictionary<int, List<Guid>> _baked = [];
-    private bool _rising;
+    private bool _pressed;
 
     public override Guid ComponentGuid => new("9c1f6a2e-8b43-4f19-8d2c-1c3a7e9b4a06");
 
@@ -43,12 +44,7 @@ public sealed class BakeToolpathComponent() : CaterpillarComponent(
     private protected override void Outputs(OutputPorts ports)
         => ports.Text("Ids", "I", "Ids of the objects that were baked last.", GH_ParamAccess.list);
 
-    private protected override void Prepare(Run run)
-    {
-        var bake = run.MaybeValue<bool>(2) ?? true;
-        _rising = bake && _pressed.TryGetValue(run.Iteration, out var before) && !before;
-        _pressed[run.Iteration] = bake;
-    }
+    private protected override void Prepare(Run run) => _pressed = _bake.IsPressed(run);
 
     private protected override void Solve(Run run)
     {
@@ -57,7 +53,7 @@ public sealed class BakeToolpathComponent() : CaterpillarComponent(
         if (name.Length == 0) throw new InputProblem("Name is missing.") { IsMissing = true };
         var kind = run.Choice<BakeKind>(3);
         var item = run.Iteration;
-        if (_rising && run.MayAct())
+        if (_pressed && run.MayAct())
         {
             if (RhinoDoc.ActiveDoc is null) throw new InputProblem("There is no Rhino document to bake into.");
             // Documents must not change while a solution runs.

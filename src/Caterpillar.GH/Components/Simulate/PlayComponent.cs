@@ -18,7 +18,6 @@ public sealed class PlayComponent() : CaterpillarComponent(
     private double _position;
     private double _last;
     private bool? _pressed;
-    private bool _plays;
 
     public override Guid ComponentGuid => new("d7f20c3c-2a54-4a39-9c8e-5f0a6f5a7a02");
 
@@ -26,19 +25,19 @@ public sealed class PlayComponent() : CaterpillarComponent(
     internal Func<double>? Seconds { get; set; }
 
     /// <summary>True while the position moves.</summary>
-    internal bool Plays => _plays;
+    internal bool Plays { get; private set; }
 
     private double Now => Seconds?.Invoke() ?? _clock.Elapsed.TotalSeconds;
 
     public override void RemovedFromDocument(GH_Document document)
     {
-        _plays = false;
+        Plays = false;
         base.RemovedFromDocument(document);
     }
 
     public override void DocumentContextChanged(GH_Document document, GH_DocumentContext context)
     {
-        if (context is GH_DocumentContext.Close or GH_DocumentContext.Unloaded or GH_DocumentContext.Lock) _plays = false;
+        if (context is GH_DocumentContext.Close or GH_DocumentContext.Unloaded or GH_DocumentContext.Lock) Plays = false;
         base.DocumentContextChanged(document, context);
     }
 
@@ -59,11 +58,11 @@ public sealed class PlayComponent() : CaterpillarComponent(
         var pressed = run.MaybeValue<bool>(1) ?? true;
         if (pressed && _pressed == false)
         {
-            _plays = true;
+            Plays = true;
             _last = Now;
             if (_position >= 1) _position = 0;
         }
-        if (!pressed) _plays = false;
+        if (!pressed) Plays = false;
         _pressed = pressed;
     }
 
@@ -77,17 +76,17 @@ public sealed class PlayComponent() : CaterpillarComponent(
         var timeline = run.Work("Timing", [goo.Value, setup], (progress, cancel) => Timeline.Of(goo.Value, setup, progress, cancel));
         var now = Now;
         // Frames are as long as solving takes: slow definitions skip some.
-        if (_plays && timeline.Duration > 0) _position = Math.Min(1, _position + (now - _last) * speed / timeline.Duration);
+        if (Plays && timeline.Duration > 0) _position = Math.Min(1, _position + (now - _last) * speed / timeline.Duration);
         _last = now;
-        if (_position >= 1) _plays = false;
-        if (_plays) run.Document?.ScheduleSolution(FrameMilliseconds, Next);
+        if (_position >= 1) Plays = false;
+        if (Plays) run.Document?.ScheduleSolution(FrameMilliseconds, Next);
         run.Set(0, _position);
         run.Summarize($"{NumberFormatter.Format(_position * timeline.Duration, 0)} of {NumberFormatter.Format(timeline.Duration, 0)} s");
     }
 
     private void Next(GH_Document document)
     {
-        if (_plays && !Locked) ExpireSolution(false);
-        else _plays = false;
+        if (Plays && !Locked) ExpireSolution(false);
+        else Plays = false;
     }
 }

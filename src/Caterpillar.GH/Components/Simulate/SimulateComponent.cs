@@ -79,14 +79,8 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         foreach (var line in head) box.Union(line.BoundingBox);
         run.Show(new Shown(lines, head, box));
 
-        run.Set(0, RhinoGeometry.ToPlane(state.Frame, units));
-        run.Set(1, goo.Until(state.Move, state.Position, state.Done));
-        run.Set(2, Current(timeline, state, units));
-        run.Set(3, state.Time);
-        run.Set(4, state.Source);
-        run.Set(5, outline.ProfileAt(tip));
-        run.Set(6, Words(timeline, state));
-        run.Set(7, outline.MeshAt(tip));
+        run.SetAll(RhinoGeometry.ToPlane(state.Frame, units), goo.Until(state.Move, state.Position, state.Done), Current(timeline, state, units), state.Time,
+            state.Source, outline.ProfileAt(tip), Words(timeline, state), outline.MeshAt(tip));
         run.Summarize($"{NumberFormatter.Format(100 * (timeline.Duration > 0 ? state.Time / timeline.Duration : 1), 1)} %");
     }
 

@@ -62,12 +62,12 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
         }
         bool Prints(int i) => toolpath[i].Kind == MoveKind.Print && Shown(i);
         var printer = run.Maybe<Machines.Printer>(6);
-        var seams = run.Get<bool>(7);
         var setup = by == PreviewColor.Time ? run.Cached([toolpath, goo.Setup, goo.DecodedGCode, printer], () => SetupPorts.Of(run, goo, printer)) : null;
         var colors = run.Work("Coloring", [toolpath, by, first, last, setup], (progress, cancel) =>
             PreviewColors.Of(toolpath, Prints, by, setup is null ? null : Timeline.Of(toolpath, setup, progress, cancel)));
-        run.Show(run.Work("Drawing", [colors, beads, travels, seams, printer, units.ToMillimeters], (_, _) =>
-            new ToolpathScene(toolpath, Shown, colors, beads, travels, units, seams, printer is null ? [] : VolumeOutline.Of(printer, units))));
+        var content = new SceneContent(beads, travels, run.Get<bool>(7), printer);
+        run.Show(run.Work("Drawing", [colors, content, units.ToMillimeters],
+            (_, _) => new ToolpathScene(toolpath, Shown, colors, content, units)));
         run.SetList(0, colors.Texts);
         run.SetList(1, colors.Colors.Select(c => new GH_Colour { Value = c }));
     }

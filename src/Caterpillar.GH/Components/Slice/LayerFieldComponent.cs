@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using Caterpillar.Basics;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
@@ -6,6 +8,20 @@ using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.Slice;
+
+/// <summary>How the layers of a curved print are given.</summary>
+public enum FieldKind
+{
+    Vertical,
+    Normal,
+    Between,
+    Formula,
+    Cone,
+    Overhangs,
+    Deformed,
+    Harmonic,
+    Geodesic,
+}
 
 /// <summary>Makes the field whose level sets are the layers of a print.</summary>
 public sealed class LayerFieldComponent() : CaterpillarComponent(
@@ -54,7 +70,7 @@ public sealed class LayerFieldComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var problems = new System.Collections.Generic.List<Basics.Diagnostic>();
+        var problems = new List<Diagnostic>();
         var field = new FieldPorts(run, problems).Read();
         run.Report(problems);
         run.Set(0, field is null ? null : new LayerFieldGoo(field));

@@ -6,8 +6,10 @@ namespace Grasshopper.Kernel
 {
     public sealed partial class GH_Document : GH_IO.GH_ISerializable
     {
-        // What a test stands in for the keyboard.
-        internal static Func<bool> EscapeKey = () => false;
+        // Tests run side by side: each thread has its own.
+        [ThreadStatic]
+        private static Func<bool> s_escapeKey;
+
         private readonly List<IGH_DocumentObject> _objects = new List<IGH_DocumentObject>();
         private readonly Queue<GH_ScheduleDelegate> _scheduled = new Queue<GH_ScheduleDelegate>();
         private bool _solving;
@@ -34,6 +36,13 @@ namespace Grasshopper.Kernel
         internal int SolutionCount { get; private set; }
 
         internal int ScheduledCount => _scheduled.Count;
+
+        // What a test stands in for the keyboard.
+        internal static Func<bool> EscapeKey
+        {
+            get => s_escapeKey ?? (() => false);
+            set => s_escapeKey = value;
+        }
 
         public static bool IsEscapeKeyDown() => EscapeKey();
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Drawing;
 using System.IO;
@@ -21,8 +22,16 @@ namespace Grasshopper
 
     public static class Folders
     {
+        // Tests run side by side: each thread has its own.
+        [ThreadStatic]
+        private static string s_settings;
+
         // A test may set another one.
-        internal static string Settings = Path.Combine(Path.GetTempPath(), "Grasshopper-headless");
+        internal static string Settings
+        {
+            get => s_settings ?? Path.Combine(Path.GetTempPath(), "Grasshopper-headless");
+            set => s_settings = value;
+        }
 
         public static string SettingsFolder => Settings;
     }
@@ -71,8 +80,8 @@ namespace Grasshopper.Kernel
     public class GH_ComponentServer
     {
         internal readonly Dictionary<string, object> Categories = new Dictionary<string, object>();
-        private readonly Dictionary<Guid, Type> _types = new Dictionary<Guid, Type>();
-        private readonly Dictionary<Assembly, GH_AssemblyInfo> _libraries = new Dictionary<Assembly, GH_AssemblyInfo>();
+        private readonly ConcurrentDictionary<Guid, Type> _types = new ConcurrentDictionary<Guid, Type>();
+        private readonly ConcurrentDictionary<Assembly, GH_AssemblyInfo> _libraries = new ConcurrentDictionary<Assembly, GH_AssemblyInfo>();
 
         internal GH_ComponentServer() => Load(typeof(GH_ComponentServer).Assembly);
 

@@ -45,8 +45,12 @@ namespace Rhino.UI
 {
     public static class StatusBar
     {
+        // Tests run side by side: each thread has its own.
+        [ThreadStatic]
+        private static List<string> s_log;
+
         // What was asked of the progress meter, in order.
-        internal static readonly List<string> Log = new List<string>();
+        internal static List<string> Log => s_log ?? (s_log = new List<string>());
 
         public static int ShowProgressMeter(int lowerLimit, int upperLimit, string label, bool embedLabel, bool showPercentComplete)
         {

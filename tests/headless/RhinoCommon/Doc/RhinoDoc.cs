@@ -20,7 +20,15 @@ namespace Rhino
             Layers = new LayerTable();
         }
 
-        public static RhinoDoc ActiveDoc { get; set; }
+        // Tests run side by side: each thread has its own.
+        [ThreadStatic]
+        private static RhinoDoc s_activeDoc;
+
+        public static RhinoDoc ActiveDoc
+        {
+            get => s_activeDoc;
+            set => s_activeDoc = value;
+        }
 
         public UnitSystem ModelUnitSystem { get; set; } = UnitSystem.Millimeters;
 
