@@ -50,7 +50,7 @@ for room in Architecture Checks Curved Geometry Planning Simulation Slicing Tool
   arithmetic="$arithmetic&FullyQualifiedName!~Caterpillar.Tests.$room."
 done
 runtime="(${arithmetic#&})|FullyQualifiedName~Caterpillar.Tests.Geometry.Meshes.|TestCategory=Runtime"
-host="TestCategory=Host|FullyQualifiedName~Caterpillar.GH.Tests.Host."
+host="TestCategory=Host"
 if [ "$full" = yes ]; then
   export CATERPILLAR_FULL=1
   runtime=
