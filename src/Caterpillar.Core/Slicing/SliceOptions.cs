@@ -18,7 +18,7 @@ public sealed record SliceOptions
     /// Gets the layers as soon as they are finished, those of a height together and from below, on a thread of the slicer; the layers of the result are then
     /// without steps. With supports the first come once those are found; of objects that are printed one after the other all come at the end.
     /// </summary>
-    public Action<IReadOnlyList<SlicedLayer>>? Follow { get; init; }
+    internal Action<IReadOnlyList<SlicedLayer>>? Follow { get; init; }
 
     /// <summary>Lines of the infill for a layer of a height, where the pattern is that of the user's curves; mm.</summary>
     internal Func<double, IReadOnlyList<Polyline>>? InfillCurves { get; init; }
