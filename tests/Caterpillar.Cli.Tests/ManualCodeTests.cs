@@ -24,7 +24,7 @@ public class ManualCodeTests : CliFixture
         ("first-print.md", "dotnet publish ", "needs the SDK; the program that it makes is tested"),
         ("compute.md", "curl ", "needs a server with Rhino.Compute"),
         ("library.md", "dotnet add ", "the form of a call"),
-        ("library.md", "mesh, turtle", "a drawing"),
+        ("library.md", "models, turtle", "a drawing"),
         ("models.md", "part.stl: ", "the form of a message"),
         ("profiles.md", "{if ", "the form of a template; TemplateTests has its conditions"),
         ("rhino-only.md", "dotnet test ", "needs Rhino"),

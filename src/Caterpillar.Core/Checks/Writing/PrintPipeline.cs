@@ -16,7 +16,7 @@ namespace Caterpillar.Checks;
 /// Plans a print while the steps of higher layers are still being made; what is planned is timed and checked at once. The plan is that of
 /// <see cref="Planner"/>, the file that of <see cref="SafeWriter"/>. To be used by one thread.
 /// </summary>
-public sealed class PrintPipeline : IDisposable
+internal sealed class PrintPipeline : IDisposable
 {
     // Batches that wait to be planned, at most: their steps take more memory than their moves.
     private const int Waiting = 16;

@@ -43,23 +43,9 @@ public static class SafeWriter
         return written;
     }
 
-    /// <summary>Checks an edited toolpath and writes the file that it was decoded from again, whole or not at all.</summary>
-    /// <inheritdoc cref="ToDocument(DecodedGCode, Toolpath, PrintSetup, string?, EditOptions?, IProgress{double}?, CancellationToken)" path="/param"/>
-    /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/returns"/>
-    /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/exception"/>
-    public static Result<WrittenGCode> WriteFile(
-        DecodedGCode decoding, Toolpath edited, PrintSetup setup, string path, string? reason = null, EditOptions? code = null,
-        IProgress<double>? progress = null, CancellationToken cancel = default)
-    {
-        var (document, guard) = Edited(decoding, edited, setup, reason, code, progress, cancel);
-        document.Value?.WriteFile(path, null, cancel);
-        var written = document.Value is { } text ? new WrittenGCode(text.Length, text.LineCount, guard!.Overridden) : null;
-        return new Result<WrittenGCode>(written, document.Diagnostics);
-    }
-
     /// <summary>Checks a toolpath and writes it to a stream, as text; nothing is written where it is refused.</summary>
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
-    public static Result<WrittenGCode> Write(
+    internal static Result<WrittenGCode> Write(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
         => Write(toolpath, setup, stream, reason, false, default, progress, cancel);
 
@@ -68,7 +54,7 @@ public static class SafeWriter
     /// away.
     /// </summary>
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
-    public static Result<WrittenGCode> WriteDraft(
+    internal static Result<WrittenGCode> WriteDraft(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
         => Write(toolpath, setup, stream, reason, true, default, progress, cancel);
 

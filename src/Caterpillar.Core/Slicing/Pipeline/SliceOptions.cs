@@ -18,7 +18,7 @@ public sealed record SliceOptions
     /// Gets the layers as soon as they are finished, those of a height together and from below, on a thread of the slicer; the layers of the result are then
     /// without steps. With supports the first come once those are found; of objects that are printed one after the other all come at the end.
     /// </summary>
-    public Action<IReadOnlyList<SlicedLayer>>? Take { get; init; }
+    internal Action<IReadOnlyList<SlicedLayer>>? Take { get; init; }
 
     /// <summary>
     /// Gives the lines that take the place of the infill's pattern in a layer, from the height of its top above the bed, mm; of the lines x and y count, mm.
