@@ -103,6 +103,7 @@ public class ModelPartTests
         Polyline[] open = [new([Vec3.Zero, new Vec3(3, 0)]), new([Vec3.Zero, new Vec3(0, 4.5)])];
         Section[] sections = [new(0.1, [], [], new ClosedGaps(1, 0.5, 0.5)), new(0.3, [], open, new ClosedGaps(2, 0.5, 0.3)), new(0.5, [], [])];
         const string Gaps = "The mesh is broken. 3 gaps in contours closed on 2 layers (z 0.1 to 0.3 mm): 1 mm in all, the widest 0.5 mm.";
+        Assert.That(BrokenMeshReport.Describe(MendedMesh.Unchanged(mesh), [sections[0], new(0.3, [], [], sections[1].Gaps)]), Is.EqualTo(Gaps));
         Assert.That(BrokenMeshReport.Describe(MendedMesh.Unchanged(mesh), sections),
             Is.EqualTo(Gaps + " Left out: 2 contours that do not close, 7.5 mm in all, on 1 layer (z 0.3 mm)."));
     }

@@ -24,13 +24,13 @@ public sealed class MeshBoundaries
     }
 
     /// <summary>The mesh, its edges divided where they were long.</summary>
-    public TriMesh Mesh { get; }
+    internal TriMesh Mesh { get; }
 
     /// <summary>Vertices of <see cref="Mesh"/> on the boundaries where layers begin.</summary>
-    public IReadOnlyList<int> Lower { get; }
+    internal IReadOnlyList<int> Lower { get; }
 
     /// <summary>Vertices of <see cref="Mesh"/> on the boundaries where layers end.</summary>
-    public IReadOnlyList<int> Upper { get; }
+    internal IReadOnlyList<int> Upper { get; }
 
     /// <summary>The mesh as it was given.</summary>
     internal TriMesh Original { get; }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -10,54 +11,41 @@ namespace Caterpillar.Curved;
 /// Layers that divide the space between surfaces, each above the one before: between two of them there is everywhere the same number of layers, which are thin
 /// where the surfaces come together. Beyond the lowest and the highest surface the layers go on with the thickness they have there.
 /// </summary>
-internal sealed class BetweenField : LayerField
+internal sealed class BetweenField(PlanSurface[] surfaces) : LayerField
 {
-    private readonly PlanSurface[] _surfaces;
-
     // Value of the field on each surface.
-    private readonly double[] _values;
+    private readonly double[] _values = surfaces.Select((_, i) => (double)i).ToArray();
 
-    private BetweenField(PlanSurface[] surfaces, double[] values)
-    {
-        _surfaces = surfaces;
-        _values = values;
-    }
-
-    public static BetweenField Of(PlanSurface[] surfaces)
-    {
-        var values = new double[surfaces.Length];
-        for (var i = 0; i < values.Length; i++) values[i] = i;
-        return new BetweenField(surfaces, values);
-    }
+    private BetweenField(PlanSurface[] surfaces, double[] values) : this(surfaces) => _values = values;
 
     public override double Detail
     {
         get
         {
             var least = double.PositiveInfinity;
-            foreach (var surface in _surfaces) least = Math.Min(least, surface.Detail);
+            foreach (var surface in surfaces) least = Math.Min(least, surface.Detail);
             // The quotient of two planes is curved, gently.
             return double.IsInfinity(least) ? 10 : least;
         }
     }
 
-    public override bool StartsLevel => _surfaces[0].IsLevel;
+    public override bool StartsLevel => surfaces[0].IsLevel;
 
     internal override IReadOnlyList<double> Creases => _values;
 
     internal override double Span(Vec3 step) => step.LengthXY;
 
-    internal override void Check(DiagnosticList problems) => Array.ForEach(_surfaces, s => s.Check(problems));
+    internal override void Check(DiagnosticList problems) => Array.ForEach(surfaces, s => s.Check(problems));
 
-    public override bool Covers(double x, double y) => Array.TrueForAll(_surfaces, s => s.Covers(x, y));
+    public override bool Covers(double x, double y) => Array.TrueForAll(surfaces, s => s.Covers(x, y));
 
     public override double Value(Vec3 point)
     {
-        var low = _surfaces[0].Height(point.X, point.Y);
+        var low = surfaces[0].Height(point.X, point.Y);
         for (var i = 1; ; i++)
         {
-            var high = _surfaces[i].Height(point.X, point.Y);
-            if (point.Z <= high || i + 1 == _surfaces.Length)
+            var high = surfaces[i].Height(point.X, point.Y);
+            if (point.Z <= high || i + 1 == surfaces.Length)
                 return _values[i - 1] + (_values[i] - _values[i - 1]) * (point.Z - low) / (high - low);
             low = high;
         }
@@ -66,18 +54,18 @@ internal sealed class BetweenField : LayerField
     public override double Height(double x, double y, double value)
     {
         var i = 1;
-        while (i + 1 < _surfaces.Length && value > _values[i]) i++;
-        double low = _surfaces[i - 1].Height(x, y), high = _surfaces[i].Height(x, y);
+        while (i + 1 < surfaces.Length && value > _values[i]) i++;
+        double low = surfaces[i - 1].Height(x, y), high = surfaces[i].Height(x, y);
         return low + (high - low) * (value - _values[i - 1]) / (_values[i] - _values[i - 1]);
     }
 
     internal override double Spread(Vec3 point)
     {
-        var low = _surfaces[0].Height(point.X, point.Y);
+        var low = surfaces[0].Height(point.X, point.Y);
         for (var i = 1; ; i++)
         {
-            var high = _surfaces[i].Height(point.X, point.Y);
-            if (point.Z <= high || i + 1 == _surfaces.Length) return (high - low) / (_values[i] - _values[i - 1]);
+            var high = surfaces[i].Height(point.X, point.Y);
+            if (point.Z <= high || i + 1 == surfaces.Length) return (high - low) / (_values[i] - _values[i - 1]);
             low = high;
         }
     }
@@ -85,23 +73,23 @@ internal sealed class BetweenField : LayerField
     public override Vec3 Normal(Vec3 point)
     {
         var i = 1;
-        while (i + 1 < _surfaces.Length && point.Z > _surfaces[i].Height(point.X, point.Y)) i++;
-        double low = _surfaces[i - 1].Height(point.X, point.Y), high = _surfaces[i].Height(point.X, point.Y);
+        while (i + 1 < surfaces.Length && point.Z > surfaces[i].Height(point.X, point.Y)) i++;
+        double low = surfaces[i - 1].Height(point.X, point.Y), high = surfaces[i].Height(point.X, point.Y);
         var share = (point.Z - low) / (high - low);
-        var (lowX, lowY) = _surfaces[i - 1].Slope(point.X, point.Y);
-        var (highX, highY) = _surfaces[i].Slope(point.X, point.Y);
+        var (lowX, lowY) = surfaces[i - 1].Slope(point.X, point.Y);
+        var (highX, highY) = surfaces[i].Slope(point.X, point.Y);
         return new Vec3(-lowX - (highX - lowX) * share, -lowY - (highY - lowY) * share, 1).Unit();
     }
 
     internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
     {
-        var values = new double[_surfaces.Length];
+        var values = new double[surfaces.Length];
         for (var i = 1; i < values.Length; i++)
         {
             var most = 0.0;
             foreach (var column in part.Columns)
             {
-                double low = _surfaces[i - 1].Height(column.X, column.Y), high = _surfaces[i].Height(column.X, column.Y);
+                double low = surfaces[i - 1].Height(column.X, column.Y), high = surfaces[i].Height(column.X, column.Y);
                 if (!(high > low))
                 {
                     problems.Add(Severity.Error, "curved.surfaces_cross",
@@ -113,6 +101,6 @@ internal sealed class BetweenField : LayerField
             var first = i == 1 ? settings.FirstLayerHeight : 0;
             values[i] = values[i - 1] + first + Math.Max(i == 1 ? 0 : 1, Math.Ceiling((most - first) / settings.LayerHeight - 1e-6)) * settings.LayerHeight;
         }
-        return Anchored(new BetweenField(_surfaces, values), part, settings);
+        return Anchored(new BetweenField(surfaces, values), part, settings);
     }
 }

@@ -97,7 +97,7 @@ public abstract class LayerField
     }
 
     /// <summary>Planar layers: the field z.</summary>
-    public static LayerField Level => VerticalField.Of(PlanSurface.Level(0), null);
+    public static LayerField Level => new VerticalField(PlanSurface.Level(0), null);
 
     /// <summary>Layers that are copies of a plan, moved up and down; with a blend the layers near the bed are level.</summary>
     /// <exception cref="ArgumentException">The blend ends below its beginning.</exception>
@@ -105,7 +105,7 @@ public abstract class LayerField
     {
         if (plan is null) throw new ArgumentNullException(nameof(plan));
         if (blend is { } zone && !(zone.From >= 0 && zone.To > zone.From)) throw new ArgumentException("A blend ends above its beginning.", nameof(blend));
-        return VerticalField.Of(plan, blend);
+        return new VerticalField(plan, blend);
     }
 
     /// <summary>Layers at equal distances from a surface, its normal offsets; the surface has to be a height field.</summary>
@@ -143,7 +143,7 @@ public abstract class LayerField
     {
         if (surfaces is null) throw new ArgumentNullException(nameof(surfaces));
         if (surfaces.Length < 2) throw new ArgumentException("There is something between two surfaces at least.", nameof(surfaces));
-        return BetweenField.Of((PlanSurface[])surfaces.Clone());
+        return new BetweenField((PlanSurface[])surfaces.Clone());
     }
 
     /// <summary>

@@ -7,19 +7,13 @@ namespace Caterpillar.Curved;
 /// <summary>
 /// Sample columns of a part: places in plan with the lowest and the highest point of the part over them. Fields take their constants from them.
 /// </summary>
-internal sealed class PartColumns
+internal sealed class PartColumns(IReadOnlyList<Column> columns, Bounds bounds)
 {
     private const int Cells = 96;
 
-    private PartColumns(List<Column> columns, Bounds bounds)
-    {
-        Columns = columns;
-        Bounds = bounds;
-    }
+    public IReadOnlyList<Column> Columns { get; } = columns;
 
-    public IReadOnlyList<Column> Columns { get; }
-
-    public Bounds Bounds { get; }
+    public Bounds Bounds { get; } = bounds;
 
     /// <summary>Samples of meshes: a grid over their plan, and their vertices.</summary>
     public static PartColumns Of(IEnumerable<TriMesh> meshes)

@@ -37,7 +37,7 @@ public static class SurfaceProjection
         onto.Check(problems);
         if (problems.HasErrors) return new Result<IReadOnlyList<Step>>(null, problems.ToList());
         var settings = setup.Settings;
-        var field = VerticalField.Of(onto.Moved(new Vec3(0, 0, -squeeze)), null);
+        var field = new VerticalField(onto.Moved(new Vec3(0, 0, -squeeze)), null);
         var (span, rise) = Extent(steps, onto);
         var steepest = settings.CurvedMaxSlope > 0 ? settings.CurvedMaxSlope : HeadSlope.Limit(setup.Printer, span, rise);
         var rules = new LiftRules(settings, 0, steepest, null, partial) { FindsEdge = true };

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Threading;
-using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Curved;

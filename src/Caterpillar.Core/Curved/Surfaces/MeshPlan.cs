@@ -1,27 +1,18 @@
 using System;
-using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Curved;
 
 /// <summary>The highest faces of a mesh as a plan.</summary>
-internal sealed class MeshPlan : PlanSurface
+internal sealed class MeshPlan(TriMesh mesh) : PlanSurface
 {
     // mm: a part as large as its plan may reach over its edge by rounding.
     private static readonly double[] Steps = [1e-8, 1e-5, 1e-3, 0.02];
-    private readonly TriMesh _mesh;
-    private readonly MeshHeights _heights;
+    private readonly MeshHeights _heights = new(mesh);
 
-    public MeshPlan(TriMesh mesh)
-    {
-        _mesh = mesh;
-        _heights = new MeshHeights(mesh);
-        // About the length of an edge.
-        Detail = mesh.TriangleCount == 0 ? 1 : Math.Max(0.25, Math.Sqrt(2 * mesh.Area / mesh.TriangleCount));
-    }
-
-    public override double Detail { get; }
+    // About the length of an edge.
+    public override double Detail { get; } = mesh.TriangleCount == 0 ? 1 : Math.Max(0.25, Math.Sqrt(2 * mesh.Area / mesh.TriangleCount));
 
     public override bool Covers(double x, double y) => !double.IsInfinity(Covered(x, y, out _));
 
@@ -36,23 +27,23 @@ internal sealed class MeshPlan : PlanSurface
     {
         if (double.IsInfinity(Covered(x, y, out var triangle))) triangle = Beyond(x, y).Triangle;
         if (triangle < 0) return (0, 0);
-        var (a, b, c) = _mesh.Triangle(triangle);
-        var normal = Vec3.Cross(_mesh.RawVertices[b] - _mesh.RawVertices[a], _mesh.RawVertices[c] - _mesh.RawVertices[a]);
+        var (a, b, c) = mesh.Triangle(triangle);
+        var normal = Vec3.Cross(mesh.RawVertices[b] - mesh.RawVertices[a], mesh.RawVertices[c] - mesh.RawVertices[a]);
         return (-normal.X / normal.Z, -normal.Y / normal.Z);
     }
 
     internal override void Check(DiagnosticList problems)
     {
-        if (_mesh.TriangleCount == 0)
+        if (mesh.TriangleCount == 0)
         {
             problems.Add(Severity.Error, "curved.plan_empty", "The plan has no triangles.");
             return;
         }
-        if (_mesh.IsWatertight) return;
+        if (mesh.IsWatertight) return;
         int up = 0, down = 0, firstDown = -1, firstUp = -1;
-        for (var t = 0; t < _mesh.TriangleCount; t++)
+        for (var t = 0; t < mesh.TriangleCount; t++)
         {
-            var z = _mesh.Normal(t).Z;
+            var z = mesh.Normal(t).Z;
             if (z > 1e-6 && up++ == 0) firstUp = t;
             if (z < -1e-6 && down++ == 0) firstDown = t;
         }
@@ -62,8 +53,8 @@ internal sealed class MeshPlan : PlanSurface
         }
         else if (up > 0 && down > 0)
         {
-            var (a, b, c) = _mesh.Triangle(down < up ? firstDown : firstUp);
-            var place = (_mesh.Vertices[a] + _mesh.Vertices[b] + _mesh.Vertices[c]) / 3;
+            var (a, b, c) = mesh.Triangle(down < up ? firstDown : firstUp);
+            var place = (mesh.Vertices[a] + mesh.Vertices[b] + mesh.Vertices[c]) / 3;
             problems.Add(Severity.Error, "curved.plan_folded", $"The plan is folded over itself, first at {place}: a nozzle from above cannot follow it.");
         }
         else if (up == 0)
@@ -77,7 +68,7 @@ internal sealed class MeshPlan : PlanSurface
         var height = Top(x, y, out triangle);
         if (!double.IsInfinity(height)) return height;
         // Points on the outermost edge may miss it by rounding; the less they are moved the better.
-        var center = _mesh.Bounds.Center;
+        var center = mesh.Bounds.Center;
         int dx = Math.Sign(center.X - x), dy = Math.Sign(center.Y - y);
         foreach (var step in Steps)
         {
@@ -93,7 +84,7 @@ internal sealed class MeshPlan : PlanSurface
     private (double Height, int Triangle) Beyond(double x, double y)
     {
         const int Parts = 64;
-        var center = _mesh.Bounds.Center;
+        var center = mesh.Bounds.Center;
         for (var i = 1; i <= Parts; i++)
         {
             double inside = (double)i / Parts, outside = (i - 1.0) / Parts;

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Threading;
-using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Curved;
@@ -62,7 +61,7 @@ public static class SurfaceLines
     /// The direction in plan of a principal curvature of a surface, from heights about as far around as its features are large; zero where it bends equally in
     /// all directions.
     /// </summary>
-    public static Vec3 PrincipalDirection(PlanSurface surface, Vec3 place, bool across = false)
+    internal static Vec3 PrincipalDirection(PlanSurface surface, Vec3 place, bool across = false)
     {
         if (surface is null) throw new ArgumentNullException(nameof(surface));
         var h = double.IsInfinity(surface.Detail) ? 1 : Math.Max(0.5, 2 * surface.Detail);

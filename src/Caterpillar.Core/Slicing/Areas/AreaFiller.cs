@@ -10,7 +10,6 @@ namespace Caterpillar.Slicing;
 internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules rules, int number, LayerTools tools, List<PathStep> steps)
 {
     private const double ArcTolerance = 0.005;
-    private readonly SliceRules _rules = rules;
     private readonly PrintSettings _settings = rules.Settings;
 
     /// <summary>Adds the steps.</summary>
@@ -22,7 +21,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         foreach (var bridge in areas.Bridges) Solid(bridge.Area, Role.Bridge, InfillPattern.Lines, bridge.Angle, StepRank.Bottom);
         Solid(areas.Bottom, Role.BottomSkin, _settings.BottomPattern, skin, StepRank.Bottom);
         var closed = areas.Solid;
-        foreach (var bridge in InfillBridges.Find(layer, _rules, areas.Solid, tools.Engine))
+        foreach (var bridge in InfillBridges.Find(layer, rules, areas.Solid, tools.Engine))
         {
             Solid(bridge.Area, Role.Bridge, InfillPattern.Lines, bridge.Angle, StepRank.Solid, overInfill: true);
             closed = closed.Subtract(bridge.Area, tools.Engine);
@@ -32,40 +31,40 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         if (_settings.Ironing) Iron(areas.Top, skin);
         if (thick.Area.IsEmpty)
         {
-            Sparse(areas.Sparse, _rules.Thickness);
+            Sparse(areas.Sparse, rules.Thickness);
             return;
         }
-        Sparse(areas.Sparse.Subtract(thick.Area, tools.Engine), _rules.Thickness);
+        Sparse(areas.Sparse.Subtract(thick.Area, tools.Engine), rules.Thickness);
         if (thick.Thickness > 0) Sparse(areas.Sparse.Intersect(thick.Area, tools.Engine), thick.Thickness);
     }
 
     private void Sparse(Region area, double thickness)
     {
-        if (area.IsEmpty || _rules.InfillSpacing <= 0) return;
-        var angle = _rules.InfillAngle(layer.Index);
+        if (area.IsEmpty || rules.InfillSpacing <= 0) return;
+        var angle = rules.InfillAngle(layer.Index);
         var rank = _settings.InfillFirst ? StepRank.EarlyInfill : StepRank.Infill;
-        if (_rules.IsSolid && thickness == _rules.Thickness)
+        if (rules.IsSolid && thickness == rules.Thickness)
         {
             Solid(area, Role.SolidInfill, Closing(_settings.InfillPattern), angle, rank);
             return;
         }
-        var thick = thickness == _rules.Thickness ? _rules : _rules with { Walls = WallRules.Of(_settings, thickness), Thickness = thickness };
+        var thick = thickness == rules.Thickness ? rules : rules with { Walls = WallRules.Of(_settings, thickness), Thickness = thickness };
         var pattern = layer.Body.InfillLines is null ? _settings.InfillPattern : InfillPattern.Curves;
-        var request = Request(area, pattern, _rules.InfillSpacing, _rules.Width, angle, solid: false);
-        Add(tools.Infill.Fill(request), thick.Bead(_rules.Width), Role.Infill, rank);
+        var request = Request(area, pattern, rules.InfillSpacing, rules.Width, angle, solid: false);
+        Add(tools.Infill.Fill(request), thick.Bead(rules.Width), Role.Infill, rank);
     }
 
     private void Solid(Region area, Role role, InfillPattern pattern, double angle, int rank, bool overInfill = false)
     {
         if (role == Role.SolidInfill && pattern == InfillPattern.Lines) area = NarrowParts(area, rank);
         if (area.IsEmpty) return;
-        var width = role == Role.SolidInfill || overInfill ? _rules.Width : _rules.SkinWidth;
-        var bead = overInfill ? _rules.Bead(width).WithSpeed(_settings.InfillBridgeSpeed) : _rules.Bead(width);
+        var width = role == Role.SolidInfill || overInfill ? rules.Width : rules.SkinWidth;
+        var bead = overInfill ? rules.Bead(width).WithSpeed(_settings.InfillBridgeSpeed) : rules.Bead(width);
         var share = overInfill ? _settings.InfillBridgeFlow : role == Role.Bridge ? _settings.BridgeFlow : 1;
-        var lines = tools.Infill.Fill(Request(area, pattern, _rules.Pitch(width), width, angle, solid: true));
+        var lines = tools.Infill.Fill(Request(area, pattern, rules.Pitch(width), width, angle, solid: true));
         // Rows between walls know what each of them has to fill.
         var rows = pattern is InfillPattern.Lines or InfillPattern.Monotonic && _settings.WallCount > 0;
-        var flow = rows ? share : Balance(lines, area.Area * _rules.Thickness, bead) * share;
+        var flow = rows ? share : Balance(lines, area.Area * rules.Thickness, bead) * share;
         Add(lines, bead.WithArea(bead.Area * flow), role, rank);
     }
 
@@ -76,16 +75,16 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
     private Region NarrowParts(Region area, int rank)
     {
         var half = _settings.NarrowSolid / 2;
-        if (half <= 0 || area.IsEmpty || !_rules.Walls.VariableWidth) return area;
+        if (half <= 0 || area.IsEmpty || !rules.Walls.VariableWidth) return area;
         List<GridPoint[]> wide = [], narrow = [];
         foreach (var piece in area.Islands)
             (piece.Offset(-half, JoinStyle.Miter, 2, ArcTolerance, tools.Engine).IsEmpty ? narrow : wide).AddRange(piece.Paths);
         if (narrow.Count == 0) return area;
         var group = new StepGroup(layer.Number, number, rank);
-        foreach (var wall in new WallBuilder(_rules.Walls, tools.Engine).Fill(Region.Own(narrow.ToArray())).Paths)
+        foreach (var wall in new WallBuilder(rules.Walls, tools.Engine).Fill(Region.Own(narrow.ToArray())).Paths)
         {
-            var path = wall.ToPath(layer.Plan.Top, _rules.Walls).With(Role.SolidInfill, layer.Layer);
-            steps.Add(new PathStep(_rules.Own(path), group) { Region = island.Region });
+            var path = wall.ToPath(layer.Plan.Top, rules.Walls).With(Role.SolidInfill, layer.Layer);
+            steps.Add(new PathStep(rules.Own(path), group) { Region = island.Region });
         }
         return Region.Own(wide.ToArray());
     }
@@ -94,25 +93,25 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
     private void Iron(Region top, double skin)
     {
         if (top.IsEmpty || !(_settings.IroningFlowPercent > 0)) return;
-        var area = top.Offset(-_rules.SkinWidth / 2, JoinStyle.Miter, 2, ArcTolerance, tools.Engine);
+        var area = top.Offset(-rules.SkinWidth / 2, JoinStyle.Miter, 2, ArcTolerance, tools.Engine);
         var request = new InfillRequest(area, InfillPattern.Monotonic, _settings.IroningSpacing, _settings.IroningSpacing)
         {
             Angle = skin + 90, Z = layer.Plan.Top, Layer = layer.Index,
         };
-        var bead = new Bead(_settings.IroningSpacing * _rules.Thickness * _settings.IroningFlowPercent / 100, _rules.Thickness);
+        var bead = new Bead(_settings.IroningSpacing * rules.Thickness * _settings.IroningFlowPercent / 100, rules.Thickness);
         Add(tools.Infill.Fill(request), bead, Role.Ironing, StepRank.Ironing);
     }
 
     // Center lines keep half a pitch from the edge of the area, less the overlap.
     private InfillRequest Request(Region area, InfillPattern pattern, double spacing, double width, double angle, bool solid)
-        => new(CenterLines(area, _rules, width, solid ? _rules.SolidOverlap : _rules.Overlap, tools.Engine), pattern, spacing, width)
+        => new(CenterLines(area, rules, width, solid ? rules.SolidOverlap : rules.Overlap, tools.Engine), pattern, spacing, width)
         {
-            Overlap = solid ? _rules.SolidOverlap : 0,
-            Angle = angle, Z = layer.Plan.Top, Layer = layer.Index, Solid = solid, Linked = pattern != InfillPattern.Curves, Formula = _rules.InfillFormula,
+            Overlap = solid ? rules.SolidOverlap : 0,
+            Angle = angle, Z = layer.Plan.Top, Layer = layer.Index, Solid = solid, Linked = pattern != InfillPattern.Curves, Formula = rules.InfillFormula,
             Curves = pattern switch
             {
                 InfillPattern.Lightning => LightningPlan.TreesOf(layer.Body)[layer.Index],
-                InfillPattern.Curves => layer.Body.InfillLines?.Invoke(layer.Plan.Top) ?? _rules.InfillCurves,
+                InfillPattern.Curves => layer.Body.InfillLines?.Invoke(layer.Plan.Top) ?? rules.InfillCurves,
                 _ => null,
             },
         };
@@ -152,7 +151,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
                 for (var i = 0; i < beads.Length; i++) beads[i] = bead.WithArea(bead.Area * line.Flow[i]);
             }
             var path = PrintPath.Own(line.Points, beads, line.Closed).With(role, layer.Layer, overrides: fan);
-            steps.Add(new PathStep(_rules.Own(path), new StepGroup(layer.Number, number, keep ? rank++ : rank)) { Region = island.Region, KeepStart = keep });
+            steps.Add(new PathStep(rules.Own(path), new StepGroup(layer.Number, number, keep ? rank++ : rank)) { Region = island.Region, KeepStart = keep });
         }
     }
 }

@@ -8,24 +8,15 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>Divides a model into layers: the first of its own thickness, then by ranges of heights, a formula, the slope of the surface, or alike.</summary>
-internal sealed class LayerPlan
+internal sealed class LayerPlan(TriMesh mesh, PrintSettings settings)
 {
     private const int MaxLayers = 1_000_000;
     private const double Thinnest = 0.001;
-    private readonly PrintSettings _settings;
-    private readonly Formula? _formula;
-    private readonly SurfaceSlopes? _slopes;
+    private readonly Formula? _formula = settings.LayerFormula.Length > 0 ? Formula.Compile(settings.LayerFormula, ["z"]).Value : null;
+    private readonly SurfaceSlopes? _slopes = settings.AdaptiveLayers ? new SurfaceSlopes(mesh) : null;
 
-    public LayerPlan(TriMesh mesh, PrintSettings settings)
-    {
-        _settings = settings;
-        if (settings.LayerFormula.Length > 0) _formula = Formula.Compile(settings.LayerFormula, ["z"]).Value;
-        if (settings.AdaptiveLayers) _slopes = new SurfaceSlopes(mesh);
-        Height = mesh.Bounds.Max.Z;
-    }
-
-    /// <summary>Height of the model above the bed, mm.</summary>
-    public double Height { get; }
+    // Of the model above the bed, mm.
+    private readonly double _height = mesh.Bounds.Max.Z;
 
     /// <summary>The layers from the bed up. A layer belongs to the plan when the place where it cuts lies below the height of the model.</summary>
     /// <returns>Null and an error where there would be more than a million layers, or where the formula gives no thickness.</returns>
@@ -38,7 +29,7 @@ internal sealed class LayerPlan
         var last = 0.0;
         while (true)
         {
-            var thickness = layers.Count == 0 ? _settings.FirstLayerHeight : ThicknessAt(bottom);
+            var thickness = layers.Count == 0 ? settings.FirstLayerHeight : ThicknessAt(bottom);
             if (!(thickness >= Thinnest))
             {
                 var what = $"The formula for the layers gives {NumberFormatter.Format(thickness, 4)} mm at z = {NumberFormatter.Format(bottom, 3)} mm.";
@@ -47,7 +38,7 @@ internal sealed class LayerPlan
             if (thickness != last) (origin, alike, last) = (bottom, 0, thickness);
             var top = origin + ++alike * thickness;
             var layer = new PlannedLayer(top, thickness, Cut(top, thickness));
-            if (!(layer.Cut < Height)) return new(layers.ToArray(), []);
+            if (!(layer.Cut < _height)) return new(layers.ToArray(), []);
             if (layers.Count == MaxLayers)
                 return new(null, [new Diagnostic(Severity.Error, "slice.too_many_layers", "More than a million layers: the layers are too thin.")]);
             layers.Add(layer);
@@ -56,18 +47,17 @@ internal sealed class LayerPlan
     }
 
     private double Cut(double top, double thickness)
-        => _settings.LayerCut == LayerCut.Middle ? top - thickness / 2 : top - thickness + Math.Min(0.01, thickness / 10);
+        => settings.LayerCut == LayerCut.Middle ? top - thickness / 2 : top - thickness + Math.Min(0.01, thickness / 10);
 
     private double ThicknessAt(double z)
     {
         const double Rounding = 1e-9;
-        foreach (var range in _settings.LayerRanges)
+        foreach (var range in settings.LayerRanges)
         {
             if (z >= range.From - Rounding && z < range.To - Rounding) return range.Thickness;
         }
-        var thickness = _formula is not null ? _formula.Evaluate(z)
-            : _slopes is not null ? _slopes.Thickness(z, _settings.AdaptiveMinHeight, _settings.AdaptiveMaxHeight, _settings.AdaptiveCusp)
-            : _settings.LayerHeight;
-        return thickness;
+        return _formula is not null ? _formula.Evaluate(z)
+            : _slopes is not null ? _slopes.Thickness(z, settings.AdaptiveMinHeight, settings.AdaptiveMaxHeight, settings.AdaptiveCusp)
+            : settings.LayerHeight;
     }
 }

@@ -4,7 +4,6 @@ using System.Linq;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
-using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 

@@ -10,39 +10,22 @@ namespace Caterpillar.Slicing;
 /// Divides walls where they begin to hang over the layer below, and gives the pieces speed, flow and fan of their class. A path stays one path: only its
 /// segments change.
 /// </summary>
-internal sealed class OverhangSplitter
+/// <param name="rules">Those of the walls of an island.</param>
+/// <param name="below">What is below the island.</param>
+/// <param name="engine">Offsets it.</param>
+internal sealed class OverhangSplitter(SliceRules rules, Region below, RegionEngine engine)
 {
     // mm; no printer follows a change of speed over a shorter piece.
     private const double Shortest = 0.05;
 
-    private readonly ValueList<OverhangClass> _classes;
-    private readonly PrintSettings _settings;
-    private readonly Region _below;
-    private readonly double _width;
-    private readonly RegionEngine _engine;
-    private readonly LineClipper?[] _clippers;
+    private readonly ValueList<OverhangClass> _classes = rules.Settings.OverhangClasses;
+    private readonly PrintSettings _settings = rules.Settings;
+    private readonly LineClipper?[] _clippers = new LineClipper?[rules.Settings.OverhangClasses.Count];
     private readonly List<(double From, double To)> _parts = [];
     private readonly List<Vec3> _points = [];
     private readonly List<Bead> _beads = [];
     private List<(double To, int Kind)> _pieces = [];
     private List<(double To, int Kind)> _next = [];
-
-    private OverhangSplitter(SliceRules rules, Region below, RegionEngine engine)
-    {
-        _settings = rules.Settings;
-        _classes = _settings.OverhangClasses;
-        _below = below;
-        _width = rules.Width;
-        _engine = engine;
-        _clippers = new LineClipper?[_classes.Count];
-    }
-
-    /// <summary>The splitter of an island, or null where overhangs are printed like all else.</summary>
-    /// <param name="rules">Those of its walls.</param>
-    /// <param name="below">What is below the island.</param>
-    /// <param name="engine">Offsets it.</param>
-    public static OverhangSplitter? For(SliceRules rules, Region below, RegionEngine engine)
-        => rules.Settings.OverhangClasses.Count == 0 ? null : new OverhangSplitter(rules, below, engine);
 
     /// <summary>True if it is known that no part of the middle line of the last path is over air.</summary>
     public bool IsSupported { get; private set; }
@@ -143,8 +126,8 @@ internal sealed class OverhangSplitter
     private LineClipper Clipper(int kind, Vec3[] path)
     {
         if (_clippers[kind] is { } made) return made;
-        var distance = _width * (_classes[kind].Percent / 100 - 0.5);
-        var region = distance == 0 ? _below : _below.Offset(distance, JoinStyle.Miter, 2, 0.005, _engine);
+        var distance = rules.Width * (_classes[kind].Percent / 100 - 0.5);
+        var region = distance == 0 ? below : below.Offset(distance, JoinStyle.Miter, 2, 0.005, engine);
         var clipper = _clippers[kind] = new LineClipper(region.Index, outside: true);
         clipper.Follow(path);
         return clipper;

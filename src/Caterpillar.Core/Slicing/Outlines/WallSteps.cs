@@ -12,7 +12,7 @@ internal static class WallSteps
     {
         var settings = island.Rules.Settings;
         var below = layer.BelowHanging(island.Region);
-        var overhangs = below is null ? null : OverhangSplitter.For(island.Rules, below, engine);
+        var overhangs = below is null || settings.OverhangClasses.Count == 0 ? null : new OverhangSplitter(island.Rules, below, engine);
         var air = below is null ? null : new LineClipper(Held(below, island.Rules, engine).Index, outside: true);
         var group = new StepGroup(layer.Number, number, StepRank.Walls);
         for (var i = 0; i < island.Walls.Count; i++)

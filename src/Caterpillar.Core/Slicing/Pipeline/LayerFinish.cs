@@ -11,18 +11,23 @@ namespace Caterpillar.Slicing;
 /// What depends on the layers before, or on all objects on the bed: seams, vases, supports, raft, skirt and the least time of a layer. Layers are given on
 /// height by height, at once where nothing above them can change them.
 /// </summary>
-internal sealed class LayerFinish
+/// <param name="works">The layers in their order, as they are sliced.</param>
+/// <param name="bodies">What is printed.</param>
+/// <param name="settings">The settings of the print.</param>
+/// <param name="supports">Adds supports; null where nobody wants them.</param>
+/// <param name="problems">Gets what is noticed.</param>
+/// <param name="take">Gets finished layers; null for nobody.</param>
+internal sealed class LayerFinish(
+    LayerWork[] works, IReadOnlyList<Body> bodies, PrintSettings settings, PrintSupports? supports, DiagnosticList problems,
+    Action<IReadOnlyList<SlicedLayer>>? take)
 {
     private const double SameHeight = 1e-9;
-    private readonly LayerWork[] _works;
-    private readonly PrintSettings _settings;
-    private readonly DiagnosticList _problems;
-    private readonly Action<IReadOnlyList<SlicedLayer>>? _take;
     private readonly Dictionary<Body, (VaseSpiral Spiral, int Last)> _vases = [];
     private readonly Dictionary<Body, SeamPlacer> _seams = [];
-    private readonly LayerCooling _cooling;
-    private readonly PrintSupports? _supports;
-    private readonly bool _waits, _isByObject, _takesTurns;
+    private readonly LayerCooling _cooling = new(settings);
+
+    // Then the skirt, which goes around all that stands on the bed, waits for all layers.
+    private readonly bool _isByObject = bodies.Count > 1 && settings.PrintSequence == PrintSequence.ByObject;
 
     // All layers, null once they are given on.
     private readonly List<SlicedLayer?> _all = [];
@@ -36,33 +41,17 @@ internal sealed class LayerFinish
     private readonly List<SlicedLayer> _finished = [];
     private int _count;
 
-    /// <param name="works">The layers in their order, as they are sliced.</param>
-    /// <param name="bodies">What is printed.</param>
-    /// <param name="settings">The settings of the print.</param>
-    /// <param name="supports">Adds supports; null where nobody wants them.</param>
-    /// <param name="problems">Gets what is noticed.</param>
-    /// <param name="take">Gets finished layers; null for nobody.</param>
-    public LayerFinish(
-        LayerWork[] works, IReadOnlyList<Body> bodies, PrintSettings settings, PrintSupports? supports, DiagnosticList problems,
-        Action<IReadOnlyList<SlicedLayer>>? take)
-    {
-        (_works, _settings, _supports, _problems, _take) = (works, settings, supports, problems, take);
-        _cooling = new LayerCooling(settings);
-        // The skirt goes around all that stands on the bed.
-        _isByObject = bodies.Count > 1 && settings.PrintSequence == PrintSequence.ByObject;
-        _takesTurns = bodies.Count > 1 && !_isByObject;
-        _waits = take is null || _isByObject;
-    }
+    private bool TakesTurns => bodies.Count > 1 && !_isByObject;
 
     /// <summary>The next layer.</summary>
     public void Add(SlicedLayer layer)
     {
-        var work = _works[_count++];
+        var work = works[_count++];
         if (!_seams.TryGetValue(work.Body, out var placer)) _seams.Add(work.Body, placer = new SeamPlacer(work.Body));
         var finished = placer.Next(work, layer);
         if (work.VaseLoop is not null)
         {
-            if (!_vases.TryGetValue(work.Body, out var vase)) vase = (new VaseSpiral(!_takesTurns), 0);
+            if (!_vases.TryGetValue(work.Body, out var vase)) vase = (new VaseSpiral(!TakesTurns), 0);
             finished = vase.Spiral.Next(work, layer);
             _vases[work.Body] = (vase.Spiral, finished.Steps.Count > 0 ? _all.Count : vase.Last);
         }
@@ -71,9 +60,9 @@ internal sealed class LayerFinish
             finished = WallArcs.Fit(finished, work.Rules.Settings.WallArcTolerance);
         }
         _all.Add(finished);
-        if (_waits) return;
+        if (take is null || _isByObject) return;
         // The highest layer of a vase may yet become its end.
-        var open = _supports?.AddTo(_all, waits: false) ?? _all.Count;
+        var open = supports?.AddTo(_all, waits: false) ?? _all.Count;
         foreach (var vase in _vases.Values) open = Math.Min(open, vase.Last);
         Release(open);
     }
@@ -82,15 +71,15 @@ internal sealed class LayerFinish
     public SlicedLayer[] End()
     {
         foreach (var body in _vases.Keys.OrderBy(b => b.Number)) EndVase(_vases[body].Spiral, _vases[body].Last, body);
-        for (var supported = 0; _supports is not null && supported < _all.Count;)
+        for (var supported = 0; supports is not null && supported < _all.Count;)
         {
-            supported = _supports.AddTo(_all, waits: true);
+            supported = supports.AddTo(_all, waits: true);
             if (!_isByObject) Release(supported);
         }
         if (_isByObject) _low = Low();
         Release(_all.Count);
         EndLevel();
-        _cooling.Report(_problems);
+        _cooling.Report(problems);
         return _finished.ToArray();
     }
 
@@ -121,8 +110,8 @@ internal sealed class LayerFinish
     private void GiveOn(SlicedLayer[] level)
     {
         _cooling.Apply(level);
-        _take?.Invoke(level);
-        foreach (var layer in level) _finished.Add(_take is null ? layer : layer with { Steps = [] });
+        take?.Invoke(level);
+        foreach (var layer in level) _finished.Add(take is null ? layer : layer with { Steps = [] });
     }
 
     // All objects that stand as low as the first layer, which are those that the loops go around together.
@@ -138,22 +127,22 @@ internal sealed class LayerFinish
         var low = _low ?? _level;
         var covered = Region.Union(low.Select(l => l.Region).Concat(low.Select(l => l.Support)));
         _low = null;
-        if (_settings.RaftLayers == 0) _level[0] = Adhesion.Around(_level[0], covered, _settings);
-        else foreach (var layer in Raft.Below(covered, _settings)) GiveOn([_finished.Count > 0 ? layer : Adhesion.Around(layer, layer.Region, _settings)]);
+        if (settings.RaftLayers == 0) _level[0] = Adhesion.Around(_level[0], covered, settings);
+        else foreach (var layer in Raft.Below(covered, settings)) GiveOn([_finished.Count > 0 ? layer : Adhesion.Around(layer, layer.Region, settings)]);
     }
 
     private void EndVase(VaseSpiral spiral, int last, Body body)
     {
         if (spiral.Finish() is { } end) _all[last] = end;
-        if (_settings.StopDistance > 0 && _takesTurns)
+        if (settings.StopDistance > 0 && TakesTurns)
         {
-            var open = NumberFormatter.Format(_settings.StopDistance, 2);
-            _problems.Add(Severity.Warning, "slice.vase_lag",
+            var open = NumberFormatter.Format(settings.StopDistance, 2);
+            problems.Add(Severity.Warning, "slice.vase_lag",
                 $"The head leaves the vase after each turn to print other models: stop_distance_mm opens its wall over {open} mm there. "
                 + "print_sequence=by_object prints one after the other.", body.Source);
         }
         if (spiral.Divided == 0) return;
-        _problems.Add(Severity.Warning, "slice.vase_divided",
+        problems.Add(Severity.Warning, "slice.vase_divided",
             "A vase has one wall: of layers in several pieces only the largest is printed.", body.Source, spiral.Divided);
     }
 }

@@ -6,7 +6,6 @@ using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
@@ -16,7 +15,7 @@ namespace Caterpillar.Slicing;
 public static class PlanarSlicer
 {
     /// <summary>The most models of one print.</summary>
-    public const int MaxModels = 10_000;
+    internal const int MaxModels = 10_000;
 
     /// <summary>Slices meshes at the positions where they are printed (Z = 0 is the bed).</summary>
     /// <param name="models">The objects; each keeps its own layers.</param>
@@ -28,7 +27,7 @@ public static class PlanarSlicer
     /// <c>slice.vase_divided</c>, <c>slice.vase_lag</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was mended and
     /// what is left out) and <c>slice.lost_layers</c> (an error: there are no layers then), <c>slice.no_curves</c>, settings without effect
     /// (<c>slice.no_effect</c>, <c>slice.print_wide</c>, <c>slice.no_support</c>), for each model <c>slice.too_thin</c>, and for each modifier without effect
-    /// <c>slice.modifier_outside</c>; <c>slice.too_many_models</c> where there are more than <see cref="MaxModels"/>.</returns>
+    /// <c>slice.modifier_outside</c>; <c>slice.too_many_models</c> where there are more than 10,000.</returns>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
     public static Result<SliceResult> Slice(
         IReadOnlyList<NamedMesh> models, PrintSettings settings, SliceOptions? options = null, IProgress<double>? progress = null,

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
@@ -48,17 +47,11 @@ internal sealed class SupportLevel(LayerWork work)
 }
 
 /// <summary>Bodies whose layers are at the same heights, from the bed up.</summary>
-internal sealed class SupportStack
+internal sealed class SupportStack(PrintSettings settings, SupportLevel[] levels)
 {
-    private SupportStack(PrintSettings settings, SupportLevel[] levels)
-    {
-        Settings = settings;
-        Levels = levels;
-    }
+    public PrintSettings Settings { get; } = settings;
 
-    public PrintSettings Settings { get; }
-
-    public SupportLevel[] Levels { get; }
+    public SupportLevel[] Levels { get; } = levels;
 
     /// <summary>The stacks of all bodies that want supports: those of equal settings together, unless each object is printed on its own.</summary>
     public static List<SupportStack> Of(IReadOnlyList<Body> bodies, PrintSettings common)
@@ -76,8 +69,8 @@ internal sealed class SupportStack
             for (var i = 0; i < levels.Length; i++)
             {
                 var at = i;
-                levels[i] = new SupportLevel(tallest.Layers[i]) { Part =
-                    Region.Union(members.Where(b => at < b.Layers.Length).Select(b => b.Layers[at].Region)) };
+                var part = Region.Union(members.Where(b => at < b.Layers.Length).Select(b => b.Layers[at].Region));
+                levels[i] = new SupportLevel(tallest.Layers[i]) { Part = part };
             }
             stacks.Add(new SupportStack(settings, levels));
         }

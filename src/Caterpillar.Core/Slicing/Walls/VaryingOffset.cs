@@ -8,7 +8,7 @@ namespace Caterpillar.Slicing;
 /// Offsets of a region inwards by a distance that follows the local thickness. The raw curve has a distance for each sample of the contours; as with plain
 /// offsets, the union by positive winding numbers takes away what has turned over.
 /// </summary>
-internal sealed class VaryingOffset
+internal sealed class VaryingOffset(RegionEngine engine)
 {
     // Sides that open by more than 30° (cosine of the angle between contacts) are a corner and no strip.
     private const double ParallelEnough = -0.866;
@@ -19,7 +19,6 @@ internal sealed class VaryingOffset
     // Where strips meet they are wider than along themselves. Of that a side takes so much: its beads lie partly in those of the others there.
     private const double Share = 0.5;
 
-    private readonly RegionEngine _engine;
     private readonly List<BoundarySample> _samples = [];
     private readonly List<List<Item>> _contours = [];
     private readonly Dictionary<GridPoint, double> _distances = [];
@@ -28,8 +27,6 @@ internal sealed class VaryingOffset
     private int _used;
     private GridPoint[] _raw = new GridPoint[256];
     private int _count;
-
-    public VaryingOffset(RegionEngine engine) => _engine = engine;
 
     private struct Item
     {
@@ -81,8 +78,8 @@ internal sealed class VaryingOffset
         _distances.Clear();
         var rings = Run(1, 0);
         // At tips both sides may run past each other and out again.
-        if (_engine.Arrangement.Touches || _engine.Arrangement.Cut)
-            rings = Region.Own(rings).Intersect(_region.Offset(-0.9 * _least, JoinStyle.Miter, 2, 0.005, _engine), _engine).Paths;
+        if (engine.Arrangement.Touches || engine.Arrangement.Cut)
+            rings = Region.Own(rings).Intersect(_region.Offset(-0.9 * _least, JoinStyle.Miter, 2, 0.005, engine), engine).Paths;
         var result = new List<(GridPoint[], double[])>(rings.Length);
         foreach (var ring in rings) result.Add((ring, DistancesOf(ring)));
         return result;
@@ -91,7 +88,7 @@ internal sealed class VaryingOffset
     /// <summary>What lies beyond twice the distance.</summary>
     /// <param name="more">Added in strips, so that both sides take all, mm.</param>
     public Region Inner(double more)
-        => Region.Own(Run(2, more)).Intersect(_region.Offset(-1.8 * _least, JoinStyle.Miter, 2, 0.005, _engine), _engine);
+        => Region.Own(Run(2, more)).Intersect(_region.Offset(-1.8 * _least, JoinStyle.Miter, 2, 0.005, engine), engine);
 
     private static bool[] Near(SegmentGrid grid, Region strips)
     {
@@ -221,7 +218,7 @@ internal sealed class VaryingOffset
 
     private GridPoint[][] Run(double factor, double more)
     {
-        _engine.Clear();
+        engine.Clear();
         for (var c = 0; c < _used; c++)
         {
             var items = _contours[c];
@@ -231,9 +228,9 @@ internal sealed class VaryingOffset
                 for (next = i + 1; next < items.Count && items[next].Point == items[i].Point;) next++;
                 Corner(items, i, next, factor, more);
             }
-            _engine.Arrangement.Add(_raw, 0, _count, 0);
+            engine.Arrangement.Add(_raw, 0, _count, 0);
         }
-        return _engine.Run(InsideRule.Positive);
+        return engine.Run(InsideRule.Positive);
     }
 
     // The samples of one point: one on an edge, two at a corner, more in a fan.
