@@ -35,6 +35,14 @@ public class DocumentTests
     }
 
     [Test]
+    public void A_folder_is_no_file()
+    {
+        var folder = TestContext.CurrentContext.TestDirectory;
+        Assert.That(() => GCodeDecoder.DecodeFile(folder), Throws.InstanceOf<IOException>().With.Message.Contains("is a folder"));
+        Assert.That(() => GCodeDocument.ReadFile(folder), Throws.InstanceOf<IOException>().With.Message.Contains("is a folder"));
+    }
+
+    [Test]
     public void Lines_are_found_over_the_edges_of_chunks_and_buffers()
     {
         var random = new Random(11);

@@ -8,7 +8,7 @@ namespace Caterpillar.GCode;
 /// <summary>Collects moves into the columns of blocks, without a call for each value.</summary>
 /// <param name="blockSize">Number of moves in a block.</param>
 /// <param name="keepsBlocks">False where full blocks are only handed out.</param>
-internal sealed class MoveColumns(int blockSize = ToolpathBlock.Capacity, bool keepsBlocks = true)
+internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, bool keepsBlocks = true)
 {
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<int> _arcMoves = [];
