@@ -45,8 +45,8 @@ public class SafeWriterTests
         Assert.That(SafeWriter.WriteFile(Line(50), new PrintSetup(), file).Value, Is.Not.Null);
         Assert.That(File.ReadAllBytes(file)[0], Is.EqualTo((byte)'G'));
         var text = SafeWriter.ToDocument(Line(50), new PrintSetup()).Value!;
-        var code = GCodeDocument.ReadFile(file).Value!.Lines(1, 10_000).Select(l => l.Text).Where(l => l.Length > 0 && l[0] != ';');
-        Assert.That(code, Is.EqualTo(text.Lines(1, 10_000).Select(l => l.Text).Where(l => l.Length > 0 && l[0] != ';')));
+        var code = GCodeDocument.ReadFile(file).Value!.Lines(1, 10_000).Where(l => l.Length > 0 && l[0] != ';');
+        Assert.That(code, Is.EqualTo(text.Lines(1, 10_000).Where(l => l.Length > 0 && l[0] != ';')));
     }
 
     [Test]

@@ -103,7 +103,7 @@ public class BinaryWriterTests
     }
 
     private static IReadOnlyList<string> Lines(byte[] bytes)
-        => GCodeDocument.FromBytes([(byte)'\n', .. bytes]).Lines(1, int.MaxValue).Select(l => l.Text).ToArray();
+        => GCodeDocument.FromBytes([(byte)'\n', .. bytes]).Lines(1, int.MaxValue).ToArray();
 
     private static byte[] Packed(string text)
     {

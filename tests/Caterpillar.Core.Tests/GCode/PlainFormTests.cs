@@ -93,8 +93,11 @@ public class PlainFormTests
                 + Encoding.ASCII.GetString(text, 0, Math.Min(text.Length, 2000)));
         Assert.That(fast.Toolpath.Layers, Is.EqualTo(slow.Toolpath.Layers));
         Assert.That(fast.Toolpath.Events, Is.EqualTo(slow.Toolpath.Events));
-        Assert.That(fast.Report.ToValues(), Is.EqualTo(slow.Report.ToValues()));
+        Assert.That(Numbers(fast), Is.EqualTo(Numbers(slow)));
     }
+
+    // Lengths of texts and notations differ.
+    private static string Numbers(DecodedGCode decoded) => (decoded.Report with { Bytes = 0, Features = [] }).ToJson();
 
     // Also a line after which a CR alone ends the one before.
     private static byte[] LowerCase(byte[] text)

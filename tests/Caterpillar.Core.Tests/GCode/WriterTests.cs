@@ -96,21 +96,6 @@ public class WriterTests
         Assert.That(back.Report.PrintLengthXY, Is.EqualTo(40 * Math.PI).Within(1e-6));
     }
 
-    [Test]
-    public void Numbered_lines_have_right_checksums()
-    {
-        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
-        builder.Add(new Vec3(10, 10, 0.25), 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
-        var text = Text(builder.Build(Filament), new GCodeFormat { Numbered = true });
-        Assert.That(text, Does.StartWith("N1 G90*17\nN2 M83*26\n"));
-        foreach (var line in text.Split('\n').Where(l => l.Length > 0))
-        {
-            var star = line.IndexOf('*');
-            Assert.That(line.Substring(0, star).Aggregate(0, (sum, c) => sum ^ c),
-                Is.EqualTo(int.Parse(line.Substring(star + 1), System.Globalization.CultureInfo.InvariantCulture)));
-        }
-    }
-
     private static string Text(Toolpath toolpath, GCodeFormat format) => Encoding.ASCII.GetString(GCodeWriter.ToBytes(toolpath, format));
 
     private static DecodedGCode Decode(byte[] bytes) => GCodeDecoder.Decode(bytes, new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!;

@@ -12,6 +12,10 @@ namespace Caterpillar.GCode;
 /// </summary>
 public sealed record DecodeReport
 {
+    private readonly DecodeCounters _counters;
+
+    internal DecodeReport(DecodeCounters counters) => _counters = counters;
+
     /// <summary>Name of the file, or empty.</summary>
     public string File { get; init; } = "";
 
@@ -25,76 +29,76 @@ public sealed record DecodeReport
     public string ExtrusionAxis { get; init; } = "none";
 
     /// <summary>Straight moves that print.</summary>
-    public int PrintSegments { get; init; }
+    public int PrintSegments => _counters.Prints;
 
     /// <summary>Straight moves that do not print.</summary>
-    public int TravelSegments { get; init; }
+    public int TravelSegments => _counters.Travels;
 
     /// <summary>Travels with negative E (wipes).</summary>
-    public int TravelsWithRetract { get; init; }
+    public int TravelsWithRetract => _counters.TravelsWithRetract;
 
     /// <summary>G2 and G3 that print.</summary>
-    public int PrintArcs { get; init; }
+    public int PrintArcs => _counters.PrintArcs;
 
     /// <summary>G2 and G3 that do not print.</summary>
-    public int TravelArcs { get; init; }
+    public int TravelArcs => _counters.TravelArcs;
 
     /// <summary>Prints by G0, and travels by others.</summary>
-    public int PrintsByG0 { get; init; }
+    public int PrintsByG0 => _counters.PrintsG0;
 
     /// <summary>Travels by other commands than G0.</summary>
-    public int TravelsByG1 { get; init; }
+    public int TravelsByG1 => _counters.TravelsG1;
 
     /// <summary>Commands G0.</summary>
-    public int RapidMoves { get; init; }
+    public int RapidMoves => _counters.Rapids;
 
     /// <summary>Commands G1, G2 and G3.</summary>
-    public int FeedMoves { get; init; }
+    public int FeedMoves => _counters.Feeds;
 
     /// <summary>Retractions in place, by E.</summary>
-    public int Retracts { get; init; }
+    public int Retracts => _counters.Retracts;
 
     /// <summary>Restores in place, by E.</summary>
-    public int Unretracts { get; init; }
+    public int Unretracts => _counters.Unretracts;
 
     /// <summary>Retractions by the firmware (G10).</summary>
-    public int FirmwareRetracts { get; init; }
+    public int FirmwareRetracts => _counters.FirmwareRetracts;
 
     /// <summary>Restores by the firmware (G11).</summary>
-    public int FirmwareUnretracts { get; init; }
+    public int FirmwareUnretracts => _counters.FirmwareUnretracts;
 
     /// <summary>Commands of motion that change nothing.</summary>
-    public int NoOps { get; init; }
+    public int NoOps => _counters.NoOps;
 
     /// <summary>Changes to another tool.</summary>
-    public int ToolChanges { get; init; }
+    public int ToolChanges => _counters.ToolChanges;
 
     /// <summary>Comments that start a layer.</summary>
-    public int LayerMarks { get; init; }
+    public int LayerMarks => _counters.LayerMarks;
 
     /// <summary>Length of printing moves, mm.</summary>
-    public double PrintLength { get; init; }
+    public double PrintLength => _counters.PrintLength;
 
     /// <summary>Length of printing moves seen from above, mm.</summary>
-    public double PrintLengthXY { get; init; }
+    public double PrintLengthXY => _counters.PrintLengthXY;
 
     /// <summary>Length of moves that do not print, mm.</summary>
-    public double TravelLength { get; init; }
+    public double TravelLength => _counters.TravelLength;
 
     /// <summary>False where the file has no amounts of extrusion; then the amounts below are 0 and mean nothing.</summary>
     public bool HasAmounts { get; init; }
 
     /// <summary>Sum of all increases of E, in its unit.</summary>
-    public double EPositive { get; init; }
+    public double EPositive => _counters.EPositive;
 
     /// <summary>Sum of all decreases of E, in its unit; not positive.</summary>
-    public double ENegative { get; init; }
+    public double ENegative => _counters.ENegative;
 
     /// <summary>E of printing moves, in its unit.</summary>
-    public double EPrint { get; init; }
+    public double EPrint => _counters.EPrint;
 
     /// <summary>Sum of all changes of E, in its unit.</summary>
-    public double ENet { get; init; }
+    public double ENet => _counters.ENet;
 
     /// <summary>Highest value of the running sum, for each tool by itself, added up: what slicers call filament used.</summary>
     public double EUsed { get; init; }
@@ -106,13 +110,13 @@ public sealed record DecodeReport
     public double? EByMarlin2Rule { get; init; }
 
     /// <summary>Different heights (to 1 µm) at the ends of strands; the same of flat strands only.</summary>
-    public int Heights { get; init; }
+    public int Heights => _counters.Heights;
 
     /// <summary>Heights at which a level strand is printed.</summary>
-    public int FlatHeights { get; init; }
+    public int FlatHeights => _counters.FlatHeights;
 
     /// <summary>How often the height of printing changes.</summary>
-    public int HeightChanges { get; init; }
+    public int HeightChanges => _counters.ZChanges;
 
     /// <summary>Box of the ends of printing moves, mm, as written in the file.</summary>
     public Bounds PrintBounds { get; init; }
@@ -131,9 +135,6 @@ public sealed record DecodeReport
 
     /// <summary>The pictures of the print in its comments, in their order.</summary>
     public IReadOnlyList<Thumbnail> Thumbnails { get; init; } = [];
-
-    /// <summary>The numbers of the report by their names in JSON; amounts are null where the file has none.</summary>
-    public IReadOnlyList<KeyValuePair<string, double?>> ToValues() => [.. Moves(), .. LayerHeights()];
 
     /// <summary>The report as a JSON object; amounts are null where the file has none.</summary>
     public string ToJson(string indent = "")

@@ -9,23 +9,15 @@ namespace Caterpillar.GCode;
 /// <summary>A decoded file.</summary>
 public sealed class DecodedGCode
 {
-    internal DecodedGCode(
-        GCodeDocument? document, Toolpath toolpath, DecodeReport report, DialectRules dialect, IReadOnlyList<string> evidence,
-            IReadOnlyDictionary<string, string> settings,
-        IReadOnlyDictionary<string, int> ignored, ExtrusionRule rule)
+    internal DecodedGCode(Toolpath toolpath, DecodeReport report, DialectRules dialect)
     {
-        Document = document;
         Toolpath = toolpath;
         Report = report;
         Dialect = dialect;
-        Evidence = evidence;
-        Settings = settings;
-        Ignored = ignored;
-        Rule = rule;
     }
 
     /// <summary>The file, or null where it was decoded from a stream without keeping it.</summary>
-    public GCodeDocument? Document { get; }
+    public GCodeDocument? Document { get; internal init; }
 
     /// <summary>What the machine does; positions in machine coordinates (G92 does not move them), sources are lines of the file.</summary>
     public Toolpath Toolpath { get; }
@@ -37,16 +29,16 @@ public sealed class DecodedGCode
     public DialectRules Dialect { get; }
 
     /// <summary>Why it was read in this dialect, in sentences; empty where the dialect was given.</summary>
-    public IReadOnlyList<string> Evidence { get; }
+    public IReadOnlyList<string> Evidence { get; internal init; } = [];
 
     /// <summary>Settings that the slicer left in comments.</summary>
-    public IReadOnlyDictionary<string, string> Settings { get; }
+    public IReadOnlyDictionary<string, string> Settings { get; internal init; } = new Dictionary<string, string>();
 
     /// <summary>Commands without effect on the toolpath, and how often.</summary>
-    public IReadOnlyDictionary<string, int> Ignored { get; }
+    public IReadOnlyDictionary<string, int> Ignored { get; internal init; } = new Dictionary<string, int>();
 
     /// <summary>What counted as printing.</summary>
-    public ExtrusionRule Rule { get; }
+    public ExtrusionRule Rule { get; internal init; }
 
     /// <summary>
     /// The error <c>gcode.none</c> for a file without a command, which says what the file looks like (a mesh, a picture, an archive …); null for G-code. It is
@@ -80,5 +72,5 @@ public sealed class DecodedGCode
 
     /// <summary>For a panel: moves, layers and dialect.</summary>
     public override string ToString()
-        => Basics.NumberFormatter.Format(Toolpath.Count) + " moves, " + Basics.NumberFormatter.Format(Toolpath.CountLayers()) + " layers, " + Dialect.Title;
+        => NumberFormatter.Format(Toolpath.Count) + " moves, " + NumberFormatter.Format(Toolpath.CountLayers()) + " layers, " + Dialect.Title;
 }

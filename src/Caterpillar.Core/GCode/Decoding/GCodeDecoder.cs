@@ -28,12 +28,17 @@ public static class GCodeDecoder
         CancellationToken cancel = default)
     {
         if (document is null) throw new ArgumentNullException(nameof(document));
-        var axis = ExtrusionAxis.Detect(document.Chunks);
         var length = (double)document.Length;
+        var input = new DecodeInput(document.Chunks, ExtrusionAxis.Detect(document.Chunks), document.Name)
+        {
+            Document = document,
+            Searched = document.Chunks,
+            Share = done => done / length,
+            Notes = () => document.Notes,
+        };
         try
         {
-            return Run(document, document.Chunks, axis, done => done / length, document.Name, options
-                ?? new DecodeOptions(), progress, cancel, document.Chunks, () => document.Notes);
+            return Run(input, options ?? new DecodeOptions(), progress, cancel);
         }
         catch (InvalidDataException tooLong)
         {
@@ -128,7 +133,14 @@ public static class GCodeDecoder
         var searched = new List<GCodeChunk>(head);
         // The end of binary G-code is known once reading has begun.
         if ((tail ?? source.Tail()) is { } end) searched.Add(end);
-        return Run(null, All(), axis, source.Done, name, options, progress, cancel, searched, source.Notes, () => source.PackedTail(cancel));
+        var input = new DecodeInput(All(), axis, name)
+        {
+            Searched = searched,
+            Share = source.Done,
+            Notes = source.Notes,
+            LateEnd = () => source.PackedTail(cancel),
+        };
+        return Run(input, options, progress, cancel);
     }
 
     private static void Afford(long moves, long text, MemoryLimit memory, string name)
@@ -139,29 +151,23 @@ public static class GCodeDecoder
 
     private static Result<DecodedGCode> Broken(InvalidDataException broken, string name) => new(null, [GCodeDocument.Broken(broken, name)]);
 
-    private static Result<DecodedGCode> Run(
-        GCodeDocument? document, IEnumerable<GCodeChunk> chunks, ExtrusionAxis axis, Func<long, double> share, string name, DecodeOptions options,
-            IProgress<double>? progress, CancellationToken cancel,
-        IReadOnlyList<GCodeChunk> searched, Func<IReadOnlyList<Diagnostic>> notes, Func<GCodeChunk?>? late = null)
+    private static Result<DecodedGCode> Run(DecodeInput input, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel)
     {
-        Detection? detected = options.Dialect is null ? DialectDetector.Detect(searched, axis) : null;
-        if (detected is { IsDefault: true } && late?.Invoke() is { } end) detected = DialectDetector.Detect([.. searched, end], axis);
+        var (document, name) = (input.Document, input.Name);
+        var detected = options.Dialect is null ? Detect(input) : (Detection?)null;
         var rules = options.Dialect ?? detected!.Value.Dialect;
-        var given = axis;
-        axis = axis.In(rules);
+        var axis = input.Axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
         interpreter.Machine.Moves.Begin(options.BlockSize, options.Take);
         var problems = interpreter.Machine.Diagnostics.List;
-        if (axis != given && (given == ExtrusionAxis.E || given == ExtrusionAxis.Switched))
-        {
-            problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + given.Name + ": extrusion is left out.");
-        }
+        if (axis != input.Axis && (input.Axis == ExtrusionAxis.E || input.Axis == ExtrusionAxis.Switched))
+            problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ": extrusion is left out.");
         var lines = 0;
         var mark = false;
         var checkpoints = document is null ? null : new List<Checkpoint>(document.Chunks.Count);
         long bytes = 0;
         ChunkPipeline.Run(
-            chunks,
+            input.Chunks,
             () => new ChunkParser(axis.Letter),
             true,
             document is { Chunks.Count: < 3 } ? 1 : options.Degree,
@@ -173,27 +179,25 @@ public static class GCodeDecoder
                 Afford(interpreter.Machine.Moves.Count, document?.Length ?? 0, options.Memory, name);
                 lines = GCodeDocument.AddLines(lines, parser.Lines);
                 bytes = done;
-                if (progress is not null && share(done) is >= 0 and var part) progress.Report(part);
+                if (progress is not null && input.Share(done) is >= 0 and var part) progress.Report(part);
             },
             cancel);
-        problems.AddRange(notes());
+        problems.AddRange(input.Notes());
         interpreter.Machine.Ignored.Report();
-        if (detected is { } found && found.IsDefault)
-            problems.Add(Severity.Remark, "gcode.dialect_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
-        if (detected is { IsDefault: true } && interpreter.Comments.Settings.TryGetValue("gcode_flavor", out var flavor)
-            && DialectDetector.OfFlavor(flavor) is { } meant && meant != rules.Name)
-            problems.Add(Severity.Warning, "gcode.dialect_late", "The settings at the end of the file name the G-code flavor \"" + flavor
-                + "\"; it was read as " + rules.Title + ". State the dialect.");
+        if (detected is { IsDefault: true }) ReportDefault(rules, interpreter.Comments.Settings, problems);
         var settings = interpreter.Comments.Settings.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
         var toolpath = interpreter.ToToolpath(FilamentFactors.Of(settings, options.FilamentDiameter));
-        var report = Reports.Of(interpreter, axis, name, bytes, mark);
-        var diagnostics = problems.ToList();
-        var none = FileKind.NotGCode(searched.Count > 0 ? searched[0] : null, bytes, lines, interpreter.Machine.Counters.Commands);
+        var none = FileKind.NotGCode(input.Searched.Count > 0 ? input.Searched[0] : null, bytes, lines, interpreter.Machine.Counters.Commands);
+        IReadOnlyList<Diagnostic> diagnostics = problems.ToList();
         if (name.Length > 0) diagnostics = diagnostics.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }).ToList();
         return new Result<DecodedGCode>(
-            new DecodedGCode(document, toolpath, report, rules, detected?.Evidence
-                ?? [], settings, interpreter.Machine.Ignored.Counts.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal), options.Rule)
+            new DecodedGCode(toolpath, Reports.Of(interpreter, axis, name, bytes, mark), rules)
             {
+                Document = document,
+                Evidence = detected?.Evidence ?? [],
+                Settings = settings,
+                Ignored = interpreter.Machine.Ignored.Counts.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal),
+                Rule = options.Rule,
                 Checkpoints = checkpoints?.ToArray() ?? [],
                 Axis = axis,
                 LastModeLine = interpreter.Machine.LastModeLine,
@@ -201,5 +205,36 @@ public static class GCodeDecoder
                 NotGCode = none is null || name.Length == 0 ? none : none with { Source = new SourceLocation(name) },
             },
             diagnostics);
+    }
+
+    private static Detection Detect(DecodeInput input)
+    {
+        var detected = DialectDetector.Detect(input.Searched, input.Axis);
+        return detected.IsDefault && input.LateEnd?.Invoke() is { } end ? DialectDetector.Detect([.. input.Searched, end], input.Axis) : detected;
+    }
+
+    private static void ReportDefault(DialectRules rules, IReadOnlyDictionary<string, string> settings, DiagnosticList problems)
+    {
+        problems.Add(Severity.Remark, "gcode.dialect_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
+        if (!settings.TryGetValue("gcode_flavor", out var flavor) || DialectDetector.OfFlavor(flavor) is not { } meant || meant == rules.Name) return;
+        problems.Add(Severity.Warning, "gcode.dialect_late", "The settings at the end of the file name the G-code flavor \"" + flavor
+            + "\"; it was read as " + rules.Title + ". State the dialect.");
+    }
+
+    // What is decoded: the chunks of a text, and what its source knows of it.
+    private sealed record DecodeInput(IEnumerable<GCodeChunk> Chunks, ExtrusionAxis Axis, string Name)
+    {
+        public GCodeDocument? Document { get; init; }
+
+        // Where the dialect is looked for.
+        public IReadOnlyList<GCodeChunk> Searched { get; init; } = [];
+
+        // The part that is done after a number of bytes, or less than 0.
+        public Func<long, double> Share { get; init; } = _ => -1;
+
+        public Func<IReadOnlyList<Diagnostic>> Notes { get; init; } = () => [];
+
+        // The end of packed text, which is unpacked once more for it.
+        public Func<GCodeChunk?>? LateEnd { get; init; }
     }
 }

@@ -9,7 +9,7 @@ namespace Caterpillar.GCode;
 
 /// <summary>
 /// A G-code file, lossless: every byte is kept as it is. Lines end with LF, CRLF or CR, also mixed; a byte order mark belongs to the first line but is no part
-/// of its text. Lines are indexed without copying and their words are read when asked for. Immutable.
+/// of its text. Lines are indexed without copying. Immutable.
 /// </summary>
 public sealed class GCodeDocument
 {
@@ -40,9 +40,6 @@ public sealed class GCodeDocument
             return first[first.Length - 1];
         }
     }
-
-    /// <summary>True when the file begins with a UTF-8 byte order mark.</summary>
-    public bool HasByteOrderMark => _chunks.Length > 0 && TextEncoding.MarkLength(_chunks[0]) > 0;
 
     internal IReadOnlyList<GCodeChunk> Chunks => _chunks;
 
@@ -102,8 +99,8 @@ public sealed class GCodeDocument
         }
     }
 
-    /// <summary>A line by its number, from 1.</summary>
-    public GCodeLine Line(int number)
+    /// <summary>A line by its number, from 1, without its line end; each byte is one character (Latin-1).</summary>
+    public string Line(int number)
     {
         if (number < 1 || number > LineCount) throw new ArgumentOutOfRangeException(nameof(number), "There is no line with this number.");
         var first = FirstLines();
@@ -114,10 +111,10 @@ public sealed class GCodeDocument
     }
 
     /// <summary>Up to <paramref name="count"/> lines from line <paramref name="first"/> (from 1) on.</summary>
-    public IReadOnlyList<GCodeLine> Lines(int first, int count)
+    public IReadOnlyList<string> Lines(int first, int count)
     {
         var last = (int)Math.Min((long)first + count - 1, LineCount);
-        var lines = new List<GCodeLine>();
+        var lines = new List<string>();
         for (var number = Math.Max(first, 1); number <= last; number++) lines.Add(Line(number));
         return lines;
     }
@@ -191,12 +188,12 @@ public sealed class GCodeDocument
         return new GCodeDocument(chunks.ToArray(), name, source.Notes());
     }
 
-    private GCodeLine LineOf(int chunk, int index, int number)
+    private string LineOf(int chunk, int index, int number)
     {
         var starts = _chunks[chunk].LineStarts();
         var text = _chunks[chunk].Text;
         var start = starts[index];
         if (number == 1) start += TextEncoding.MarkLength(_chunks[0]);
-        return new GCodeLine(number, text, start, LineEnds.Find(text, start, starts[index + 1]));
+        return TextEncoding.Decode(text, start, LineEnds.Find(text, start, starts[index + 1]));
     }
 }

@@ -45,9 +45,6 @@ internal sealed record GCodeFormat
     /// <summary>Comments that say where layers, roles and objects begin; the decoder and slicers' viewers read them.</summary>
     public bool Comments { get; init; } = true;
 
-    /// <summary>Every line gets a number and a checksum, for printing over a serial line.</summary>
-    public bool Numbered { get; init; }
-
     /// <summary>Comments at the very beginning, without their <c>;</c>.</summary>
     public IReadOnlyList<string> Header { get; init; } = [];
 

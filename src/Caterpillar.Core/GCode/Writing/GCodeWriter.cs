@@ -44,7 +44,7 @@ internal sealed class GCodeWriter
         _toolpath = toolpath ?? throw new ArgumentNullException(nameof(toolpath));
         _format = format ?? new GCodeFormat();
         _rules = _format.Dialect;
-        _out = new LineBuffer(_format.Numbered);
+        _out = new LineBuffer();
         _motion = new MotionLines(_format, _out);
         _switches = _format.Switches;
         _raw = new RawEffects(_rules, _format.ExtruderLetter);

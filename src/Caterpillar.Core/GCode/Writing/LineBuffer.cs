@@ -6,14 +6,12 @@ using Caterpillar.Basics;
 namespace Caterpillar.GCode;
 
 /// <summary>Lines of G-code as bytes, in a buffer that grows.</summary>
-internal sealed class LineBuffer(bool numbered)
+internal sealed class LineBuffer
 {
     private const int LongestWord = 40;
     private static readonly char[] LineFeed = ['\n'];
     private byte[] _bytes = new byte[64 * 1024];
     private int _count;
-    private int _lineStart;
-    private int _number;
 
     public int Count => _count;
 
@@ -22,14 +20,13 @@ internal sealed class LineBuffer(bool numbered)
     public void FlushTo(Stream stream)
     {
         stream.Write(_bytes, 0, _count);
-        _count = _lineStart = 0;
+        _count = 0;
     }
 
     /// <summary>Begins a command: its letter and number.</summary>
     public void Command(byte letter, int number)
     {
         EnsureSpace();
-        if (numbered) Number();
         _bytes[_count++] = letter;
         _count = NumberFormatter.WriteUnits(_bytes, _count, number, 0);
     }
@@ -46,15 +43,7 @@ internal sealed class LineBuffer(bool numbered)
     public void EndLine()
     {
         EnsureSpace();
-        if (numbered && _count > _lineStart && _bytes[_lineStart] == 'N')
-        {
-            var sum = 0;
-            for (var i = _lineStart; i < _count; i++) sum ^= _bytes[i];
-            _bytes[_count++] = (byte)'*';
-            _count = NumberFormatter.WriteUnits(_bytes, _count, sum, 0);
-        }
         _bytes[_count++] = (byte)'\n';
-        _lineStart = _count;
         Lines++;
     }
 
@@ -67,7 +56,6 @@ internal sealed class LineBuffer(bool numbered)
         {
             var bytes = TextEncoding.Encode(line);
             EnsureSpace(bytes.Length + LongestWord);
-            if (numbered && bytes.Length > 0 && bytes[0] != ';') Number();
             Buffer.BlockCopy(bytes, 0, _bytes, _count, bytes.Length);
             _count += bytes.Length;
             EndLine();
@@ -76,13 +64,6 @@ internal sealed class LineBuffer(bool numbered)
 
     /// <summary>A comment; line ends in it become spaces.</summary>
     public void Comment(string text) => Line(";" + text.Replace('\r', ' ').Replace('\n', ' '));
-
-    private void Number()
-    {
-        _bytes[_count++] = (byte)'N';
-        _count = NumberFormatter.WriteUnits(_bytes, _count, ++_number, 0);
-        _bytes[_count++] = (byte)' ';
-    }
 
     private void EnsureSpace(int bytes = LongestWord)
     {

@@ -37,16 +37,7 @@ internal readonly struct BoxQuery(Vec3 from, Vec3 to, double tolerance, Bounds b
     private bool Passes(Vec3 center, double half, Vec3 a, Vec3 b)
     {
         double low = 0, high = 1;
-        return Slab(a.X, b.X, center.X - box.Max.X - half, center.X - box.Min.X + half, ref low, ref high)
-            && Slab(a.Y, b.Y, center.Y - box.Max.Y - half, center.Y - box.Min.Y + half, ref low, ref high);
-    }
-
-    private static bool Slab(double a, double b, double min, double max, ref double low, ref double high)
-    {
-        var d = b - a;
-        if (d == 0) return a >= min && a <= max;
-        low = Math.Max(low, Math.Min((min - a) / d, (max - a) / d));
-        high = Math.Min(high, Math.Max((min - a) / d, (max - a) / d));
-        return low <= high;
+        return FlatSegment.Slab(a.X, b.X - a.X, center.X - box.Max.X - half, center.X - box.Min.X + half, ref low, ref high)
+            && FlatSegment.Slab(a.Y, b.Y - a.Y, center.Y - box.Max.Y - half, center.Y - box.Min.Y + half, ref low, ref high);
     }
 }

@@ -105,8 +105,9 @@ internal sealed class Deposit
             _outside = Math.Max(_outside, strand.Top);
             // Only the part inside is drawn into cells.
             double low = 0, high = 1;
-            if (!ClipAxis(strand.Ax, strand.Bx, edge - halfWidth - _cell, ref low, ref high)
-                || !ClipAxis(strand.Ay, strand.By, edge - halfWidth - _cell, ref low, ref high))
+            var inside = edge - halfWidth - _cell;
+            if (!(inside > 0) || !FlatSegment.Slab(strand.Ax, strand.Bx - strand.Ax, -inside, inside, ref low, ref high)
+                || !FlatSegment.Slab(strand.Ay, strand.By - strand.Ay, -inside, inside, ref low, ref high))
             {
                 return;
             }
@@ -340,14 +341,4 @@ internal sealed class Deposit
     private int Index(double x) => StrandRows.Index(x, _perCell);
 
     private static bool IsOutside(Vec3 p, double margin, double edge) => !(Math.Abs(p.X) + margin < edge && Math.Abs(p.Y) + margin < edge);
-
-    private static bool ClipAxis(double a, double b, double edge, ref double low, ref double high)
-    {
-        var d = b - a;
-        if (!(edge > 0)) return false;
-        if (d == 0) return Math.Abs(a) <= edge;
-        low = Math.Max(low, Math.Min((-edge - a) / d, (edge - a) / d));
-        high = Math.Min(high, Math.Max((-edge - a) / d, (edge - a) / d));
-        return low <= high;
-    }
 }

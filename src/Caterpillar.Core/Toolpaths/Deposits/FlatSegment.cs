@@ -23,6 +23,17 @@ internal static class FlatSegment
         return true;
     }
 
+    /// <summary>Keeps the parameters at which start + step * t lies from min to max; false where there are none.</summary>
+    public static bool Slab(double start, double step, double min, double max, ref double low, ref double high)
+    {
+        if (step == 0) return start >= min && start <= max;
+        var t0 = (min - start) / step;
+        var t1 = (max - start) / step;
+        low = Math.Max(low, Math.Min(t0, t1));
+        high = Math.Min(high, Math.Max(t0, t1));
+        return low <= high;
+    }
+
     /// <summary>Parameter from 0 to 1 of the point nearest to another.</summary>
     public static double Parameter(Vec3 p, Vec3 a, Vec3 b)
     {

@@ -41,9 +41,6 @@ internal sealed class HeadShape
     /// <summary>Radius of the flat of the tip.</summary>
     public double FlatRadius { get; }
 
-    /// <summary>Largest radius.</summary>
-    public double Radius => _radii[_radii.Length - 1];
-
     /// <summary>
     /// How far from the axis something may be whose top is <paramref name="excess"/> above the tip and still be touched; negative where it is not above it.
     /// </summary>

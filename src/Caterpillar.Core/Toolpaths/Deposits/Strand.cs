@@ -86,8 +86,8 @@ internal static class StadiumClip
             uy /= length;
             double px = x - a.X, py = y - a.Y;
             double low = 0, high = 1;
-            if (Slab(px * ux + py * uy, dx * ux + dy * uy, 0, length, ref low, ref high)
-                && Slab(py * ux - px * uy, dy * ux - dx * uy, -reach, reach, ref low, ref high))
+            if (FlatSegment.Slab(px * ux + py * uy, dx * ux + dy * uy, 0, length, ref low, ref high)
+                && FlatSegment.Slab(py * ux - px * uy, dy * ux - dx * uy, -reach, reach, ref low, ref high))
             {
                 from = Math.Min(from, low);
                 to = Math.Max(to, high);
@@ -116,17 +116,6 @@ internal static class StadiumClip
         if (low > high) return;
         from = Math.Min(from, low);
         to = Math.Max(to, high);
-    }
-
-    // Keeps the parameters at which start + step * t lies from min to max.
-    private static bool Slab(double start, double step, double min, double max, ref double low, ref double high)
-    {
-        if (step == 0) return start >= min && start <= max;
-        var t0 = (min - start) / step;
-        var t1 = (max - start) / step;
-        low = Math.Max(low, Math.Min(t0, t1));
-        high = Math.Min(high, Math.Max(t0, t1));
-        return low <= high;
     }
 }
 

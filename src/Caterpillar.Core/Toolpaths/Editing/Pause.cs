@@ -26,13 +26,13 @@ public sealed record Pause
     /// <summary>Cross-section of the filament, mm².</summary>
     public double FilamentArea { get; init; } = 1;
 
-    /// <summary>mm/s.</summary>
+    /// <summary>Speed to the place where the head waits and back, mm/s.</summary>
     public double TravelSpeed { get; init; } = 100;
 
-    /// <summary>mm/s.</summary>
+    /// <summary>Speed up and down, mm/s.</summary>
     public double LiftSpeed { get; init; } = 10;
 
-    /// <summary>mm/s.</summary>
+    /// <summary>Speed of the filament, mm/s.</summary>
     public double RetractionSpeed { get; init; } = 35;
 
     /// <summary>The command, or empty for that of the dialect.</summary>

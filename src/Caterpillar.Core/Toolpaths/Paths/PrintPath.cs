@@ -73,7 +73,7 @@ public sealed class PrintPath
         Overrides = other.Overrides;
     }
 
-    /// <summary>mm; the first is not repeated at the end of a closed path.</summary>
+    /// <summary>The vertices, mm; the first is not repeated at the end of a closed path.</summary>
     public IReadOnlyList<Vec3> Points => _points;
 
     /// <summary>The last point is joined to the first.</summary>

@@ -107,7 +107,7 @@ public sealed class TravelStep : Step
     /// <summary>Where it goes, mm.</summary>
     public IReadOnlyList<Vec3> Points => _points;
 
-    /// <summary>mm/s, or 0 for the travel speed of the settings.</summary>
+    /// <summary>Speed in mm/s, or 0 for the travel speed of the settings.</summary>
     public double Speed { get; }
 
     /// <summary>Why the head goes there.</summary>

@@ -33,6 +33,6 @@ public sealed class GCodeTextComponent() : CaterpillarComponent(
         if (start == 0) throw new InputProblem("Start counts from 1, or from -1 at the end.");
         if (count is < 0 or > MaxLines) throw new InputProblem($"Count must be from 0 to {NumberFormatter.Format(MaxLines)}.");
         var first = start > 0 ? start : Math.Max(1, document.LineCount + start + 1);
-        run.SetList(0, document.Lines(first, count).Select(line => line.Text));
+        run.SetList(0, document.Lines(first, count));
     }
 }

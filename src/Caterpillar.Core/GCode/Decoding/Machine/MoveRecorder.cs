@@ -19,7 +19,7 @@ internal sealed partial class MoveRecorder
     private readonly Extruders _extruders;
     private readonly LineDiagnostics _diagnostics;
     private readonly DecodeCounters _counters;
-    private MoveColumns _moves = new();
+    private BlockCollector _moves = new();
     private Action<DecodedBlock>? _take;
     private readonly List<MoveEvent> _events = [];
     private readonly bool _balance;
@@ -74,7 +74,7 @@ internal sealed partial class MoveRecorder
     public void Begin(int blockSize, Action<DecodedBlock>? take)
     {
         _take = take;
-        _moves = new MoveColumns(blockSize);
+        _moves = new BlockCollector(blockSize);
     }
 
     /// <summary>The finished toolpath.</summary>

@@ -3,7 +3,7 @@ namespace Caterpillar.GCode;
 /// <summary>The position of E as the file counts it, and what changes the amount that is extruded.</summary>
 internal struct ExtrusionState
 {
-    /// <summary>mm (mm³ in volumetric files).</summary>
+    /// <summary>The position of E, mm (mm³ in volumetric files).</summary>
     public double E;
 
     // Positions of two extruder axes, in files that use both A and B.

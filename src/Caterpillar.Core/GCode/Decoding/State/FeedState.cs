@@ -3,7 +3,7 @@ namespace Caterpillar.GCode;
 /// <summary>The feed rate as written, its factor (M220), and the speed that follows.</summary>
 internal struct FeedState
 {
-    /// <summary>mm/min.</summary>
+    /// <summary>The feed rate as written, mm/min.</summary>
     public double Rate;
 
     public double Factor;
@@ -11,7 +11,7 @@ internal struct FeedState
     /// <summary>The factor that M220 B has saved.</summary>
     public double SavedFactor;
 
-    /// <summary>mm/s.</summary>
+    /// <summary>The speed that follows, mm/s.</summary>
     public double Speed;
 
     public void Set(double rate, double factor)

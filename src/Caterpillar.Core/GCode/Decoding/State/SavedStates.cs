@@ -12,7 +12,7 @@ internal struct SavedStates
     private SavedState[] _stack;
     private SavedState[] _named;
 
-    /// <summary>mm.</summary>
+    /// <summary>The offset of the head, mm.</summary>
     public Vec3 Offset;
     public double OffsetE;
 

@@ -75,67 +75,20 @@ internal sealed class PlainMoves
     [MethodImpl(Compile.Optimized)]
     public bool Write(in LineRecord line, in WordPlaces places, byte[] text, int next, int number)
     {
-        int mask = line.Mask;
-        bool hasX = (mask & ChunkParser.HasX) != 0, hasY = (mask & ChunkParser.HasY) != 0, hasZ = (mask & ChunkParser.HasZ) != 0,
-            hasE = (mask & ChunkParser.HasE) != 0, hasF = (mask & ChunkParser.HasF) != 0;
-        if (hasF && !(line.F is > 0 and < Largest)) return false;
-
-        // What the line does in the file.
-        ref var head = ref _read.Head;
-        double rx = hasX ? line.X : head.X, ry = hasY ? line.Y : head.Y, rz = hasZ ? line.Z : head.Z;
-        var re = hasE ? _read.Modes.RelativeE ? line.E : line.E - _read.Extrusion.E : 0;
-        var readChange = re;
-        var readSpeed = hasF ? line.F / 60 : _read.Feed.Speed;
-        if (!Moves(head, rx, ry, rz, ref re)) return false;
-
-        // What it has to do.
-        double mx, my, mz, me, speed;
-        if (_edits)
-        {
-            if (!_tasks.HasSingleMove(number, out var c, out var i) || c.Tool[i] != _written.Tool || c.A is not null || c.TryGetArc(i, out _)) return false;
-            (mx, my, mz, me, speed) = (c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i]);
-        }
-        else
-        {
-            (mx, my, mz, me, speed) = (rx + head.ShiftX, ry + head.ShiftY, rz + head.ShiftZ, re, readSpeed);
-        }
-
-        // What it does as it is, and what its words have to be.
-        ref var to = ref _written.Head;
-        var relative = _written.Modes.RelativeE;
-        var writtenE = _written.Extrusion.E;
-        double wx = hasX ? line.X : to.X, wy = hasY ? line.Y : to.Y, wz = hasZ ? line.Z : to.Z;
-        var we = hasE ? relative ? line.E : line.E - writtenE : 0;
-        var change = we;
-        var feed = hasF ? line.F : _written.Feed.Rate;
-        var writtenSpeed = hasF ? line.F / 60 : _written.Feed.Speed;
-        var moves = Moves(to, wx, wy, wz, ref we);
+        if ((line.Mask & ChunkParser.HasF) != 0 && !(line.F is > 0 and < Largest)) return false;
+        if (!Does(line, _read, out var read) || !Wants(read, number, out var wanted)) return false;
+        var moves = Does(line, _written, out var written);
         var carried = _moves.Carried;
-        var endsRight = Math.Abs(wx + to.ShiftX - mx) <= NoChange && Math.Abs(wy + to.ShiftY - my) <= NoChange && Math.Abs(wz + to.ShiftZ - mz) <= NoChange;
-        var stays = moves && endsRight && Math.Abs(we - me - (_edits ? 0 : carried)) <= _toleranceE
-            && (!(speed > 0) || Math.Abs(writtenSpeed - speed) <= 1e-9 * speed);
+        ref var head = ref _written.Head;
+        var endsRight = Math.Abs(written.X + head.ShiftX - wanted.X) <= NoChange && Math.Abs(written.Y + head.ShiftY - wanted.Y) <= NoChange
+            && Math.Abs(written.Z + head.ShiftZ - wanted.Z) <= NoChange;
+        var stays = moves && endsRight && Math.Abs(written.E - wanted.E - (_edits ? 0 : carried)) <= _toleranceE
+            && (!(wanted.Speed > 0) || Math.Abs(written.Speed - wanted.Speed) <= 1e-9 * wanted.Speed);
         if (!stays)
         {
-            if (_edits && moves && endsRight && NeedsState(line, re, me, readSpeed, speed)) return false;
-            if (!Axis(X, hasX, line.X, places, mx - to.ShiftX, to.X) || !Axis(Y, hasY, line.Y, places, my - to.ShiftY, to.Y)
-                || !Axis(Z, hasZ, line.Z, places, mz - to.ShiftZ, to.Z) || !Extruder(hasE, line.E, me, relative ? 0 : writtenE, carried)
-                || !Feed(hasF, line.F, places, speed))
-            {
-                return false;
-            }
-            if (hasX) wx = _numbers[X].Value;
-            if (hasY) wy = _numbers[Y].Value;
-            if (hasZ) wz = _numbers[Z].Value;
-            we = change = hasE ? relative ? _numbers[E].Value : _numbers[E].Value - writtenE : 0;
-            if (hasF)
-            {
-                feed = _numbers[F].Value;
-                if (!(feed > 0)) return false;
-                writtenSpeed = feed / 60;
-            }
-            if (!Moves(to, wx, wy, wz, ref we)) return false;
+            if (_edits && moves && endsRight && NeedsState(line, read, wanted)) return false;
+            if (!Rewrite(line, places, wanted, carried, ref written)) return false;
         }
-
         if (_edits) _tasks.TakeSingleMove();
         if (!_comments.IsEmpty)
         {
@@ -144,10 +97,72 @@ internal sealed class PlainMoves
         }
         if (stays) _context.Text.Copy(text, line.Start, next);
         else Compose(places, text, line.Start, next);
-        _moves.Carry(me, we);
-        Step(_context.Read, line.Op, rx, ry, rz, readChange, re, hasF ? line.F : 0, readSpeed);
-        Step(_context.Written, line.Op, wx, wy, wz, change, we, hasF ? feed : 0, writtenSpeed);
+        _moves.Carry(wanted.E, written.E);
+        Step(_context.Read, line, read);
+        Step(_context.Written, line, written);
         return true;
+    }
+
+    // What a line does on a machine; false where it is no move, or one of unusual numbers.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool Does(in LineRecord line, InterpreterState machine, out Motion motion)
+    {
+        int mask = line.Mask;
+        ref var head = ref machine.Head;
+        motion.X = (mask & ChunkParser.HasX) != 0 ? line.X : head.X;
+        motion.Y = (mask & ChunkParser.HasY) != 0 ? line.Y : head.Y;
+        motion.Z = (mask & ChunkParser.HasZ) != 0 ? line.Z : head.Z;
+        motion.Change = (mask & ChunkParser.HasE) == 0 ? 0 : machine.Modes.RelativeE ? line.E : line.E - machine.Extrusion.E;
+        motion.E = motion.Change;
+        motion.Feed = (mask & ChunkParser.HasF) != 0 ? line.F : machine.Feed.Rate;
+        motion.Speed = (mask & ChunkParser.HasF) != 0 ? line.F / 60 : machine.Feed.Speed;
+        return Moves(head, ref motion);
+    }
+
+    // What it has to do, in machine coordinates; false where that is more than a straight move.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool Wants(in Motion read, int number, out Motion wanted)
+    {
+        wanted = read;
+        if (!_edits)
+        {
+            ref var head = ref _read.Head;
+            wanted.X += head.ShiftX;
+            wanted.Y += head.ShiftY;
+            wanted.Z += head.ShiftZ;
+            return true;
+        }
+        if (!_tasks.HasSingleMove(number, out var c, out var i) || c.Tool[i] != _written.Tool || c.A is not null || c.TryGetArc(i, out _)) return false;
+        (wanted.X, wanted.Y, wanted.Z, wanted.E, wanted.Speed) = (c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i]);
+        return true;
+    }
+
+    // Works out what its words have to be, and what it does then.
+    [MethodImpl(Compile.Optimized)]
+    private bool Rewrite(in LineRecord line, in WordPlaces places, in Motion wanted, double carried, ref Motion written)
+    {
+        int mask = line.Mask;
+        bool hasX = (mask & ChunkParser.HasX) != 0, hasY = (mask & ChunkParser.HasY) != 0, hasZ = (mask & ChunkParser.HasZ) != 0,
+            hasE = (mask & ChunkParser.HasE) != 0, hasF = (mask & ChunkParser.HasF) != 0;
+        ref var head = ref _written.Head;
+        var from = _written.Modes.RelativeE ? 0 : _written.Extrusion.E;
+        if (!Axis(X, hasX, line.X, places, wanted.X - head.ShiftX, head.X) || !Axis(Y, hasY, line.Y, places, wanted.Y - head.ShiftY, head.Y)
+            || !Axis(Z, hasZ, line.Z, places, wanted.Z - head.ShiftZ, head.Z) || !Extruder(hasE, line.E, wanted.E, from, carried)
+            || !Feed(hasF, line.F, places, wanted.Speed))
+        {
+            return false;
+        }
+        if (hasX) written.X = _numbers[X].Value;
+        if (hasY) written.Y = _numbers[Y].Value;
+        if (hasZ) written.Z = _numbers[Z].Value;
+        written.E = written.Change = hasE ? _numbers[E].Value - from : 0;
+        if (hasF)
+        {
+            written.Feed = _numbers[F].Value;
+            if (!(written.Feed > 0)) return false;
+            written.Speed = written.Feed / 60;
+        }
+        return Moves(head, ref written);
     }
 
     private static bool KnowsWords(string letters)
@@ -161,24 +176,26 @@ internal sealed class PlainMoves
     }
 
     // Whether a move is made of it, of numbers that are not unusually large.
-    private static bool Moves(in HeadPosition from, double x, double y, double z, ref double e)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool Moves(in HeadPosition from, ref Motion to)
     {
-        if (!(Math.Abs(x) < Largest && Math.Abs(y) < Largest && Math.Abs(z) < Largest && Math.Abs(e) < Largest)) return false;
-        if (e < NoChange && e > -NoChange) e = 0;
-        if (e != 0) return true;
-        double dx = x - from.X, dy = y - from.Y, dz = z - from.Z;
+        if (!(Math.Abs(to.X) < Largest && Math.Abs(to.Y) < Largest && Math.Abs(to.Z) < Largest && Math.Abs(to.E) < Largest)) return false;
+        if (to.E < NoChange && to.E > -NoChange) to.E = 0;
+        if (to.E != 0) return true;
+        double dx = to.X - from.X, dy = to.Y - from.Y, dz = to.Z - from.Z;
         return dx * dx + dy * dy + dz * dz > NoChange * NoChange;
     }
 
     // Where a line of state before it would let the line stay: G92 E or F.
-    private bool NeedsState(in LineRecord line, double re, double me, double readSpeed, double speed)
+    private bool NeedsState(in LineRecord line, in Motion read, in Motion wanted)
     {
-        if (!_written.Modes.RelativeE && Math.Abs(re - me) <= NoChange && (line.Mask & ChunkParser.HasE) != 0
-            && Math.Abs(line.E - me - _written.Extrusion.E) > NoChange)
+        if (!_written.Modes.RelativeE && Math.Abs(read.E - wanted.E) <= NoChange && (line.Mask & ChunkParser.HasE) != 0
+            && Math.Abs(line.E - wanted.E - _written.Extrusion.E) > NoChange)
         {
             return true;
         }
-        return Math.Abs(readSpeed - speed) <= 1e-9 * speed && speed > 0 && (line.Mask & ChunkParser.HasF) == 0
+        var speed = wanted.Speed;
+        return Math.Abs(read.Speed - speed) <= 1e-9 * speed && speed > 0 && (line.Mask & ChunkParser.HasF) == 0
             && Math.Abs(speed - _written.Feed.Speed) > 1e-9 * speed;
     }
 
@@ -254,20 +271,32 @@ internal sealed class PlainMoves
         else to.Wrote(count);
     }
 
-    private static void Step(GCodeInterpreter machine, int command, double x, double y, double z, double change, double e, double feed, double speed)
+    private static void Step(GCodeInterpreter machine, in LineRecord line, in Motion motion)
     {
         var state = machine.State;
-        state.Modes.Motion = command;
+        state.Modes.Motion = line.Op;
         ref var head = ref state.Head;
-        (head.X, head.Y, head.Z) = (x, y, z);
-        state.Extrusion.E += change;
-        if (feed > 0)
+        (head.X, head.Y, head.Z) = (motion.X, motion.Y, motion.Z);
+        state.Extrusion.E += motion.Change;
+        if ((line.Mask & ChunkParser.HasF) != 0)
         {
-            state.Feed.Rate = feed;
-            state.Feed.Speed = speed;
+            state.Feed.Rate = motion.Feed;
+            state.Feed.Speed = motion.Speed;
         }
-        if (e > 0) machine.Machine.Extruders.Push(e);
-        else if (e < 0) machine.Machine.Extruders.Pull(-e);
+        if (motion.E > 0) machine.Machine.Extruders.Push(motion.E);
+        else if (motion.E < 0) machine.Machine.Extruders.Pull(-motion.E);
+    }
+
+    // What a line does: where it ends, the change of its E word and what that extrudes, its feed rate in mm/min and the speed that follows.
+    private struct Motion
+    {
+        public double X;
+        public double Y;
+        public double Z;
+        public double Change;
+        public double E;
+        public double Feed;
+        public double Speed;
     }
 
     // A word of the current line: as it is read again, and as it is written where it changes (decimals of 0 and more).

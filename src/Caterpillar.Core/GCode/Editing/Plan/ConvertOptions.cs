@@ -14,7 +14,7 @@ public sealed record ConvertOptions
     /// <summary>E in mm³ (true) or in mm of filament (false); needs the diameter of the filament.</summary>
     public bool? Volumetric { get; init; }
 
-    /// <summary>mm; where it is null, what the file says.</summary>
+    /// <summary>Diameter of the filament, mm; where it is null, what the file says.</summary>
     public double? FilamentDiameter { get; init; }
 
     /// <summary>Arcs become chords. They also do where the target has no arcs.</summary>

@@ -7,7 +7,7 @@ namespace Caterpillar.GCode;
 
 /// <summary>Collects moves into the columns of blocks, without a call for each value.</summary>
 /// <param name="blockSize">Number of moves in a block.</param>
-internal sealed class MoveColumns(int blockSize = ToolpathBlock.Capacity)
+internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity)
 {
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<int> _arcMoves = [];
