@@ -36,8 +36,8 @@ public sealed record PrintJobOptions
     public ToolTilt? Tilt { get; init; }
 
     /// <summary>
-    /// Gives the lines that take the place of the infill's pattern in a layer, from the height of its top (<see cref="SliceOptions.InfillLines"/>); null for the
-    /// pattern.
+    /// Gives the lines that take the place of the infill's pattern in a layer, from the height of its top (<see cref="SliceOptions.InfillLines"/>);
+    /// null for the pattern.
     /// </summary>
     public Func<double, IReadOnlyList<Polyline>>? InfillLines { get; init; }
 

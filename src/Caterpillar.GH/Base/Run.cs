@@ -83,7 +83,7 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     public void Summarize(string text) => Component.Message = text;
 
     /// <summary>The value of a result whose diagnostics are reported. Without one the item ends here and gives null.</summary>
-    public T Need<T>(Result<T> result)
+    public T Require<T>(Result<T> result)
         where T : class
         => Accept(result) ?? throw new NoResult();
 

@@ -14,14 +14,19 @@ public class FolderOrderTests
     {
         ["Basics"] = [".", "Numbers", "Diagnostics"],
         ["Files"] = ["Streams", ".", "Gzip", "Images"],
-        ["Geometry"] = [".", "Curves", "Regions/Engine", "Regions", "Thickness", "Meshes", "Meshes/Files", "Meshes/Repair", "Meshes/Scalars", "Meshes/Sections"],
-        ["Toolpaths"] = ["Paths", "Deposits", "Moves", "Editing"],
+        ["Geometry"] =
+        [
+            ".", "Curves", "Regions/Engine", "Regions", "Thickness",
+            "Meshes", "Meshes/Files", "Meshes/Repair", "Meshes/Scalars", "Meshes/Sections",
+        ],
+        ["Toolpaths"] = ["Paths", "Moves", "Deposits", "Editing"],
         ["Dialects"] = ["Rules", "Firmware", "."],
         ["Machines"] = [".", "Values", "Templates", "Keys", "Settings", "Setups", "Profiles", "Import"],
         ["Turtles"] = [".", "Commands", "LSystems", "Programs"],
         ["Drawings"] = ["Curves", "Tables", "Svg", "."],
-        ["Slicing"] = ["Infill", "Models", "Walls", "Work", "Cutting", "Outlines", "Areas", "Seams", "Supports", "Bed", "Pipeline"],
-        ["Curved"] = ["Boundaries", "Patches", "Surfaces", "Fields", "Bending", "Lifting", "Pipeline"],
+        ["Slicing"] = ["Infill", "Walls", "Work", "Models", "Cutting", "Outlines", "Areas", "Seams", "Bed", "Supports", "Pipeline"],
+        ["Curved"] = ["Surfaces", "Boundaries", "Fields", "Bending", "Lifting", "Patches", "Pipeline"],
+        ["Planning"] = ["Sorting", "Rules", "Moves", "Travels", "."],
         ["GCode"] =
         [
             "Text", "Binary", "Documents",
@@ -29,7 +34,9 @@ public class FolderOrderTests
             "Writing",
             "Editing/Lines", "Editing/Plan", "Editing/Comments", "Editing/Moves", "Editing",
         ],
+        ["Simulation"] = ["Limits", "Motion", "."],
         ["Display"] = [".", "Viewing"],
+        ["Checks"] = ["Findings", "Moves", "Deposits", "WholeFiles", "Runs", "ReadingBack", "Writing"],
     };
 
     private static readonly List<FolderUse> Uses =

@@ -156,7 +156,8 @@ public sealed class TurtleComponentsTests
         Assert.That(canvas.One<string>("Text").Count(c => c == 'F'), Is.EqualTo(27));
         Assert.That(new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", "F -> F(").Feed("Generations", 3).Solve().Errors.Single(),
             Does.Contain("rule 1"));
-        Assert.That(new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", "F -> " + new string('F', 4000)).Feed("Generations", 9).Solve().Errors.Single(),
+        var tooMuch = "F -> " + new string('F', 4000);
+        Assert.That(new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", tooMuch).Feed("Generations", 9).Solve().Errors.Single(),
             Does.Contain("lsystem.too_large"));
         Assert.That(new Canvas<LSystemComponent>().Feed("Axiom", "F").Feed("Rules", "F -> FF").Feed("Generations", -1).Solve().Errors.Single(),
             Does.Contain("0 or more"));

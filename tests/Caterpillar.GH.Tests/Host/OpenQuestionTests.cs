@@ -20,7 +20,9 @@ using NUnit.Framework;
 
 namespace Caterpillar.GH.Tests.Host;
 
-/// <summary>What Grasshopper does is not documented everywhere. Where it is not, the plug-in works whatever it does. What it changes belongs to the whole host.</summary>
+/// <summary>
+/// What Grasshopper does is not documented everywhere. Where it is not, the plug-in works whatever it does. What it changes belongs to the whole host.
+/// </summary>
 [FixtureLifeCycle(LifeCycle.InstancePerTestCase)]
 [NonParallelizable]
 public sealed class OpenQuestionTests

@@ -17,7 +17,8 @@ public class FolderTests
             FolderOrder.Root, "Conversion", "Bake", "Plugin", "Preview", "Goos", "Params", "Base", "Components",
             "Components/Setup", "Components/Design", "Components/Path", "Components/Slice", "Components/GCode", "Components/Simulate",
         ];
-        var uses = FolderUses.Of(typeof(Caterpillar.GH.Base.CaterpillarComponent).Assembly.Location, Path.Combine(TestData.Repository, "src", "Caterpillar.GH"));
+        var source = Path.Combine(TestData.Repository, "src", "Caterpillar.GH");
+        var uses = FolderUses.Of(typeof(Caterpillar.GH.Base.CaterpillarComponent).Assembly.Location, source);
         Assert.That(FolderOrder.Offenses(uses, "", order), Is.Empty);
     }
 }

@@ -45,9 +45,9 @@ public sealed class ReadCurvesComponent() : CaterpillarComponent(
             {
                 UnitLength = unit, WidthReference = new Printer().NozzleDiameter, HeightReference = settings.LayerHeight, SpeedReference = settings.PrintSpeed,
             }, progress, cancel));
-        var curves = run.Need(read);
+        var curves = run.Require(read);
         var options = CurveOptions.From(settings) with { Subdivision = SubdivisionOptions.ByDistance(step) };
-        var steps = run.Need(run.Work("Dividing", [read, step, settings],
+        var steps = run.Require(run.Work("Dividing", [read, step, settings],
             (progress, cancel) => CurvePaths.ToSteps(curves, options, progress, cancel)));
         run.SetList(0, steps.OfType<PathStep>().Select(s => new PrintPathGoo(s)));
         run.SetList(1, steps.Select(s => new StepGoo(s)));

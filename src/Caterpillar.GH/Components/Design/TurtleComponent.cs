@@ -84,7 +84,7 @@ public sealed class TurtleComponent() : CaterpillarComponent(
         var library = Profiles.Library;
         var named = program.Profiles;
         var given = run.Maybe<Material>(6);
-        var printer = run.Maybe<Printer>(5) ?? run.Need(library.Printer(named.ElementAtOrDefault(0) ?? "generic"));
+        var printer = run.Maybe<Printer>(5) ?? run.Require(library.Printer(named.ElementAtOrDefault(0) ?? "generic"));
         var material = given ?? run.Accept(library.Material(named.ElementAtOrDefault(1) ?? printer.DefaultMaterial));
         var settings = run.Maybe<PrintSettings>(7) ?? run.Accept(library.Settings(named.ElementAtOrDefault(2) ?? printer.DefaultSettings));
         if (material is null || settings is null) throw new NoResult();

@@ -38,7 +38,7 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
         var programs = new List<TurtleProgram>();
         if (lines.Count > 0)
         {
-            var script = run.Need(TurtleScript.Compile(string.Join("\n", lines), null, new ScriptFiles(run.PathTo("."))));
+            var script = run.Require(TurtleScript.Compile(string.Join("\n", lines), null, new ScriptFiles(run.PathTo("."))));
             programs.Add(TurtleProgram.FromScript(script, Variables(run.List<string>(2), script, run), run.Get<int>(3)));
         }
         if (commands.Count > 0) programs.Add(TurtleProgram.FromCommands(commands));

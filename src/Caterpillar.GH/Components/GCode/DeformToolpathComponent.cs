@@ -40,13 +40,13 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
         var request = DeformationPorts.Read(run, Formulas);
         if (request.Tolerance == 0) throw new InputProblem("Tolerance must be greater than zero.");
         var frame = run.FrameOf(Formulas + DeformationPorts.Count);
-        var deformation = run.Need(request.Compile());
+        var deformation = run.Require(request.Compile());
         if (frame != Frame.World)
         {
             deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation).Then(Deformation.Cartesian(p => frame.ToWorld(p)));
         }
         var result = run.Work("Deform", [goo.Value, frame, .. MoveFilterPorts.Key(filter), .. request.Key],
             (_, _) => goo.Value.Deform(filter, deformation, request.Tolerance));
-        run.Set(0, goo.With(run.Need(result)));
+        run.Set(0, goo.With(run.Require(result)));
     }
 }

@@ -51,7 +51,7 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
         // Those who check and write the toolpath know of them from its setup.
         setup = setup with { PrintedOn = Joined(run, obstacles) };
         var options = new PlanOptions { Policy = run.Choice<PlanPolicy>(4), Sort = new SortOptions(run.Choice<SortRule>(5)) };
-        var toolpath = run.Need(run.Work("Planning", [steps, setup, options],
+        var toolpath = run.Require(run.Work("Planning", [steps, setup, options],
             (progress, cancel) => Planner.Plan(steps.Steps, setup, options, progress, cancel)));
         run.Set(0, new ToolpathGoo(toolpath, setup));
         run.Summarize($"{NumberFormatter.Format(toolpath.Count)} moves");

@@ -48,6 +48,6 @@ public sealed class ConstructPrintPathComponent() : CaterpillarComponent(
             if (bead is { } b) user = user with { Area = b.Area, Height = b.Height, Speed = b.Speed };
             return CurvePaths.ToPaths([user], options);
         });
-        run.Set(0, new PrintPathGoo(run.Need(made).Single()));
+        run.Set(0, new PrintPathGoo(run.Require(made).Single()));
     }
 }

@@ -24,7 +24,7 @@ public sealed class DeformComponent() : PathShapingComponent(
         var before = PathsOf(run);
         var request = DeformationPorts.Read(run, 1);
         var frame = run.FrameOf(1 + DeformationPorts.Count);
-        var deformation = run.Need(request.Compile());
+        var deformation = run.Require(request.Compile());
         var shaped = run.Work("Deform", [frame, .. request.Key, before], (progress, cancel) =>
         {
             var problems = new DiagnosticList();

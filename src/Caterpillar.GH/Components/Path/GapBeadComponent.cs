@@ -49,7 +49,7 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be above Maximum Gap.");
         var result = run.Work("Measuring gaps", [paths, .. below, gap],
             (progress, cancel) => (gap with { Surface = ModelMesh.Joined(below) }).Apply(paths.Paths, progress, cancel));
-        var shaped = run.Need(result);
+        var shaped = run.Require(result);
         run.SetList(0, run.Cached([paths, shaped], () => shaped.Select((path, i) => paths.Goos[i].With(path)).ToArray()));
     }
 }

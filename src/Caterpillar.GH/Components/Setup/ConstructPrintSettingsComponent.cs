@@ -34,7 +34,7 @@ public sealed class ConstructPrintSettingsComponent() : ProfileComponent(
 
     private protected override void Solve(Run run)
     {
-        var settings = run.Maybe<PrintSettings>(0) ?? run.Need(Profiles.Library.Settings("standard"));
+        var settings = run.Maybe<PrintSettings>(0) ?? run.Require(Profiles.Library.Settings("standard"));
         settings = settings with
         {
             LayerHeight = run.MaybeValue<double>(1) ?? settings.LayerHeight,
@@ -43,6 +43,6 @@ public sealed class ConstructPrintSettingsComponent() : ProfileComponent(
             TravelSpeed = run.MaybeValue<double>(4) ?? settings.TravelSpeed,
             SubdivisionDistance = run.MaybeValue<double>(5) ?? settings.SubdivisionDistance,
         };
-        run.Set(0, new SettingsGoo(run.Need((new PrintSetup() with { Settings = settings }).With(run.List<string>(6))).Settings));
+        run.Set(0, new SettingsGoo(run.Require((new PrintSetup() with { Settings = settings }).With(run.List<string>(6))).Settings));
     }
 }

@@ -54,7 +54,7 @@ public sealed class ConstructPrinterComponent() : ProfileComponent(
         if (head.Count > 0) printer = printer with { HeadBoxes = new ValueList<Bounds>(head.Select(h => BoundsOf(h, units))) };
         if (run.Maybe<string>(5) is { } start) printer = printer with { StartTemplate = new ValueList<string>(TextLines.Of(start)) };
         if (run.Maybe<string>(6) is { } end) printer = printer with { EndTemplate = new ValueList<string>(TextLines.Of(end)) };
-        var made = run.Need((new PrintSetup() with { Printer = printer }).With(run.List<string>(4))).Printer;
+        var made = run.Require((new PrintSetup() with { Printer = printer }).With(run.List<string>(4))).Printer;
         run.SetAll(new PrinterGoo(made), RhinoGeometry.ToBed(made, units));
     }
 

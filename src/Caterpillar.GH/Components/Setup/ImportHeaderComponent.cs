@@ -43,7 +43,7 @@ public sealed class ImportHeaderComponent() : CaterpillarComponent(
         var after = string.IsNullOrEmpty(footer) ? "" : File.ReadAllText(run.FileAt(footer!).FullName);
         var imported = HeaderImport.Read(before, after, string.IsNullOrWhiteSpace(name) ? "imported" : name, run.Maybe<Printer>(2), header,
             footer ?? "footer");
-        var made = run.Need(imported);
+        var made = run.Require(imported);
         run.SetAll(new PrinterGoo(made.Printer), new MaterialGoo(made.Material), made.Start is { } start ? RhinoGeometry.ToPoint(start, run.Units) : null);
     }
 }

@@ -31,7 +31,7 @@ public sealed class MaterialComponent() : ProfileComponent("Material", "Material
     private protected override void Solve(Run run)
     {
         var file = run.Maybe<string>(1);
-        var material = run.Need(Profiles.Library.Material(string.IsNullOrEmpty(file) ? run.Get<string>(0) : run.PathTo(file!)));
-        run.Set(0, new MaterialGoo(run.Need((new PrintSetup() with { Material = material }).With(run.List<string>(2))).Material));
+        var material = run.Require(Profiles.Library.Material(string.IsNullOrEmpty(file) ? run.Get<string>(0) : run.PathTo(file!)));
+        run.Set(0, new MaterialGoo(run.Require((new PrintSetup() with { Material = material }).With(run.List<string>(2))).Material));
     }
 }

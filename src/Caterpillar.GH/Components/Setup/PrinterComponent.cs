@@ -28,7 +28,7 @@ public sealed class PrinterComponent() : ProfileComponent("Printer", "Printer", 
     private protected override void Solve(Run run)
     {
         var file = run.Maybe<string>(1);
-        var printer = run.Need(Profiles.Library.Printer(string.IsNullOrEmpty(file) ? run.Get<string>(0) : run.PathTo(file!)));
+        var printer = run.Require(Profiles.Library.Printer(string.IsNullOrEmpty(file) ? run.Get<string>(0) : run.PathTo(file!)));
         run.SetAll(new PrinterGoo(printer), RhinoGeometry.ToBed(printer, run.Units));
     }
 }

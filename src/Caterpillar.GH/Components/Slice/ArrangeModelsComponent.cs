@@ -35,6 +35,6 @@ public sealed class ArrangeModelsComponent() : ModelMovingComponent(
         object[] meshes = Array.ConvertAll(models, m => (object)m.Mesh);
         var result = run.Work("Arranging", [meshes, printer, pieces, options],
             (_, cancel) => ModelArranger.Arrange(models.Copies(pieces), printer, options, cancel));
-        SetMoved(run, geometry, models, run.Need(result));
+        SetMoved(run, geometry, models, run.Require(result));
     }
 }

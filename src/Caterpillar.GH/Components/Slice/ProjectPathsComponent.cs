@@ -55,6 +55,6 @@ public sealed class ProjectPathsComponent() : CaterpillarComponent(
             var steps = goos.Select(g => (Step)g.ToStep()).ToArray();
             return SurfaceProjection.Project(steps, surface, setup, Math.Max(0, -offset), partial, progress, cancel);
         });
-        run.SetList(0, run.Need(result).OfType<PathStep>().Select(s => new PrintPathGoo(s)));
+        run.SetList(0, run.Require(result).OfType<PathStep>().Select(s => new PrintPathGoo(s)));
     }
 }

@@ -30,7 +30,7 @@ public sealed class ReadModelComponent() : CaterpillarComponent(
         var units = run.Units;
         var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length],
             (progress, cancel) => MeshReader.Read(file.FullName, progress, cancel));
-        var models = run.Need(read);
+        var models = run.Require(read);
         run.SetList(0, run.Cached([read, units.ToMillimeters], () => models.Select(m => RhinoMesh.FromTriangles(m.Mesh, units)).ToArray()));
         run.SetList(1, models.Select(m => m.Name));
     }

@@ -48,7 +48,7 @@ public abstract class SlicerComponent(string name, string nickname, string descr
         var units = run.Units;
         run.SetList(4, models.Where(m => m.Triangles.OpenEdgeCount > 0).SelectMany(m => m.Mesh.GetNakedEdges() ?? []).Select(p => p.ToPolylineCurve()));
         run.Report(solids.Where(m => m.Mesh.OpenEdgeCount > 0).Select(Open));
-        var slices = run.Need(result);
+        var slices = run.Require(result);
         var root = run.PathOf(0);
         var trees = run.Cached([slices, root.ToString(), units.ToMillimeters], () => new LayerTrees(slices, root, units));
         run.SetTree(0, trees.All);
