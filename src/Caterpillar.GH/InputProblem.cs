@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.GH;
 
 /// <summary>An input of one item that can't be used: the item gives null, the others are solved.</summary>

@@ -1,4 +1,3 @@
-using System.Threading.Tasks;
 using Caterpillar.Checks;
 using Caterpillar.Jobs;
 using Caterpillar.Simulation;

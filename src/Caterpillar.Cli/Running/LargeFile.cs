@@ -1,5 +1,3 @@
-using System.Threading.Tasks;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Reads large files in pieces side by side: most of the time goes into copying them from the memory of the system.</summary>

@@ -1,5 +1,4 @@
 using System.Text;
-using System.Threading;
 using Caterpillar.Checks;
 using Caterpillar.Files;
 using Caterpillar.GCode;

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Net;
-using System.Threading;
 using Caterpillar.Display;
 
 namespace Caterpillar.Cli;

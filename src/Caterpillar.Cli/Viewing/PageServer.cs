@@ -1,7 +1,5 @@
 using System.Net;
 using System.Text;
-using System.Threading;
-using System.Threading.Tasks;
 
 namespace Caterpillar.Cli;
 

@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Basics;
 
 /// <summary>Progress of long work: a number from 0 to 1.</summary>

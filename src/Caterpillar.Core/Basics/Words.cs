@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Caterpillar.Basics;
 
 /// <summary>Names of the code as people read and write them.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Caterpillar.Dialects;
 
 /// <summary>The dialects of G-code that are known; the rules, the notes and the source of each are one file of <c>Firmware</c>.</summary>

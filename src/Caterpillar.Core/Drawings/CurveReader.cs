@@ -1,10 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.Drawings;
 

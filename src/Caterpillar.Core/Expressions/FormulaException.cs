@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Expressions;
 
 /// <summary>Stops the compilation or run of a formula or a script; the public classes turn it into a diagnostic.</summary>

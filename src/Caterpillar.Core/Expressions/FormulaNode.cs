@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Expressions;
 
 /// <summary>A compiled formula or a part of one.</summary>

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Caterpillar.Expressions;
 
 /// <summary>Recursive descent over tokens. Scripts may start it anywhere; it stops after the formula.</summary>

@@ -1,5 +1,3 @@
-using System.Threading;
-
 namespace Caterpillar.Expressions;
 
 /// <summary>Lends contexts of one formula or of several over the same variables to any thread, and keeps one for the next caller.</summary>

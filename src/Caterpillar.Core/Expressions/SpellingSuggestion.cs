@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Expressions;
 
 /// <summary>Suggests the word that was probably meant.</summary>

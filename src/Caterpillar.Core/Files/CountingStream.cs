@@ -1,8 +1,3 @@
-using System.IO;
-#if NET8_0_OR_GREATER
-using System;
-#endif
-
 namespace Caterpillar.Files;
 
 /// <summary>Writes through to another stream, which stays open, and counts the bytes and lines (which LF, CRLF and CR end) of what is written.</summary>

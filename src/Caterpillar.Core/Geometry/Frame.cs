@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Basics;
 
 namespace Caterpillar.Geometry;

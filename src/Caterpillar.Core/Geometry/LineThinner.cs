@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Leaves away points of a line that straight pieces do not need.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Points joined by straight segments, in mm. A closed polyline does not repeat its first point. Immutable.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
-using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 

@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;

@@ -1,6 +1,4 @@
-using System;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Turtles;

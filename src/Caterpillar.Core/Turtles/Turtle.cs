@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 

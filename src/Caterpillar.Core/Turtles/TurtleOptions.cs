@@ -1,5 +1,3 @@
-using System;
-using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Drawing;
-using System.Linq;
 using Caterpillar.GH.Plugin;
 using Caterpillar.GH.Preview;
 using GH_IO.Serialization;

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Caterpillar.GH.Params;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;

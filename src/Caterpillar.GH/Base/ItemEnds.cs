@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.GH.Base;
 
 /// <summary>The result of an item is still worked on: a solution follows when it is there.</summary>

@@ -1,8 +1,4 @@
-using System;
 using System.Collections;
-using System.Collections.Generic;
-using System.Linq;
-using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;

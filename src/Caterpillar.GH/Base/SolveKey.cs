@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.GH.Base;
 
 /// <summary>The parts of a key and the type of its value: immutable inputs compare by reference, settings by value. The hash is computed once.</summary>

@@ -1,4 +1,3 @@
-using System;
 using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Base;

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Caterpillar.GH.Goos;
 using Caterpillar.Toolpaths;
 

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Base;

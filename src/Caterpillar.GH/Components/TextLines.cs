@@ -1,5 +1,3 @@
-using System.Linq;
-
 namespace Caterpillar.GH.Components;
 
 /// <summary>The lines of a text, as a Panel gives it; line ends after the last one are none.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 

@@ -1,4 +1,3 @@
-using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.Turtles;
 

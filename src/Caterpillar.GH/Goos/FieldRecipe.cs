@@ -1,6 +1,4 @@
-using System;
 using System.Collections;
-using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Curved;
 using Caterpillar.Geometry;

@@ -1,4 +1,3 @@
-using System.IO;
 using Caterpillar.GCode;
 using Caterpillar.GH.Conversion;
 using Grasshopper.Kernel.Types;

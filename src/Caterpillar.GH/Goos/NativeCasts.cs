@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Display;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;

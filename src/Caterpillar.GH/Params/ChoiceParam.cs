@@ -1,8 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.Drawing;
 using System.Globalization;
-using System.Linq;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Plugin;
 using GH_IO.Serialization;

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Drawing;
 using Caterpillar.GH.Plugin;
 using Grasshopper.Kernel;

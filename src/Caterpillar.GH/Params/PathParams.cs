@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.GH.Goos;
 
 namespace Caterpillar.GH.Params;

@@ -1,6 +1,4 @@
-using System;
 using System.Drawing;
-using System.IO;
 
 namespace Caterpillar.GH.Plugin;
 

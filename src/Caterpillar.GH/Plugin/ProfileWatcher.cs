@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Grasshopper;
 
 namespace Caterpillar.GH.Plugin;

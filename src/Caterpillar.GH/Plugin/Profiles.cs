@@ -1,4 +1,3 @@
-using System.IO;
 using Caterpillar.Machines;
 using Grasshopper;
 

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Drawing;
-using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Display;
 using Caterpillar.GH.Conversion;

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;
 using Rhino.Display;

@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.Drawing;
-using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Conversion;
 using Rhino.Display;

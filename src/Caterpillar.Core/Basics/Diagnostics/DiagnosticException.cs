@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Caterpillar.Basics;
 
 /// <summary>Errors of a call, thrown where the caller asked for a value or an exception (<see cref="Result{T}.OrThrow"/>).</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Caterpillar.Basics;
 
 /// <summary>A value, or none, and the diagnostics. Without a value there is at least one error.</summary>

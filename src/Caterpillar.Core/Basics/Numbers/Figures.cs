@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Basics;
 
 /// <summary>Numbers in sentences: as short as they can be without becoming 0 or a page of digits.</summary>

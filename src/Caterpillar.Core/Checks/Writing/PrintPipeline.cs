@@ -1,9 +1,4 @@
-using System;
 using System.Collections.Concurrent;
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
-using System.Threading.Tasks;
 using Caterpillar.Basics;
 using Caterpillar.Machines;
 using Caterpillar.Planning;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Curved;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading.Tasks;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Curved;

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 

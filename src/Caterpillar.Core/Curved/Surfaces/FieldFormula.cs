@@ -1,7 +1,5 @@
-using System;
 using Caterpillar.Basics;
 using Caterpillar.Expressions;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.Curved;
 

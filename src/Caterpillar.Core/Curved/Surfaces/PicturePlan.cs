@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
 

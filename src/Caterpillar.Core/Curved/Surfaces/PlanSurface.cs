@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using Caterpillar.Basics;
-using Caterpillar.Expressions;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;

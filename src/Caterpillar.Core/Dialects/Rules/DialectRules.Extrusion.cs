@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.Dialects;
 
 /// <summary>Extrusion, retraction and tools.</summary>

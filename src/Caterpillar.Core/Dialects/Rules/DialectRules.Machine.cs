@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.Dialects;
 
 /// <summary>Waiting, speed factors and the fan.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.Dialects;
 
 /// <summary>Origins and units: G20, G28, G53 to G59.3 and G92.</summary>

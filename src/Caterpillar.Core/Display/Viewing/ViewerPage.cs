@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.IO.Compression;
 using System.Net;
 using System.Text;
-using System.Threading;
-using Caterpillar.Basics;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.Display;
 

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>The meaning of a column of values.</summary>

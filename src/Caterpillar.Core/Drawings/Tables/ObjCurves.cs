@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.Geometry;

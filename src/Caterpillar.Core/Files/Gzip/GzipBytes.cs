@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Threading;
 using Caterpillar.Basics;
 
 namespace Caterpillar.Files;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Files;
 
 /// <summary>Brightness of pixels, 0 (black) to 1 (white), rows from the top. Immutable.</summary>

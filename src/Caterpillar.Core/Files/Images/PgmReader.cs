@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Caterpillar.Files;
 
 /// <summary>Netpbm graymaps (P2, P5) and bitmaps (P1, P4).</summary>

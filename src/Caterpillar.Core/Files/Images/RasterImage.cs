@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Files;
 
 /// <summary>Pixels, three bytes each (red, green, blue), rows from the top.</summary>

@@ -1,5 +1,3 @@
-using System.IO;
-using System.Threading.Tasks;
 using Caterpillar.Basics;
 
 namespace Caterpillar.Files;

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Caterpillar.Files;
 
 /// <summary>A stream that can only be written, from beginning to end.</summary>

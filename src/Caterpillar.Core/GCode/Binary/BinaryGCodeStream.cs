@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using Caterpillar.Basics;
 using Caterpillar.Files;
 
 namespace Caterpillar.GCode;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.GCode;
 
 /// <summary>MeatPack (Scott Mudge): the fifteen most frequent characters of G-code in four bits each.</summary>

@@ -1,7 +1,5 @@
-using System;
 using Caterpillar.Basics;
 using Caterpillar.Dialects;
-using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;

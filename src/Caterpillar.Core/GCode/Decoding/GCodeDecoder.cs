@@ -1,13 +1,6 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Dialects;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Makes the report of a decoded file from its counters.</summary>

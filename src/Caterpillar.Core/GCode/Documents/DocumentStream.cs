@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Collects text that is written to it as the chunks of a document, without copying it again.</summary>

@@ -1,10 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
-using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
 

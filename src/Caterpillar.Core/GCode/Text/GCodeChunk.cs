@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
-
 namespace Caterpillar.GCode;
 
 /// <summary>A part of a document that ends after a line end (or with the file). The buffer is shared and never changed.</summary>

@@ -1,8 +1,5 @@
-using System;
-using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Dialects;
-using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using Caterpillar.Dialects;
-using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;

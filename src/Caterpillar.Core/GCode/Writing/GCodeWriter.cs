@@ -1,11 +1,6 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Dialects;
 using Caterpillar.Geometry;
-using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Caterpillar.Basics;
 using Caterpillar.Dialects;
 
 namespace Caterpillar.GCode;

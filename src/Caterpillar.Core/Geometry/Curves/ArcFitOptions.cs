@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Options of <see cref="ArcFitter"/>.</summary>

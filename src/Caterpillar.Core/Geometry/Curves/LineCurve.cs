@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>A straight line from one point to another, in mm; its parameter runs from 0 to 1.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Finds straight runs in points, of which only the ends are kept.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Straight segments through points, in mm; the parameter is the index of the segment plus the fraction of it.</summary>

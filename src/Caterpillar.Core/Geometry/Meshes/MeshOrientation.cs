@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Caterpillar.Basics;
 
 namespace Caterpillar.Geometry;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Area and boundary length enclosed by contours, from their coordinates in double instead of on the 10 nm grid of <see cref="Region"/>.</summary>

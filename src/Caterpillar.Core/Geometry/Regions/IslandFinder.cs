@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Assigns each hole of a region to the smallest outer contour around it.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Where a straight line meets the boundary of a region, as parameters of the line from 0 to 1.</summary>

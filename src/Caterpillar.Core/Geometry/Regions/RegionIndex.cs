@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>The segments of a region in a box tree, for queries of points and lines. Immutable after construction.</summary>

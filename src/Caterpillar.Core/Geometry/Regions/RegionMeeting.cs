@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Whether the boundaries of two regions cross or touch: their box trees are gone through together.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Quick answers about two regions, so that the regions of neighboring layers need to be combined only where they differ.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Operations on regions with an engine that is kept from one to the next, so that its memory is used again.</summary>

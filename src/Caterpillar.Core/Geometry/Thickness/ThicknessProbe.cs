@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>The largest disc inside a region that touches its boundary at a given point: half the local thickness there.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Advice on a key that does not exist.</summary>

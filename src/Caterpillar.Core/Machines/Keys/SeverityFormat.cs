@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Caterpillar.Machines;
 
 /// <summary>How serious findings are: a list of texts such as <c>limit.flow=warning</c>.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Writes profiles as JSON, with all their keys. Reading the text gives an equal profile.</summary>

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Keys of print settings that hold for a whole print: one of several models cannot have a value of its own.</summary>

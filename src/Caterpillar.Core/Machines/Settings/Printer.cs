@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, bool>;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.Machines;
 
 /// <summary>All keys of profiles, by the kind of profile: the one table that reader, writer, schema, templates, <c>--set</c> and the manual read.</summary>

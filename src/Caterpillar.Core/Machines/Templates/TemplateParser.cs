@@ -1,9 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
-using Caterpillar.Expressions;
 
 namespace Caterpillar.Machines;
 

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Machines;
 
 /// <summary>The names that a template may use: those of numbers, in the order of the slots of formulas, and those of texts.</summary>

@@ -1,6 +1,5 @@
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 

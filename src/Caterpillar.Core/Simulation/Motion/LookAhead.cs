@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Simulation;
 
 /// <summary>Finds the speeds of a run of segments, which begins and ends at rest, so that none has to change faster than its acceleration allows.</summary>

@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 

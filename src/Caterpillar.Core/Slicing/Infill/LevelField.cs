@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Expressions;
 using Caterpillar.Geometry;
 

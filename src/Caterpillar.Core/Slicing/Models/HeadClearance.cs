@@ -1,5 +1,3 @@
-using System;
-using Caterpillar.Geometry;
 using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;

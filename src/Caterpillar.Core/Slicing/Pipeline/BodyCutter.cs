@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
 using Caterpillar.Basics;
-using Caterpillar.Geometry;
 using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;

@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 

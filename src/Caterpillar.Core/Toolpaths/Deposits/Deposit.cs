@@ -1,6 +1,4 @@
-using System;
 using System.Runtime.CompilerServices;
-using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;

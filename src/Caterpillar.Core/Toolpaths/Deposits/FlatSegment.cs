@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;

@@ -1,5 +1,3 @@
-using System;
-using System.Threading;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;

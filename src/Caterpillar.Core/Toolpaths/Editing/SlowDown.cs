@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Makes paths take a given time by lowering their speeds, all by the same factor as far as a least speed allows.</summary>

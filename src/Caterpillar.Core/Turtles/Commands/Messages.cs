@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Turtles;
 
 internal static class Messages

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>What the letters of an L-system make a turtle do. Immutable.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Caterpillar.Expressions;
 
 namespace Caterpillar.Turtles;

@@ -1,8 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.Runtime.CompilerServices;
 using System.Text;
-using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Expressions;
 using Caterpillar.Geometry;

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Caterpillar.Expressions;
 
 namespace Caterpillar.Turtles;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Caterpillar.Expressions;
 using Caterpillar.Shaping;
 using static Caterpillar.Turtles.ScriptCursor;

@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 

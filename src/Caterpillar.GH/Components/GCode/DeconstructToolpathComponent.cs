@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Params;
 using Caterpillar.Toolpaths;

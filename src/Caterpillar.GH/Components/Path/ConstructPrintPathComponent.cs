@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Caterpillar.Drawings;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Params;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.Geometry;

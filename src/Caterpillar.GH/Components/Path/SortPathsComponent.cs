@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;

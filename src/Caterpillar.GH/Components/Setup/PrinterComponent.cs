@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;

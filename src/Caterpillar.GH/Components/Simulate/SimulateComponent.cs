@@ -1,6 +1,4 @@
-using System;
 using System.Drawing;
-using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;

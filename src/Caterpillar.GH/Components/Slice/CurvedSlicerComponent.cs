@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Curved;
 using Caterpillar.GH.Base;

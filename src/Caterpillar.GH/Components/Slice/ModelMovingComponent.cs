@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;

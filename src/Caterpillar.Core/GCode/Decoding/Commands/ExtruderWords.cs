@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Dialects;
 
 namespace Caterpillar.GCode;

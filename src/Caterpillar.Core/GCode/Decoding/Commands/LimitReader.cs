@@ -1,4 +1,3 @@
-using System;
 using Caterpillar.Dialects;
 using Caterpillar.Toolpaths;
 

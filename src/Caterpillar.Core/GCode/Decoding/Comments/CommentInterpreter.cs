@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 /// <summary>What comments say of the moves after them: layers, roles, objects; and the settings and thumbnails that a slicer leaves.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.GCode;
 
 /// <summary>The sums of a decode report while they grow; in coordinates as written.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.GCode;
 
 /// <summary>How many lines have each notation by which dialects differ.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Text;
 using Caterpillar.Basics;
 using Caterpillar.Dialects;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Caterpillar.Dialects;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 

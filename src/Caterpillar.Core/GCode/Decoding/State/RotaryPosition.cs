@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Where the rotary axes are, degrees.</summary>

@@ -1,4 +1,3 @@
-using System.Linq;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;

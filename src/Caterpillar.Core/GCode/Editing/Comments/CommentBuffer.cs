@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Holds back comments until it is known whether the moves after them stay.</summary>

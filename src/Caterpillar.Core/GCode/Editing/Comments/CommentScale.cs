@@ -1,4 +1,3 @@
-using System;
 using System.Text.RegularExpressions;
 using Caterpillar.Basics;
 using Caterpillar.Toolpaths;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.GCode;
 
 /// <summary>A line of the file.</summary>

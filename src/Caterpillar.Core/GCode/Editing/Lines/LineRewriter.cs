@@ -1,9 +1,6 @@
-using System;
-using System.Collections.Generic;
 using Caterpillar.Basics;
 using Caterpillar.Dialects;
 using Caterpillar.Geometry;
-using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
 

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;

@@ -1,4 +1,3 @@
-using System.IO;
 using Caterpillar.Basics;
 using Caterpillar.Dialects;
 using Caterpillar.Geometry;

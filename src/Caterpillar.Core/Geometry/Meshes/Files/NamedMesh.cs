@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>A mesh and its name in the file (or the name of the file if it has none).</summary>

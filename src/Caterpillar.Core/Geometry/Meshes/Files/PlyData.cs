@@ -1,5 +1,3 @@
-using System;
-using Caterpillar.Basics;
 using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;

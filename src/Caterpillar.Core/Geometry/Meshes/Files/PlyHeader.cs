@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.Text;
-using Caterpillar.Basics;
 using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>A mesh after <see cref="MeshRepair"/>, and what was done to it. Immutable.</summary>

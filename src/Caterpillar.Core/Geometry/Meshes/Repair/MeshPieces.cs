@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>The pieces of a mesh: triangles that are joined over paired edges. Numbered by their first triangle.</summary>

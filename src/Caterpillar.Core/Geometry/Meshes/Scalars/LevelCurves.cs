@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>The curves on a mesh where values at its vertices have a level, linear in each triangle.</summary>

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Threading;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Divides the edges of a mesh until none is longer than a length; its surface stays the same, and closed meshes stay closed.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Divides a triangle along the middles of some of its edges.</summary>

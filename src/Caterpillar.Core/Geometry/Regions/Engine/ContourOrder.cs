@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Brings many contours into the order of a space-filling curve (Morton), so that neighbors in the box tree are neighbors in space.</summary>

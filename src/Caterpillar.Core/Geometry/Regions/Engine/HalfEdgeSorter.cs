@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Sorts the half-edges around a vertex counterclockwise from due west, exactly; equal directions by the number of the edge.</summary>

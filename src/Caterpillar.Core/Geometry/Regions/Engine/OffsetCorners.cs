@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>How the corners of an offset curve shorten the moved edges, and which edges vanish between two corners.</summary>

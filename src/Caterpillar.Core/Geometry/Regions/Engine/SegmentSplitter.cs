@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Collects the points at which segments have to be cut, and cuts them all at once in the order along each segment.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Numbers grid points in the order of their first appearance; an open-addressing hash table that is reused.</summary>
