@@ -1,7 +1,7 @@
 namespace Caterpillar.Basics;
 
 /// <summary>Names of the code as people read and write them.</summary>
-public static class Words
+internal static class Words
 {
     /// <summary>A name in words: <c>OuterWall</c> is "Outer wall".</summary>
     public static string Spaced(string name)

@@ -1,7 +1,7 @@
 namespace Caterpillar.Expressions;
 
 /// <summary>Suggests the word that was probably meant.</summary>
-public static class SpellingSuggestion
+internal static class SpellingSuggestion
 {
     /// <summary>The nearest of the known words (fewest changed, missing, added or swapped letters; the first of equals), or null if none is close.</summary>
     public static string? Nearest(string word, IEnumerable<string> known)

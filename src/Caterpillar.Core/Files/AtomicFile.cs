@@ -5,7 +5,7 @@ namespace Caterpillar.Files;
 /// it leaves no trace and an older file as it was. A link stays a link to a file that is replaced, and the new file gets the permissions of the older one. What
 /// is not a regular file (a device, a pipe) is written directly.
 /// </summary>
-public sealed class AtomicFile : IDisposable
+internal sealed class AtomicFile : IDisposable
 {
     // Names may have 255 bytes.
     private const int MaxNameLength = 60;

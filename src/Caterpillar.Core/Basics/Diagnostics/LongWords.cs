@@ -3,7 +3,7 @@ using System.Text;
 namespace Caterpillar.Basics;
 
 /// <summary>Keeps messages readable that quote what somebody wrote: numbers of hundreds of digits, whole files on one line.</summary>
-public static class LongWords
+internal static class LongWords
 {
     // Paths of ordinary length stay whole.
     private const int Longest = 120;

@@ -1,7 +1,7 @@
 namespace Caterpillar.Basics;
 
 /// <summary>Numbers in sentences: as short as they can be without becoming 0 or a page of digits.</summary>
-public static class Figures
+internal static class Figures
 {
     private const int Figure = 3;
     private const double Large = 1e9;

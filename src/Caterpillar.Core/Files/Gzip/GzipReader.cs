@@ -8,7 +8,7 @@ namespace Caterpillar.Files;
 /// that was cut off or damaged anywhere is never taken for a complete one. Zeros after the last member are padding; other bytes there are ignored, as gzip
 /// does. The output is bounded: 250 times the input, or 64 MB. Every problem is an <see cref="InvalidDataException"/>, on .NET and on Mono.
 /// </summary>
-public sealed class GzipReader : ReadStream
+internal sealed class GzipReader : ReadStream
 {
     /// <summary>Maximum growth of compressed data; meshes and G-code grow 3 to 20 times.</summary>
     private const long MaxFactor = 250;

@@ -1,7 +1,7 @@
 namespace Caterpillar.Files;
 
 /// <summary>A stream that can only be read, from beginning to end.</summary>
-public abstract class ReadStream : Stream
+internal abstract class ReadStream : Stream
 {
     public override bool CanRead => true;
 

@@ -1,7 +1,7 @@
 namespace Caterpillar.Files;
 
 /// <summary>A stream that can only be written, from beginning to end.</summary>
-public abstract class WriteStream : Stream
+internal abstract class WriteStream : Stream
 {
     public override bool CanRead => false;
 

@@ -8,7 +8,7 @@ namespace Caterpillar.GCode;
 /// deflate, whose bytes would depend on the runtime). Read again it gives the same lines, but for the comments that became tables or pictures: those stand at
 /// the beginning and the end then. Lines end with LF.
 /// </summary>
-public static class BinaryGCode
+internal static class BinaryGCode
 {
     private const int BlockText = 65536;
 

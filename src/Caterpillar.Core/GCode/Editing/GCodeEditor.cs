@@ -29,7 +29,7 @@ public sealed record EditOptions
 /// Writes a decoded file again with an edited toolpath: untouched lines byte for byte, changed ones in the file's own style, and at the splices the state that
 /// the rest of the file expects.
 /// </summary>
-public static class GCodeEditor
+internal static class GCodeEditor
 {
     /// <summary>
     /// Writes the file with the moves of <paramref name="edited"/>, which comes from the decoding's toolpath by edits that keep the order of its moves.

@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>A division asks for more points than can be meant: the distance, tolerance or angle is too small for the curve.</summary>
-public sealed class SubdivisionLimitException : Exception
+internal sealed class SubdivisionLimitException : Exception
 {
     /// <summary>The most points of one curve.</summary>
     public const int MaxPoints = 5_000_000;

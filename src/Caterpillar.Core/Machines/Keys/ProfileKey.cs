@@ -23,7 +23,7 @@ internal enum KeyKind : byte
 /// A key of a profile: its name with the unit, its range and its meaning. Reader, writer, schema, templates and manual all read the keys from
 /// <see cref="ProfileKeys"/>.
 /// </summary>
-public abstract class ProfileKey
+internal abstract class ProfileKey
 {
     private protected ProfileKey(string name) => Name = name;
 

@@ -1,7 +1,7 @@
 namespace Caterpillar.Machines;
 
 /// <summary>All keys of profiles, by the kind of profile: the one table that reader, writer, schema, templates, <c>--set</c> and the manual read.</summary>
-public static class ProfileKeys
+internal static class ProfileKeys
 {
     /// <summary>Keys of printers.</summary>
     public static IReadOnlyList<ProfileKey> Printer => ProfileKinds.Printer.Keys;

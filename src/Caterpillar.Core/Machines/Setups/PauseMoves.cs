@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Machines;
 
 /// <summary>The pause of a printer.</summary>
-public static class PauseMoves
+internal static class PauseMoves
 {
     /// <summary>A pause by the printer's keys <c>pause_lift_mm</c> and so on.</summary>
     public static Pause Of(PrintSetup setup)

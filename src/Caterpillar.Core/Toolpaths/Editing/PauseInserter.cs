@@ -4,7 +4,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Pauses in a finished toolpath.</summary>
-public static class PauseInserter
+internal static class PauseInserter
 {
     /// <summary>
     /// Pauses before the first move of a layer, by its number: retracts, lifts, parks and waits, and then comes back and restores.

@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Arcs in toolpaths, fitted to runs of straight printing moves.</summary>
-public static class ToolpathArcs
+internal static class ToolpathArcs
 {
     /// <summary>
     /// Replaces runs of straight printing moves with arcs within a tolerance (see <see cref="ArcFitter"/>). A run has one role, layer, tool and speed, material

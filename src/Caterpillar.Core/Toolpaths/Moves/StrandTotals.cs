@@ -7,7 +7,7 @@ namespace Caterpillar.Toolpaths;
 /// <param name="Deposited">What they deposit, in the units of E of their tools.</param>
 /// <param name="Volume">The same in mm³; null if the factor of a tool is unknown.</param>
 /// <param name="PartBounds">Box around the strands of the part, without skirts, purge lines and prime towers, mm.</param>
-public sealed record StrandTotals(double Length, double Deposited, double? Volume, Bounds PartBounds)
+internal sealed record StrandTotals(double Length, double Deposited, double? Volume, Bounds PartBounds)
 {
     /// <summary>The sums of a toolpath.</summary>
     public static StrandTotals Of(Toolpath toolpath)

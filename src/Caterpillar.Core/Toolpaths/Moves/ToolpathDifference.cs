@@ -6,7 +6,7 @@ namespace Caterpillar.Toolpaths;
 /// <param name="Shifted">Moves that end elsewhere.</param>
 /// <param name="Speeds">Moves with another speed.</param>
 /// <param name="Amounts">Moves that deposit another amount.</param>
-public sealed record ToolpathDifference(int Shifted, int Speeds, int Amounts)
+internal sealed record ToolpathDifference(int Shifted, int Speeds, int Amounts)
 {
     /// <exception cref="ArgumentException">The toolpaths have different numbers of moves.</exception>
     public static ToolpathDifference Of(Toolpath before, Toolpath after)

@@ -1,7 +1,7 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>Options of plane sections.</summary>
-public sealed record SectionOptions
+internal sealed record SectionOptions
 {
     /// <summary>
     /// Gaps of open contours up to this distance in mm are closed by a straight segment and reported (<c>mesh.gap_closed</c>); 0 closes none.

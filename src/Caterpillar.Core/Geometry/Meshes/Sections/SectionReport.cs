@@ -11,10 +11,10 @@ namespace Caterpillar.Geometry;
 /// <param name="Outer">Number of contours around the area.</param>
 /// <param name="Holes">Number of contours around holes in it.</param>
 /// <param name="Open">Number of loose ends of contours that do not close.</param>
-public sealed record SectionMeasure(double Z, double Length, double Area, int Outer, int Holes, int Open);
+internal sealed record SectionMeasure(double Z, double Length, double Area, int Outer, int Holes, int Open);
 
 /// <summary>Measures of plane sections of one model. Immutable.</summary>
-public sealed class SectionReport
+internal sealed class SectionReport
 {
     private SectionReport(string model, IReadOnlyList<SectionMeasure> sections)
     {
