@@ -1,4 +1,5 @@
 #if NET
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -9,35 +10,8 @@ namespace Caterpillar.Tests.Architecture;
 /// <summary>Inside a room of Core each folder uses only folders before it. Where types live is read from the debug information.</summary>
 public class FolderOrderTests
 {
-    // Lowest first; the dot is what lies in the room's own folder.
-    private static readonly Dictionary<string, string[]> Orders = new()
-    {
-        ["Basics"] = [".", "Numbers", "Diagnostics"],
-        ["Files"] = ["Streams", ".", "Gzip", "Images"],
-        ["Geometry"] =
-        [
-            ".", "Curves", "Regions/Engine", "Regions", "Thickness",
-            "Meshes", "Meshes/Files", "Meshes/Repair", "Meshes/Scalars", "Meshes/Sections",
-        ],
-        ["Toolpaths"] = ["Paths", "Moves", "Deposits", "Editing"],
-        ["Dialects"] = ["Rules", "Firmware", "."],
-        ["Machines"] = [".", "Values", "Templates", "Keys", "Settings", "Setups", "Profiles", "Import"],
-        ["Turtles"] = [".", "Commands", "LSystems", "Programs"],
-        ["Drawings"] = ["Curves", "Tables", "Svg", "."],
-        ["Slicing"] = ["Infill", "Walls", "Work", "Models", "Cutting", "Outlines", "Areas", "Seams", "Bed", "Supports", "Pipeline"],
-        ["Curved"] = ["Surfaces", "Boundaries", "Fields", "Bending", "Lifting", "Patches", "Pipeline"],
-        ["Planning"] = ["Sorting", "Rules", "Moves", "Travels", "."],
-        ["GCode"] =
-        [
-            "Text", "Binary", "Documents",
-            "Decoding/Parsing", "Decoding/State", "Decoding/Machine", "Decoding/Comments", "Decoding/Commands", "Decoding",
-            "Writing",
-            "Editing/Lines", "Editing/Plan", "Editing/Comments", "Editing/Moves", "Editing",
-        ],
-        ["Simulation"] = ["Limits", "Motion", "."],
-        ["Display"] = [".", "Viewing"],
-        ["Checks"] = ["Findings", "Moves", "Deposits", "WholeFiles", "Runs", "ReadingBack", "Writing"],
-    };
+    // Stated in CONTRIBUTING.md.
+    private static readonly Dictionary<string, string[]> Orders = Stated();
 
     private static readonly List<FolderUse> Uses =
         FolderUses.Of(typeof(Caterpillar.Basics.Diagnostic).Assembly.Location, Path.Combine(TestData.Repository, "src", "Caterpillar.Core"));
@@ -61,5 +35,10 @@ public class FolderOrderTests
     }
 
     private static IEnumerable<string> Rooms() => Orders.Keys;
+
+    private static Dictionary<string, string[]> Stated()
+        => File.ReadLines(Path.Combine(TestData.Repository, "CONTRIBUTING.md"))
+            .SkipWhile(line => line != "| room | folders, lowest first |").Skip(2).TakeWhile(line => line.StartsWith("|", StringComparison.Ordinal))
+            .Select(line => line.Split('|')).ToDictionary(cells => cells[1].Trim(), cells => cells[2].Split(',').Select(folder => folder.Trim()).ToArray());
 }
 #endif

@@ -7,7 +7,8 @@ namespace Caterpillar.Turtles;
 /// <param name="Values">Names of its numbers, with units; those in brackets are optional.</param>
 /// <param name="Text">Name of its text, or null; in brackets if it is optional.</param>
 /// <param name="Help">One sentence.</param>
-internal sealed record TurtleCommandInfo(TurtleAction Action, string Name, IReadOnlyList<string> Aliases, IReadOnlyList<string> Values, string? Text, string Help)
+internal sealed record TurtleCommandInfo(
+    TurtleAction Action, string Name, IReadOnlyList<string> Aliases, IReadOnlyList<string> Values, string? Text, string Help)
 {
     /// <summary>Number of required numbers.</summary>
     public int Required { get; } = Values.Count(v => !v.StartsWith("[", StringComparison.Ordinal));
